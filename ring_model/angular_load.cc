@@ -1,0 +1,133 @@
+#include "ring_model/angular_load.h"
+
+#include "ring_model/require.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stemware::ring
+{
+namespace
+{
+constexpr double pi = boost::math::constants::pi<double>();
+}
+
+AngularLoad::AngularLoad(std::vector<double> a, std::vector<double> b, double radius)
+    : cosine(std::move(a))
+    , sine(std::move(b))
+    , ring_radius(radius)
+{
+  require(!cosine.empty() && cosine.size() == sine.size(), "the load has ", cosine.size(), " cosine and ",
+          sine.size(), " sine coefficients, but must have equally many and at least one");
+  for (unsigned int n = 0; n < cosine.size(); ++n)
+    require(std::isfinite(cosine[n]) && std::isfinite(sine[n]), "harmonic ", n, " of the load is (",
+            cosine[n], ", ", sine[n], ") N/rad, but must be finite");
+  require(cosine[0] > 0., "the mean load a_0 is ", cosine[0],
+          " N/rad, but must be positive: the table pushes the ring up");
+  require(sine[0] == 0., "the sine coefficient b_0 is ", sine[0],
+          " N/rad, but must be zero: sin 0 has no amplitude");
+  require_positive(ring_radius, "the ring radius", "m");
+}
+
+AngularLoad AngularLoad::first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius)
+{
+  require_positive(normal_force, "the normal force", "N");
+  require_positive(radius, "the ring radius", "m");
+  return { { normal_force / (2. * pi), -moment.y() / (pi * radius) },
+           { 0., moment.x() / (pi * radius) },
+           radius };
+}
+
+double AngularLoad::normal_force() const
+{
+  return 2. * pi * cosine[0];
+}
+
+Eigen::Vector2d AngularLoad::moment() const
+{
+  return { pi * ring_radius * b(1), -pi * ring_radius * a(1) };
+}
+
+double AngularLoad::moment_ratio() const
+{
+  return std::hypot(a(1), b(1)) / cosine[0];
+}
+
+double AngularLoad::operator()(double theta) const
+{
+  double sum = cosine[0];
+  for (unsigned int n = 1; n < cosine.size(); ++n)
+    sum += cosine[n] * std::cos(n * theta) + sine[n] * std::sin(n * theta);
+  return sum;
+}
+
+double AngularLoad::derivative(double theta) const
+{
+  double sum = 0.;
+  for (unsigned int n = 1; n < cosine.size(); ++n)
+    sum += n * (sine[n] * std::cos(n * theta) - cosine[n] * std::sin(n * theta));
+  return sum;
+}
+
+double AngularLoad::minimum() const
+{
+  if (n_harmonics() <= 1)
+    return cosine[0] - std::hypot(a(1), b(1));
+  // The angles n theta_i are multiples of one spacing: a table of one turn serves all of them.
+  const unsigned int n_samples = 32 * n_harmonics();
+  const double spacing = 2. * pi / n_samples;
+  std::vector<double> cosines(n_samples), sines(n_samples), samples(n_samples, cosine[0]);
+  for (unsigned int i = 0; i < n_samples; ++i)
+  {
+    cosines[i] = std::cos(i * spacing);
+    sines[i] = std::sin(i * spacing);
+  }
+  for (unsigned int n = 1; n < cosine.size(); ++n)
+    for (unsigned int i = 0, turn = 0; i < n_samples; ++i, turn = (turn + n) % n_samples)
+      samples[i] += cosine[n] * cosines[turn] + sine[n] * sines[turn];
+
+  // Half of the digits in theta give all digits of the least value: the slope vanishes there.
+  const int bits = std::numeric_limits<double>::digits / 2;
+  double least = *std::min_element(samples.begin(), samples.end());
+  for (unsigned int i = 0; i < n_samples; ++i)
+    if (samples[i] <= samples[(i + 1) % n_samples] && samples[i] <= samples[(i + n_samples - 1) % n_samples])
+      least = std::min(
+        least,
+        boost::math::tools::brent_find_minima(*this, (i - 1.) * spacing, (i + 1.) * spacing, bits).second);
+  return least;
+}
+
+AngularLoad AngularLoad::truncated(unsigned int n_max) const
+{
+  const auto n_kept = static_cast<std::ptrdiff_t>(std::min(n_max, n_harmonics())) + 1;
+  return { { cosine.begin(), cosine.begin() + n_kept },
+           { sine.begin(), sine.begin() + n_kept },
+           ring_radius };
+}
+
+AngularLoad AngularLoad::rotated(double angle) const
+{
+  require_finite(angle, "the angle of rotation");
+  std::vector<double> a_turned(cosine), b_turned(sine);
+  for (unsigned int n = 1; n < cosine.size(); ++n)
+  {
+    const double c = std::cos(n * angle), s = std::sin(n * angle);
+    a_turned[n] = cosine[n] * c - sine[n] * s;
+    b_turned[n] = cosine[n] * s + sine[n] * c;
+  }
+  return { std::move(a_turned), std::move(b_turned), ring_radius };
+}
+
+AngularLoad AngularLoad::mirrored() const
+{
+  std::vector<double> reversed(sine);
+  for (unsigned int n = 1; n < reversed.size(); ++n)
+    reversed[n] = -sine[n];
+  return { cosine, std::move(reversed), ring_radius };
+}
+} // namespace stemware::ring

@@ -1,0 +1,63 @@
+#include "ring_model/closures.h"
+
+#include "ring_model/require.h"
+
+namespace stemware::ring
+{
+std::string to_string(Closure closure)
+{
+  switch (closure)
+  {
+  case Closure::paper:
+    return "paper";
+  case Closure::hand:
+    return "hand";
+  case Closure::full:
+    return "full";
+  }
+  throw std::invalid_argument("the closure is none of paper, hand, full");
+}
+
+Closure closure_from_string(const std::string &name)
+{
+  for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
+    if (to_string(closure) == name)
+      return closure;
+  throw std::invalid_argument("the closure \"" + name + "\" is unknown; choose paper, hand or full");
+}
+
+double friction_arm(Closure closure, const Motion &motion)
+{
+  switch (closure)
+  {
+  case Closure::paper:
+    return 0.;
+  case Closure::hand:
+    return motion.force_offset;
+  case Closure::full:
+    return motion.centre_of_mass_height + motion.force_offset;
+  }
+  throw std::invalid_argument("the closure is none of paper, hand, full");
+}
+
+Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction)
+{
+  Eigen::Vector2d acceleration = motion.acceleration();
+  if (closure == Closure::paper)
+    acceleration.x() = 0.;
+  // k x (x, y) = (-y, x); the friction enters the hand force with the opposite sign.
+  const auto k_cross = [](const Eigen::Vector2d &vector) { return Eigen::Vector2d(-vector.y(), vector.x()); };
+  return -motion.force_offset * motion.mass * k_cross(acceleration) +
+         friction_arm(closure, motion) * k_cross(friction);
+}
+
+Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion)
+{
+  return required_moment(closure, motion, { -motion.friction_coefficient * motion.normal_force(), 0. });
+}
+
+Eigen::Vector2d hand_force(const Motion &motion, const Eigen::Vector2d &friction)
+{
+  return motion.mass * motion.acceleration() - friction;
+}
+} // namespace stemware::ring

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ring_model/motion.h"
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace stemware::ring
+{
+/// Which moments the normal load has to balance; docs/theory/closures.md.
+enum class Closure
+{
+  paper, ///< the moment of the centripetal part of the hand force only
+  hand,  ///< the moment of the whole hand force F = m a - T
+  full   ///< the same, and the moment of the friction T about the centre of mass
+};
+
+/// "paper", "hand" or "full".
+std::string to_string(Closure closure);
+
+/// The closure of that name. @throws std::invalid_argument listing the names if there is none.
+Closure closure_from_string(const std::string &name);
+
+/**
+ * The arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
+ * z for `hand`, the height of the hand above the table z_CM + Delta z for `full`.
+ */
+double friction_arm(Closure closure, const Motion &motion);
+
+/**
+ * The moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
+ * from tilting when the table's friction is @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T
+ * with F = m a - T, cut down to what @p closure keeps. At omega = 0 the friction is exactly (-mu N, 0).
+ */
+Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction);
+
+/// required_moment() at omega = 0: the moment of a "frozen" load.
+Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion);
+
+/// The hand's force F = m a - T [N] in the slip frame.
+Eigen::Vector2d hand_force(const Motion &motion, const Eigen::Vector2d &friction);
+} // namespace stemware::ring

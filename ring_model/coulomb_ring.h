@@ -1,0 +1,61 @@
+#pragma once
+
+#include "ring_model/angular_load.h"
+
+namespace stemware::ring
+{
+/// Friction of the table on the ring, in the slip frame, about the ring's centre.
+struct Wrench
+{
+  double torque;  ///< tau_z [N m], counter-clockwise positive
+  double force_x; ///< T_x [N], along the motion: negative
+  double force_y; ///< T_y [N], to the left of the motion
+};
+
+/**
+ * Coulomb friction with one coefficient on a ring that slides with speed v along x and spins with omega about
+ * z. Every point of the ring feels mu lambda against its own slip velocity (v - omega R sin theta, omega R
+ * cos theta):
+ *
+ *   tau_z = mu R int lambda (v sin theta - omega R) / |v_rel| dtheta
+ *
+ * and likewise T_x, T_y. (The paper prints tau_z with the opposite sign; docs/theory/model.md.) All of it is
+ * linear in lambda, so each harmonic acts through one kernel of eps = omega R / v.
+ */
+class CoulombRing
+{
+public:
+  /// @param friction_coefficient mu >= 0. @throws std::invalid_argument otherwise.
+  explicit CoulombRing(double friction_coefficient);
+
+  /// mu.
+  double friction_coefficient() const { return mu; }
+
+  /**
+   * Torque and friction force, exact to rounding at every slip ratio.
+   * @param omega Spin [rad/s], counter-clockwise positive.
+   * @param speed Sliding speed v >= 0 [m/s].
+   * @throws std::invalid_argument if a value is not finite, v < 0, or the ring neither slides nor spins.
+   */
+  Wrench wrench(const AngularLoad &load, double omega, double speed) const;
+
+  /**
+   * The same by the periodic trapezoidal rule on @p n_points angles: independent of the kernels, and as slow
+   * and inexact near |eps| = 1 as such a rule must be. Points without slip carry no friction.
+   */
+  Wrench wrench_by_quadrature(const AngularLoad &load, double omega, double speed,
+                              unsigned int n_points) const;
+
+  /// Power lost to friction, -(T.v + tau_z omega) [W]: never negative where lambda >= 0.
+  double dissipation(const AngularLoad &load, double omega, double speed) const;
+
+  /**
+   * A-priori bound [N m] on the change of tau_z when the harmonics above @p n_max are left out:
+   * mu R sum_{n > n_max} sqrt(a_n^2 + b_n^2) |K_n(eps)|.
+   */
+  double truncation_bound(const AngularLoad &load, unsigned int n_max, double omega, double speed) const;
+
+private:
+  double mu;
+};
+} // namespace stemware::ring

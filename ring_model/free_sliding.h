@@ -1,0 +1,76 @@
+#pragma once
+
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/sliding_body.h"
+
+#include <vector>
+
+namespace stemware::ring
+{
+/// A body that was pushed and let go on a level table; SI units. Nothing but friction acts.
+struct FreeSlider
+{
+  SlidingBody body;            ///< footprint and pressure
+  double mass;                 ///< m [kg]
+  double yaw_inertia;          ///< I [kg m^2]; mass * body.mean_square_radius() if spread like the weight
+  double friction_coefficient; ///< mu > 0
+  double gravity = 9.81;       ///< g [m/s^2]
+  double centre_of_mass_height =
+    0.; ///< h [m]: the friction tilts the pressure forward by mu h (first harmonic)
+
+  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  void validate() const;
+};
+
+/// Position and motion on the table. The frame is fixed: x along the initial velocity, y to its left, z up.
+struct SlidingState
+{
+  double time;    ///< [s]
+  double x;       ///< [m]
+  double y;       ///< [m]
+  double yaw;     ///< angle turned about z [rad]
+  double speed;   ///< |v| [m/s]
+  double heading; ///< direction of v from x [rad]
+  double omega;   ///< spin [rad/s]
+};
+
+/// From the start to the stop.
+struct SlidingPath
+{
+  std::vector<SlidingState> states; ///< accepted steps, the last one at the stop (speed and spin 0)
+  double final_slip_ratio;          ///< limit of omega R / v at the stop, R the outer radius
+};
+
+/**
+ * Friction on the body in the slip frame at @p speed [m/s] and @p omega [rad/s], with the quasi-static
+ * forward tilt of the pressure p ~ 1 + r (alpha cos theta + beta sin theta) that balances the friction's
+ * moment about the centre of mass.
+ * @throws std::invalid_argument if the body neither slides nor spins.
+ */
+Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
+
+/**
+ * Slides from @p speed > 0 [m/s] and @p omega [rad/s] to the stop.
+ *
+ * The equations are singular at the stop, where v and omega vanish together. Integrated are therefore the
+ * ratio of the two and the direction over sigma = -ln S, S^2 = v^2 + I omega^2 / m, which friction can only
+ * lower; time and path follow. docs/theory/free_sliding.md.
+ *
+ * @param accuracy Requested relative accuracy of a step.
+ * @throws std::invalid_argument for values that are not allowed, std::runtime_error if the step control gives
+ * up.
+ */
+SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
+
+/**
+ * All slip ratios eps = omega R / v > 0 (R the outer radius) that the body keeps while it comes to rest, in
+ * increasing order. With untilted pressure they solve eps f(eps) = t(eps) / gamma, gamma = I / (m R^2).
+ */
+std::vector<double> self_similar_slip_ratios(const FreeSlider &slider);
+
+/**
+ * The slip ratio at the stop of a body that starts with @p slip_ratio: the next of the self-similar ones in
+ * the direction in which the ratio moves; 0 if the spin dies first, +-infinity if the sliding does.
+ */
+double final_slip_ratio(const FreeSlider &slider, double slip_ratio);
+} // namespace stemware::ring

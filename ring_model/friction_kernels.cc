@@ -1,0 +1,159 @@
+#include "ring_model/friction_kernels.h"
+
+#include "ring_model/require.h"
+
+#include <boost/math/special_functions/ellint_rd.hpp>
+
+#include <cmath>
+
+namespace stemware::ring
+{
+namespace
+{
+/// One pair of the recurrence: the scaled Laplace coefficient q_n = eps^-n Q_n and the difference g_n =
+/// q_{n-1} - q_n.
+struct Pair
+{
+  double q;
+  double g;
+};
+
+/// The pair at n = 1 from Legendre's integrals B and D of modulus eps: g_1 = 4 B, q_1 = 4 D.
+Pair first_pair(double complement)
+{
+  if (complement <= 0.)
+    return { 0., 4. }; // |eps| = 1: only (1 - eps^2) q_n occurs in the kernels, and it vanishes there
+  return { 4. / 3. * boost::math::ellint_rd(0., complement, 1.),
+           4. / 3. * complement * boost::math::ellint_rd(0., 1., complement) };
+}
+
+/// Step n+1 -> n, n >= 1: positive terms only.
+Pair step_down(const Pair &above, unsigned int n, double eps_squared, double complement)
+{
+  // Written so that the division waits for nothing: the latency of this step is most of the cost near |eps|
+  // = 1.
+  const double inverse = 1. / (2. * n - 1.), feed = complement * inverse;
+  return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
+}
+
+/// Step n -> n+1, for n (1 - eps^2) small, where the difference loses nothing.
+Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
+{
+  const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);
+  return { below.q - g, g };
+}
+
+/**
+ * Pairs n = 1...@p n_max, written to q = values[3 n], g = values[3 n + 1]; returns the pair of n_max + 1.
+ *
+ * Upwards, rounding errors grow like eps^{-2n}: harmless close to |eps| = 1. Elsewhere the recurrence runs
+ * downwards from far enough above that its arbitrary start has died out, and the first pair sets the scale.
+ */
+Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double eps, double complement)
+{
+  const double eps_squared = eps * eps;
+  const auto store = [values](unsigned int n, const Pair &pair)
+  {
+    values[3 * n] = pair.q;
+    values[3 * n + 1] = pair.g;
+  };
+  if ((n_max + 1.) * complement < 2.5 && eps_squared > 0.5)
+  {
+    Pair pair = first;
+    for (unsigned int n = 1; n <= n_max; ++n)
+    {
+      store(n, pair);
+      pair = step_up(pair, n, eps_squared, complement);
+    }
+    return pair;
+  }
+
+  const double decay = eps > 0. ? -std::log(eps) : HUGE_VAL;
+  unsigned int n = n_max + 4 + static_cast<unsigned int>(18. / decay);
+  Pair pair{ 1., 0.5 / n };
+  for (--n; n > n_max; --n)
+    pair = step_down(pair, n, eps_squared, complement);
+  const Pair beyond = pair;
+  for (; n >= 1; --n)
+  {
+    pair = step_down(pair, n, eps_squared, complement);
+    store(n, pair);
+  }
+  const double scale = first.q / pair.q; // pair is that of n = 1 now, also for n_max = 0
+  for (unsigned int k = 1; k <= n_max; ++k)
+    store(k, { values[3 * k] * scale, values[3 * k + 1] * scale });
+  return { beyond.q * scale, beyond.g * scale };
+}
+} // namespace
+
+FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_max)
+    : highest(n_max)
+    , speed(speed)
+    , mean_slip(0.)
+    , values(3 * (n_max + 1))
+{
+  require_finite(rim_speed, "the rim speed omega R");
+  require(std::isfinite(speed) && speed >= 0., "the sliding speed is ", speed,
+          " m/s, but must be finite and not negative: the slip frame points along the motion");
+  const double rim = std::abs(rim_speed);
+  require(
+    rim > 0. || speed > 0.,
+    "the ring neither slides nor spins (v = 0, omega R = 0): the direction of kinetic friction is undefined");
+
+  const bool fast_spin = rim > speed;
+  const double slow = fast_spin ? speed : rim, fast = fast_spin ? rim : speed;
+  const double ratio = slow / fast;
+  evaluate_slow_spin(ratio, (fast - slow) / fast * (1. + ratio), fast_spin);
+  mean_slip = fast * values[0];
+  if (fast_spin)
+    apply_duality(ratio);
+  if (rim_speed < 0.)
+    apply_parity();
+}
+
+void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool divided)
+{
+  const double eps_squared = eps * eps;
+  // The pairs wait in P's and K's places of `values` until the kernels take these; `beyond` is that of n_max
+  // + 1.
+  const Pair first = first_pair(complement);
+  const Pair beyond = fill_pairs(values.data(), highest, first, eps, complement);
+
+  double power = 1.; // eps^{n-1}
+  for (unsigned int n = 1; n <= highest; ++n)
+  {
+    const double q = complement * values[3 * n], g = values[3 * n + 1];
+    const double g_above = n < highest ? values[3 * n + 4] : beyond.g;
+    values[3 * n] = -power * (divided ? 1. : eps) * (q + 2. * g) / (2. * n + 1.);
+    values[3 * n + 1] = power * ((n + 1.) * q + g) / (2. * n + 1.);
+    values[3 * n + 2] = power * eps * ((n - 1.) * q - eps_squared * g_above) / (2. * n - 1.);
+    power *= eps;
+  }
+  values[0] = (1. + eps_squared) * first.g + complement * first.q;
+  values[1] = -eps * first.g;
+  values[2] = first.g + complement * first.q;
+}
+
+void FrictionKernels::apply_duality(double inverse)
+{
+  values[0] /= inverse;
+  for (unsigned int n = 0; n <= highest; ++n)
+  {
+    const double torque = -values[3 * n + 2];
+    values[3 * n + 2] = -values[3 * n + 1];
+    values[3 * n + 1] = torque;
+  }
+}
+
+void FrictionKernels::apply_parity()
+{
+  for (unsigned int n = 0; n <= highest; ++n)
+    if (n % 2 == 0)
+      values[3 * n + 1] = -values[3 * n + 1];
+    else
+    {
+      values[3 * n] = -values[3 * n];
+      values[3 * n + 2] = -values[3 * n + 2];
+    }
+}
+} // namespace stemware::ring

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <boost/container/small_vector.hpp>
+
+namespace stemware::ring
+{
+/**
+ * The friction kernels of a sliding and spinning ring for one slip ratio and n = 0...n_max:
+ *
+ *   P_n(eps) = int_0^{2 pi} sqrt(1 + eps^2 - 2 eps cos psi) cos(n psi) dpsi,
+ *   K_n(eps) = -P_n'(eps)               (torque),
+ *   U_n(eps) = P_n(eps) - eps P_n'(eps) (drag).
+ *
+ * eps = omega R / v is the rim speed over the sliding speed, any real number including |eps| = 1 and infinity
+ * (v = 0). All three are dimensionless. Every value comes from sums of positive terms, so that a kernel keeps
+ * its relative precision however small it is (except where K_n or U_n passes through zero, next to |eps| =
+ * 1). Derivation: docs/theory/kernels.md.
+ */
+class FrictionKernels
+{
+public:
+  /**
+   * Kernels at eps = rim_speed / speed.
+   *
+   * @param rim_speed omega R [m/s], signed: positive for a counter-clockwise spin.
+   * @param speed     Sliding speed v >= 0 of the ring's centre [m/s]. Not both may be zero: without slip
+   * there is no direction of friction.
+   * @param n_max     Highest harmonic.
+   * @throws std::invalid_argument if a speed is not finite, v < 0, or both are zero.
+   */
+  FrictionKernels(double rim_speed, double speed, unsigned int n_max);
+
+  /// Kernels at the slip ratio @p eps. @throws std::invalid_argument if it is not finite.
+  static FrictionKernels at_slip_ratio(double eps, unsigned int n_max) { return { eps, 1., n_max }; }
+
+  /// Highest harmonic that was computed.
+  unsigned int n_max() const { return highest; }
+
+  /// P_n(eps), n <= n_max. P_0 is infinite at v = 0.
+  double P(unsigned int n) const { return values[3 * n]; }
+
+  /// K_n(eps), n <= n_max.
+  double K(unsigned int n) const { return values[3 * n + 1]; }
+
+  /// U_n(eps), n <= n_max.
+  double U(unsigned int n) const { return values[3 * n + 2]; }
+
+  /// v P_n(eps) [m/s], the kernel of the dissipated power; finite at v = 0 too.
+  double slip_speed(unsigned int n) const { return n == 0 ? mean_slip : speed * P(n); }
+
+private:
+  /**
+   * Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. If @p
+   * divided, P_n / eps takes the place of P_n for n >= 1: what duality needs, finite at eps = 0.
+   */
+  void evaluate_slow_spin(double eps, double complement, bool divided);
+
+  /// Turns the kernels (divided) of 1/eps into those of eps = 1 / @p inverse > 1.
+  void apply_duality(double inverse);
+
+  /// Turns the kernels of |eps| into those of -|eps|.
+  void apply_parity();
+
+  unsigned int highest;
+  double speed;
+  double mean_slip;                                      ///< v P_0(eps) [m/s]
+  boost::container::small_vector<double, 3 * 34> values; ///< P_n, K_n, U_n for n = 0...n_max
+};
+} // namespace stemware::ring

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "ring_model/angular_load.h"
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+/// The moment asked for is more than the normal forces can carry: the glass tips (moment ratio >= 2).
+class Tipping : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// How a ring answers to the normal force and the moment that equilibrium demands of it.
+class LoadModel
+{
+public:
+  virtual ~LoadModel() = default;
+
+  /**
+   * The load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
+   * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
+   * are not finite or not allowed, std::out_of_range where the model has no data.
+   */
+  virtual AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const = 0;
+
+  /// Nominal contact radius R [m], which defines the moment ratio m = |M_N| / (N R / 2).
+  virtual double radius() const = 0;
+
+  /// Moment ratio above which a part of the ring carries no load (or a negative one, where the model is
+  /// formal).
+  virtual double lift_off_ratio() const = 0;
+
+  /// Moment ratios up to which (not including it) load() has an answer.
+  virtual double moment_ratio_limit() const { return 2.; }
+
+  /// Whether load() follows the moment it is given; a frozen load does not.
+  virtual bool follows_moment() const { return true; }
+};
+
+/// The first harmonic: exact for a linear support that holds the whole ring, formal (negative load) for m
+/// > 1.
+class FirstHarmonicModel : public LoadModel
+{
+public:
+  /// @param radius R > 0 [m]. @throws std::invalid_argument otherwise.
+  explicit FirstHarmonicModel(double radius);
+
+  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  double radius() const override { return ring_radius; }
+  double lift_off_ratio() const override { return 1.; }
+  double moment_ratio_limit() const override { return std::numeric_limits<double>::infinity(); }
+
+private:
+  double ring_radius;
+};
+
+/// A load that stays what it is, whatever is asked of it: a contact solution kept frozen while the spin
+/// changes.
+class FixedLoad : public LoadModel
+{
+public:
+  explicit FixedLoad(AngularLoad load)
+      : fixed(std::move(load))
+  {
+  }
+
+  /// The fixed load; the resultants asked for do not matter.
+  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  double radius() const override { return fixed.radius(); }
+
+  /// Zero if the load is negative somewhere, infinite otherwise.
+  double lift_off_ratio() const override;
+  double moment_ratio_limit() const override { return std::numeric_limits<double>::infinity(); }
+  bool follows_moment() const override { return false; }
+
+private:
+  AngularLoad fixed;
+};
+} // namespace stemware::ring

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace stemware::ring
+{
+/// Which way round the orbit the glass is led, seen from above.
+enum class OrbitSense
+{
+  counterclockwise, ///< the orbit's centre lies to the left of the motion (+y)
+  clockwise         ///< the orbit's centre lies to the right of the motion (-y)
+};
+
+/// The glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
+/// them.
+struct Motion
+{
+  double mass = 0.30;                  ///< m [kg]
+  double yaw_inertia = 3.0e-4;         ///< I_z about the glass's axis [kg m^2]; not in the paper
+  double centre_of_mass_height = 0.08; ///< z_CM above the table [m]; not in the paper
+  double force_offset = -0.05;         ///< Delta z = height of the hand's force - z_CM [m]
+  double orbit_radius = 0.15;          ///< rho [m]
+  double orbit_speed = 0.35;           ///< v > 0 [m/s]
+  double orbit_acceleration = 0.;      ///< dv/dt along the motion [m/s^2]; the closure `paper` ignores it
+  OrbitSense orbit_sense = OrbitSense::counterclockwise;
+  double friction_coefficient = 0.30; ///< mu
+  double gravity = 9.81;              ///< g [m/s^2]
+
+  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  void validate() const;
+
+  /// N = m g [N].
+  double normal_force() const { return mass * gravity; }
+
+  /// +1 for a counter-clockwise orbit, -1 for a clockwise one.
+  double sense_sign() const { return orbit_sense == OrbitSense::counterclockwise ? 1. : -1.; }
+
+  /// Omega = +- v / rho [rad/s], the rate at which the slip frame turns.
+  double orbit_rate() const { return sense_sign() * orbit_speed / orbit_radius; }
+
+  /// Acceleration of the glass in the slip frame [m/s^2]: dv/dt along x, v^2/rho towards the orbit's centre
+  /// along +-y.
+  Eigen::Vector2d acceleration() const;
+};
+} // namespace stemware::ring

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ring_model/motion.h"
+
+#include <functional>
+#include <vector>
+
+namespace stemware::ring
+{
+/**
+ * The orbit speed v(t) of a hand that is not a motor: a table, interpolated by the monotone cubic of Fritsch
+ * and Carlson (SIAM J. Numer. Anal. 17 (1980) 238), which never leaves the range of its two neighbouring
+ * entries and has a continuous acceleration dv/dt. Fewer than four entries are joined by straight lines.
+ */
+class OrbitSpeedTable
+{
+public:
+  /**
+   * @param times  Increasing times [s], at least two.
+   * @param speeds Speeds v > 0 at these times [m/s]; at rest the direction of friction is undefined.
+   * @throws std::invalid_argument naming the entry that is not allowed.
+   */
+  OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
+
+  /// v(t) [m/s]. @throws std::out_of_range outside the table: it is not extrapolated.
+  double speed(double time) const;
+
+  /// dv/dt [m/s^2]. @throws std::out_of_range outside the table.
+  double acceleration(double time) const;
+
+  /// @p motion with the orbit speed and acceleration of that time.
+  Motion motion_at(const Motion &motion, double time) const;
+
+private:
+  void check_range(double time) const;
+
+  double first_time;
+  double last_time;
+  std::function<double(double)> interpolant;
+  std::function<double(double)> slope;
+};
+} // namespace stemware::ring

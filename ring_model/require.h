@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace stemware::ring
+{
+/// One sentence made of its @p parts, numbers with enough digits to recognise them.
+template <typename... Parts>
+std::string sentence(const Parts &...parts)
+{
+  std::ostringstream text;
+  text.precision(12);
+  (text << ... << parts);
+  return text.str();
+}
+
+/// Throws std::invalid_argument with the sentence made of @p parts unless @p condition holds.
+template <typename... Parts>
+void require(bool condition, const Parts &...parts)
+{
+  if (!condition)
+    throw std::invalid_argument(sentence(parts...));
+}
+
+/// Throws std::invalid_argument unless @p value is finite; @p what names it.
+inline void require_finite(double value, const char *what)
+{
+  require(std::isfinite(value), what, " is ", value, ", but must be a finite number");
+}
+
+/// Throws std::invalid_argument unless @p value is finite and positive; @p what names it, @p unit follows it.
+inline void require_positive(double value, const char *what, const char *unit)
+{
+  require(std::isfinite(value) && value > 0., what, " is ", value, " ", unit,
+          ", but must be a finite positive number");
+}
+} // namespace stemware::ring

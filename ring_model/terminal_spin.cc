@@ -1,0 +1,126 @@
+#include "ring_model/terminal_spin.h"
+
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/require.h"
+
+#include <boost/math/differentiation/finite_difference.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::ring
+{
+namespace
+{
+/// The zero between two spins, in either order, with torques of opposite sign.
+double bracketed_zero(const TorqueFunction &torque, double lower, double upper, double torque_lower,
+                      double torque_upper)
+{
+  if (lower > upper)
+    return bracketed_zero(torque, upper, lower, torque_upper, torque_lower);
+  if (torque_lower == 0.)
+    return lower;
+  if (torque_upper == 0.)
+    return upper;
+  std::uintmax_t n_iterations = 200;
+  const auto bracket =
+    boost::math::tools::toms748_solve(torque, lower, upper, torque_lower, torque_upper,
+                                      boost::math::tools::eps_tolerance<double>(52), n_iterations);
+  if (n_iterations >= 200)
+    throw std::runtime_error(sentence("the terminal spin between ", lower, " and ", upper,
+                                      " rad/s did not converge in 200 bracketing steps"));
+  return std::abs(torque(bracket.first)) < std::abs(torque(bracket.second)) ? bracket.first : bracket.second;
+}
+
+TerminalSpin describe(const TorqueFunction &torque, double yaw_inertia, double omega, double unit)
+{
+  // Differences of eighth order with steps of about 1/30 unit.
+  const auto scaled = [&](double spin) { return torque(spin * unit); };
+  const double slope =
+    boost::math::differentiation::finite_difference_derivative<decltype(scaled), double, 8>(scaled,
+                                                                                            omega / unit) /
+    unit;
+  return { omega, slope, yaw_inertia / std::abs(slope), slope < 0. };
+}
+} // namespace
+
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
+                           double initial_spin)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  require_positive(spin_scale, "the spin scale v / R", "rad/s");
+  require_finite(initial_spin, "the initial spin [rad/s]");
+  double near = initial_spin, torque_near = torque(near);
+  if (torque_near == 0.)
+    return describe(torque, yaw_inertia, near, spin_scale / 8.);
+  for (unsigned int step = 1; step <= 32 * 64; ++step)
+  {
+    const double far = initial_spin + std::copysign(step * spin_scale / 32., torque_near);
+    const double torque_far = torque(far);
+    if (torque_far * torque_near <= 0.)
+      return describe(torque, yaw_inertia, bracketed_zero(torque, near, far, torque_near, torque_far),
+                      spin_scale / 8.);
+    near = far;
+    torque_near = torque_far;
+  }
+  throw std::runtime_error(sentence("no terminal spin: from ", initial_spin,
+                                    " rad/s the yaw torque keeps its sign up to ", near,
+                                    " rad/s, where it is ", torque_near, " N m"));
+}
+
+TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion)
+{
+  motion.validate();
+  const CoulombRing ring(motion.friction_coefficient);
+  return terminal_spin([&](double omega) { return ring.wrench(load, omega, motion.orbit_speed).torque; },
+                       motion.yaw_inertia, motion.orbit_speed / load.radius());
+}
+
+std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia, double lower,
+                                             double upper, unsigned int n_intervals)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  require(std::isfinite(lower) && std::isfinite(upper) && lower < upper && n_intervals > 0,
+          "the range of spins is ", lower, " to ", upper, " rad/s in ", n_intervals,
+          " intervals, but must be finite and not empty");
+  const auto spin = [&](unsigned int i) { return lower + (upper - lower) * i / n_intervals; };
+  std::vector<std::pair<double, double>> samples;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    samples.emplace_back(spin(i), torque(spin(i)));
+
+  // Where |torque| dips without a change of sign, its least value is made a sample: it may lie on the other
+  // side.
+  for (unsigned int i = 1; i < n_intervals; ++i)
+  {
+    const double sign = samples[i].second < 0. ? -1. : 1.;
+    const auto height = [&](double omega) { return sign * torque(omega); };
+    const double here = sign * samples[i].second;
+    if (here < sign * samples[i - 1].second && here <= sign * samples[i + 1].second)
+      samples.push_back(
+        [&]
+        {
+          const auto dip = boost::math::tools::brent_find_minima(height, spin(i - 1), spin(i + 1),
+                                                                 std::numeric_limits<double>::digits / 2);
+          return std::make_pair(dip.first, sign * dip.second);
+        }());
+  }
+  std::sort(samples.begin(), samples.end());
+
+  std::vector<TerminalSpin> spins;
+  const double unit = (upper - lower) / 256.;
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+  {
+    const auto &[left, torque_left] = samples[i];
+    const auto &[right, torque_right] = samples[i + 1];
+    if (torque_left == 0. || torque_left * torque_right < 0.)
+      spins.push_back(
+        describe(torque, yaw_inertia, bracketed_zero(torque, left, right, torque_left, torque_right), unit));
+  }
+  if (samples.back().second == 0.)
+    spins.push_back(describe(torque, yaw_inertia, upper, unit));
+  return spins;
+}
+} // namespace stemware::ring

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ring_model/angular_load.h"
+#include "ring_model/motion.h"
+
+#include <functional>
+#include <vector>
+
+namespace stemware::ring
+{
+/// Yaw torque tau_z [N m] at the spin omega [rad/s].
+using TorqueFunction = std::function<double(double omega)>;
+
+/// A spin at which the yaw torque vanishes.
+struct TerminalSpin
+{
+  double omega;         ///< [rad/s]
+  double torque_slope;  ///< d tau_z / d omega there [N m s]
+  double time_constant; ///< I_z / |slope| [s]: of the approach if stable, of the escape if not
+  bool stable;          ///< slope < 0
+};
+
+/**
+ * The terminal spin that the ring reaches from @p initial_spin: the first zero of @p torque in the direction
+ * in which the torque pushes, found in steps of 1/32 @p spin_scale and polished by bracketing (TOMS 748) to
+ * rounding.
+ *
+ * @param spin_scale Spin at which the torque varies, v / R [rad/s]; the search ends 64 times as far away.
+ * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
+ *         std::runtime_error if the torque does not change sign within the search.
+ */
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
+                           double initial_spin = 0.);
+
+/// terminal_spin() from rest under a load that does not react to the spin (a frozen load).
+TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion);
+
+/**
+ * All zeros of @p torque in [@p lower, @p upper] in increasing order, each with its stability. Sign changes
+ * over
+ * @p n_intervals equal intervals are bracketed; intervals where |torque| has a minimum are searched for pairs
+ * of zeros that such a scan steps over.
+ *
+ * @throws std::invalid_argument for an empty range or no intervals.
+ */
+std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia, double lower,
+                                             double upper, unsigned int n_intervals = 400);
+} // namespace stemware::ring
