@@ -1,0 +1,306 @@
+#include "fem/body_of_revolution.h"
+
+#include "fem/harmonic_newton.h"
+#include "fem/line_integral.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// Lagrange polynomials of @p nodes at @p x.
+Eigen::VectorXd lagrange(const Eigen::VectorXd &nodes, double x)
+{
+  Eigen::VectorXd values = Eigen::VectorXd::Ones(nodes.size());
+  for (Eigen::Index i = 0; i < nodes.size(); ++i)
+    for (Eigen::Index k = 0; k < nodes.size(); ++k)
+      if (k != i)
+        values(i) *= (x - nodes(k)) / (nodes(i) - nodes(k));
+  return values;
+}
+
+/// Circles whose force is more than rounding of the largest.
+std::vector<bool> loaded_circles(const Eigen::MatrixXd &modes)
+{
+  const Eigen::VectorXd sizes = modes.rowwise().norm();
+  const double threshold = 1e-14 * sizes.maxCoeff();
+  std::vector<bool> loaded(static_cast<std::size_t>(modes.rows()));
+  for (std::size_t i = 0; i < loaded.size(); ++i)
+    loaded[i] = sizes(static_cast<Eigen::Index>(i)) > threshold;
+  return loaded;
+}
+
+/// What is odd in theta counts as rounding below this share.
+constexpr double symmetry_tolerance = 1e-11;
+
+} // namespace
+
+BodyOfRevolution::BodyOfRevolution(ContactCompliance compliance_given, const Gap &gap, unsigned int n_lines)
+    : compliance(std::move(compliance_given))
+    , basis(compliance.n_harmonics(), n_lines)
+{
+  make_lines();
+  set_gap(gap);
+  reset();
+}
+
+void BodyOfRevolution::make_lines()
+{
+  const unsigned int n_radii = compliance.n_nodes();
+  const unsigned int degree = compliance.degree;
+  const unsigned int n_pieces = degree > 2 ? 2 : 1;
+  const double width = FourierBasis::norm(0) / basis.n_lines();
+  surface.lines_are_radial = true;
+  surface.n_sectors = basis.n_lines();
+  surface.node_position.resize(n_radii * basis.n_lines(), 2);
+  surface.node_area = Eigen::VectorXd::Zero(n_radii * basis.n_lines());
+  for (unsigned int j = 0; j < basis.n_lines(); ++j)
+  {
+    const Eigen::RowVector2d outward(basis.cosine(1, j), basis.sine(1, j));
+    const Eigen::RowVector2d across(-outward(1), outward(0));
+    for (unsigned int i = 0; i < n_radii; ++i)
+      surface.node_position.row(j * n_radii + i) = compliance.radii(i) * outward;
+    for (unsigned int first = 0; first + degree < n_radii; first += degree)
+      for (unsigned int piece = 0; piece < n_pieces; ++piece)
+      {
+        const Eigen::VectorXd nodes = compliance.radii.segment(first, degree + 1);
+        const double length = (nodes(degree) - nodes(0)) / n_pieces;
+        ContactLine line;
+        line.shape.resize(3, degree + 1);
+        for (unsigned int i = 0; i <= degree; ++i)
+          line.nodes.push_back(j * n_radii + first + i);
+        for (unsigned int sample = 0; sample < 3; ++sample)
+        {
+          const double radius = nodes(0) + length * (piece + sample / 2.);
+          line.shape.row(sample) = lagrange(nodes, radius);
+          line.position.row(sample) = radius * outward;
+          line.breadth.row(sample) = radius * width * across;
+        }
+        line.azimuth = basis.azimuth(j);
+        line.azimuth_width = width;
+        for_each_loaded_point(line, Eigen::Vector3d::Ones(),
+                              [&](const LinePoint &point)
+                              {
+                                for (unsigned int i = 0; i <= degree; ++i)
+                                  surface.node_area(line.nodes[i]) +=
+                                    point.area * line.shape.col(i).dot(point.shape);
+                              });
+        surface.lines.push_back(std::move(line));
+      }
+  }
+}
+
+void BodyOfRevolution::set_gap(const Gap &gap)
+{
+  const unsigned int n_radii = compliance.n_nodes();
+  surface.node_gap.resize(n_radii * basis.n_lines());
+  for (unsigned int j = 0; j < basis.n_lines(); ++j)
+    for (unsigned int i = 0; i < n_radii; ++i)
+      surface.node_gap(j * n_radii + i) = gap(compliance.radii(i), basis.azimuth(j));
+  for (ContactLine &line : surface.lines)
+    for (unsigned int sample = 0; sample < 3; ++sample)
+      line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
+}
+
+void BodyOfRevolution::set_sliding(const std::optional<SlidingTraction> &traction)
+{
+  projected_forces.resize(0);
+  projection = {};
+  if (!traction || traction->friction_coefficient == 0)
+  {
+    slide_radial.resize(0, 0);
+    slide_azimuthal.resize(0, 0);
+    state.radial.resize(0, 0);
+    state.azimuthal.resize(0, 0);
+    return;
+  }
+  traction->validate();
+  slide_radial.resize(compliance.n_nodes(), basis.n_lines());
+  slide_azimuthal.resize(compliance.n_nodes(), basis.n_lines());
+  for (unsigned int j = 0; j < basis.n_lines(); ++j)
+    for (unsigned int i = 0; i < compliance.n_nodes(); ++i)
+    {
+      const Eigen::Vector2d direction = traction->direction(compliance.radii(i), basis.azimuth(j));
+      slide_radial(i, j) = direction(0);
+      slide_azimuthal(i, j) = direction(1);
+    }
+  if (state.radial.size() == 0)
+    state.radial = state.azimuthal = Eigen::MatrixXd::Zero(state.normal.rows(), state.normal.cols());
+}
+
+const BodyOfRevolution::ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) const
+{
+  // The driver asks for the balance of the same forces that it then hands to solve().
+  if (projected_forces.size() == forces.size() && projected_forces == forces)
+    return projection;
+  projected_forces = forces;
+  const Eigen::Map<const Eigen::MatrixXd> on_lines(forces.data(), compliance.n_nodes(), basis.n_lines());
+  projection.normal.noalias() = on_lines * basis.values();
+  if (has_sliding())
+  {
+    projection.radial = on_lines.cwiseProduct(slide_radial) * basis.values();
+    projection.azimuthal = on_lines.cwiseProduct(slide_azimuthal) * basis.partners();
+  }
+  return projection;
+}
+
+BodyOfRevolution::ForceModes BodyOfRevolution::imbalance(const Eigen::VectorXd &forces) const
+{
+  ForceModes result = modes_of(forces);
+  result.normal -= state.normal;
+  if (has_sliding())
+  {
+    result.radial -= state.radial;
+    result.azimuthal -= state.azimuthal;
+  }
+  return result;
+}
+
+Eigen::MatrixXd BodyOfRevolution::displacement_modes(const ForceModes &forces) const
+{
+  Eigen::MatrixXd displacement(compliance.n_nodes(), basis.n_modes());
+  for (unsigned int mode = 0; mode < basis.n_modes(); ++mode)
+  {
+    const HarmonicCompliance &harmonic = compliance.harmonics[FourierBasis::harmonic(mode)];
+    displacement.col(mode) = harmonic.normal * forces.normal.col(mode);
+    if (forces.radial.size() > 0)
+      displacement.col(mode) +=
+        harmonic.radial * forces.radial.col(mode) + harmonic.azimuthal * forces.azimuthal.col(mode);
+    displacement.col(mode) /= FourierBasis::norm(mode);
+  }
+  return displacement;
+}
+
+Eigen::VectorXd BodyOfRevolution::contact_displacement() const
+{
+  return on_nodes(displacement_modes(state));
+}
+
+Eigen::VectorXd BodyOfRevolution::on_nodes(const Eigen::MatrixXd &modes) const
+{
+  const Eigen::Index n_even = basis.n_harmonics() + 1;
+  Eigen::MatrixXd even(modes.rows(), n_even);
+  even.col(0) = modes.col(0);
+  bool has_sines = false;
+  for (Eigen::Index n = 1; n < n_even; ++n)
+  {
+    even.col(n) = modes.col(2 * n - 1);
+    has_sines = has_sines || !modes.col(2 * n).isZero(0);
+  }
+  Eigen::VectorXd values(surface.n_nodes());
+  Eigen::Map<Eigen::MatrixXd> on_lines(values.data(), compliance.n_nodes(), basis.n_lines());
+  if (has_sines)
+    on_lines.noalias() = modes * basis.values().transpose();
+  else
+    on_lines.noalias() = even * basis.cosine_table().leftCols(n_even).transpose();
+  return values;
+}
+
+bool BodyOfRevolution::is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
+                               const Eigen::Vector3d &resultant_excess) const
+{
+  if (has_sliding())
+    return false;
+  const double allowed = symmetry_tolerance * forces.lpNorm<1>();
+  double odd = std::abs(resultant_excess(2)) / compliance.radii(0);
+  const Eigen::Map<const Eigen::MatrixXd> on_lines(forces.data(), compliance.n_nodes(), basis.n_lines());
+  const Eigen::Index n_lines = basis.n_lines();
+  for (Eigen::Index line = 1; 2 * line < n_lines; ++line)
+    odd = std::max(odd, (on_lines.col(line) - on_lines.col(n_lines - line)).cwiseAbs().maxCoeff());
+  for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
+    odd = std::max(odd, state.normal.col(mode).cwiseAbs().maxCoeff());
+  return odd <= allowed && tangents.is_even(symmetry_tolerance);
+}
+
+ModeMatrix BodyOfRevolution::on_circles(const Eigen::MatrixXd &whole, const LineTangents &tangents,
+                                        const std::vector<unsigned int> &modes) const
+{
+  ModeMatrix part(tangents.circles.size(), modes.size());
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    for (std::size_t p = 0; p < tangents.circles.size(); ++p)
+      part(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k)) = whole(tangents.circles[p], modes[k]);
+  return part;
+}
+
+ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                    const Eigen::Vector3d &resultant_excess)
+{
+  const ForceModes unbalanced = imbalance(forces);
+  const LineTangents tangents(tangent, compliance.n_nodes(), basis.n_lines(),
+                              loaded_circles(unbalanced.normal));
+  HarmonicNewton newton(basis, compliance, tangents, is_even(tangents, forces, resultant_excess));
+  const std::vector<unsigned int> &modes = newton.modes();
+  ModeMatrix rhs = on_circles(unbalanced.normal, tangents, modes);
+  if (has_sliding())
+  {
+    newton.add_sliding(slide_radial, slide_azimuthal);
+    ForceModes tangential = unbalanced;
+    tangential.normal.setZero();
+    rhs += newton.stiffness_times(on_circles(displacement_modes(tangential), tangents, modes));
+  }
+  const HarmonicNewton::Result result = newton.solve(rhs, resultant_excess);
+
+  increment = unbalanced;
+  const auto relieve = [&](Eigen::MatrixXd &force, const ModeMatrix &relief)
+  {
+    for (std::size_t k = 0; k < modes.size(); ++k)
+      for (std::size_t p = 0; p < tangents.circles.size(); ++p)
+        force(tangents.circles[p], modes[k]) -=
+          relief(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k));
+  };
+  relieve(increment.normal, result.normal_relief);
+  if (has_sliding())
+  {
+    relieve(increment.radial, result.radial_relief);
+    relieve(increment.azimuthal, result.azimuthal_relief);
+  }
+  const Eigen::MatrixXd displacement = displacement_modes(increment);
+  ContactStep step;
+  step.displacement = on_nodes(displacement);
+  step.motion = result.motion;
+  step.energy_slope = displacement.cwiseProduct(state.normal).sum();
+  step.energy_curvature = displacement.cwiseProduct(increment.normal).sum();
+  return step;
+}
+
+void BodyOfRevolution::accept(double fraction)
+{
+  state.normal += fraction * increment.normal;
+  if (has_sliding())
+  {
+    state.radial += fraction * increment.radial;
+    state.azimuthal += fraction * increment.azimuthal;
+  }
+}
+
+void BodyOfRevolution::reset()
+{
+  state.normal = Eigen::MatrixXd::Zero(compliance.n_nodes(), basis.n_modes());
+  if (has_sliding())
+    state.radial = state.azimuthal = state.normal;
+}
+
+double BodyOfRevolution::equilibrium_residual(const Eigen::VectorXd &forces) const
+{
+  const ForceModes &needed = modes_of(forces);
+  double difference = (needed.normal - state.normal).squaredNorm();
+  double size = needed.normal.squaredNorm();
+  if (has_sliding())
+  {
+    difference +=
+      (needed.radial - state.radial).squaredNorm() + (needed.azimuthal - state.azimuthal).squaredNorm();
+    size += needed.radial.squaredNorm() + needed.azimuthal.squaredNorm();
+  }
+  return std::sqrt(difference / size);
+}
+
+unsigned int BodyOfRevolution::n_unknowns() const
+{
+  return compliance.n_nodes() * basis.n_modes() + 3;
+}
+
+} // namespace stemware::fem

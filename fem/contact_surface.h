@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// One line of contact along which the penetration is a quadratic polynomial: the place where a table law is
+/// integrated.
+///
+/// The local coordinate runs over [-1, 1]; everything is given at the three samples -1, 0, 1 and is quadratic
+/// in between. In a solid body a contact face carries several such lines, roughly radial, at Gauss points of
+/// the other direction; in a body of revolution each azimuth line crosses one line per meridional element.
+struct ContactLine
+{
+  std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
+  Eigen::Matrix<double, 3, Eigen::Dynamic>
+    shape; ///< [sample, node]: displacement at a sample = shape * nodal displacements
+  Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
+  Eigen::Matrix<double, 3, 2>
+    breadth;                ///< vector across the line at the samples, quadrature weight included [m]
+  Eigen::Vector3d gap;      ///< distance of the undeformed surface from the plane z = 0 [m]
+  double azimuth = 0;       ///< theta of the middle sample [rad]
+  double azimuth_width = 0; ///< breadth of the line as an angle [rad]
+};
+
+/// The contact zone of a body, as the table and the contact driver see it. Replicated on all MPI ranks.
+struct ContactSurface
+{
+  Eigen::MatrixX2d node_position; ///< (x, y) of the contact nodes [m]
+  Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
+  Eigen::VectorXd node_area;      ///< int N_i dA, projected on the table [m^2]
+  std::vector<ContactLine> lines;
+  bool lines_are_radial =
+    false; ///< every line has one azimuth: lines of equal azimuth form a cut at theta = const
+  unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
+
+  unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
+  /// Projected area of the contact zone [m^2].
+  double area() const { return node_area.sum(); }
+  /// Columns (1, x, y) at the nodes: what the table motions q0, q1, q2 do to the gap. Shape [n_nodes, 3].
+  Eigen::MatrixX3d motion_modes() const;
+  /// How many nodes under pressure lie side by side across the rim, where they are most; nodes within an
+  /// eighth of a sector of one azimuth count as side by side. @p pressure of shape [n_nodes].
+  unsigned int n_nodes_across(const Eigen::VectorXd &pressure) const;
+};
+
+/// A vertical force on the foot at a point of the table: what is left of a contact solution once the body is
+/// forgotten.
+struct PointForce
+{
+  double x = 0;     ///< [m]
+  double y = 0;     ///< [m]
+  double force = 0; ///< upward on the foot [N], >= 0
+};
+
+} // namespace stemware::fem

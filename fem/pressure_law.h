@@ -1,0 +1,114 @@
+#pragma once
+
+#include "fem/line_integral.h"
+#include "fem/line_pattern.h"
+#include "fem/sector_density.h"
+#include "fem/table_law.h"
+
+namespace stemware::fem
+{
+
+/// A table whose pressure depends on the local penetration alone, integrated along the contact lines. What
+/// mat and rough interface share.
+///
+/// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], `stiffness(d)` = dp/dd [Pa/m] and
+/// `energy(d)` = int p dd [J/m^2], pressure not decreasing; and `integrate(line, depth, visit)`, which calls
+/// visit(const LinePoint &) at the quadrature points of a line that carry load.
+template <typename Pressure>
+class PressureLaw : public TableLaw
+{
+public:
+  /// Keeps a reference to @p surface.
+  PressureLaw(const ContactSurface &surface, const Pressure &pressure)
+      : surface(surface)
+      , pattern(surface)
+      , law(pressure)
+  {
+  }
+
+  LawResponse respond(const Eigen::VectorXd &approach) const override
+  {
+    LawResponse response;
+    response.forces = Eigen::VectorXd::Zero(surface.n_nodes());
+    response.tangent = pattern.zero();
+    response.contact_set.resize(surface.lines.size());
+    for (std::size_t l = 0; l < surface.lines.size(); ++l)
+      response.contact_set[l] = add_line(l, approach, response);
+    return response;
+  }
+
+  std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override
+  {
+    std::vector<PointForce> forces;
+    for (const ContactLine &line : surface.lines)
+    {
+      const Eigen::Vector3d depth = penetration(line, approach);
+      law.integrate(line, depth,
+                    [&](const LinePoint &point)
+                    {
+                      forces.push_back({ point.position(0), point.position(1),
+                                         law.pressure(point.shape.dot(depth)) * point.area });
+                    });
+    }
+    return forces;
+  }
+
+  std::vector<double> angular_density(const Eigen::VectorXd &approach) const override
+  {
+    std::vector<double> line_forces;
+    line_forces.reserve(surface.lines.size());
+    for (const ContactLine &line : surface.lines)
+    {
+      const Eigen::Vector3d depth = penetration(line, approach);
+      double force = 0;
+      law.integrate(line, depth,
+                    [&](const LinePoint &point)
+                    { force += law.pressure(point.shape.dot(depth)) * point.area; });
+      line_forces.push_back(force);
+    }
+    return density_of_lines(surface, line_forces);
+  }
+
+  Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override
+  {
+    return (-(surface.node_gap + approach)).unaryExpr([this](double depth) { return law.pressure(depth); });
+  }
+
+private:
+  static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &approach)
+  {
+    Eigen::Vector3d depth = -line.gap;
+    for (unsigned int i = 0; i < line.nodes.size(); ++i)
+      depth -= line.shape.col(i) * approach(line.nodes[i]);
+    return depth;
+  }
+
+  /// Adds one line's forces, potential and tangent; true when it carries load.
+  bool add_line(std::size_t l, const Eigen::VectorXd &approach, LawResponse &response) const
+  {
+    const ContactLine &line = surface.lines[l];
+    const Eigen::Vector3d depth = penetration(line, approach);
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+    bool loaded = false;
+    law.integrate(line, depth,
+                  [&](const LinePoint &point)
+                  {
+                    loaded = true;
+                    const double local_depth = point.shape.dot(depth);
+                    force += law.pressure(local_depth) * point.area * point.shape;
+                    tangent +=
+                      law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
+                    response.potential += law.energy(local_depth) * point.area;
+                  });
+    if (loaded)
+      pattern.add(l, force, tangent, response.forces, response.tangent);
+    return loaded;
+  }
+
+  const ContactSurface &surface;
+  const LinePattern pattern;
+  const Pressure law;
+};
+
+} // namespace stemware::fem

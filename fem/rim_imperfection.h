@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// One harmonic of an out-of-flat surface: gap = cosine * cos(n chi) + sine * sin(n chi) [m], chi the azimuth
+/// in that surface's own frame. It is the same across the rim, except n = 1, which is a tilt and grows with
+/// r; its amplitude is that at the contact radius.
+struct GapHarmonic
+{
+  unsigned int n = 2;
+  double cosine = 0;
+  double sine = 0;
+};
+
+/// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
+/// theta = chi + glass, one of the table at theta = chi + table [rad]. Counter-clockwise orbit: glass = psi -
+/// phi - pi/2, table = -phi - pi/2; clockwise: + pi/2.
+struct FootPhase
+{
+  double glass = 0;
+  double table = 0;
+};
+
+/// Out-of-flat rim and table: distance between them on top of the crown's. Harmonics 0 and 1 are an offset
+/// and a tilt, which the table motions absorb.
+struct RimImperfection
+{
+  std::vector<GapHarmonic> glass; ///< fixed to the glass, positive where the rim is higher above the table
+  std::vector<GapHarmonic> table; ///< fixed to the ground, positive where the table is lower
+
+  bool empty() const { return glass.empty() && table.empty(); }
+  /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
+  /// frame [m].
+  double gap(double radius_ratio, double theta, const FootPhase &phase) const;
+  /// Throws std::invalid_argument unless all amplitudes are finite.
+  void validate() const;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,77 @@
+#include "fem/sector_density.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace stemware::fem
+{
+
+namespace
+{
+constexpr double two_pi = boost::math::double_constants::two_pi;
+
+/// Index of the sector of @p n_sectors, the first of which begins at theta = @p begin, that holds @p azimuth.
+unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
+{
+  const double turns = (azimuth - begin) / two_pi;
+  const auto index = static_cast<unsigned int>((turns - std::floor(turns)) * n_sectors);
+  return std::min(index, n_sectors - 1);
+}
+
+/// Azimuths closer than this belong to one cut; the lines of one cut differ by rounding only.
+constexpr double azimuth_tolerance = 1e-7;
+
+std::vector<double> density_of_cuts(const ContactSurface &surface, const std::vector<double> &line_forces)
+{
+  std::vector<unsigned int> order(line_forces.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](unsigned int i, unsigned int j)
+            { return surface.lines[i].azimuth < surface.lines[j].azimuth; });
+  std::vector<double> density;
+  double cut_azimuth = -two_pi;
+  for (const unsigned int i : order)
+  {
+    const ContactLine &line = surface.lines[i];
+    if (density.empty() || line.azimuth - cut_azimuth > azimuth_tolerance)
+    {
+      density.push_back(0);
+      cut_azimuth = line.azimuth;
+    }
+    density.back() += line_forces[i] / line.azimuth_width;
+  }
+  return density;
+}
+} // namespace
+
+std::vector<double> density_of_lines(const ContactSurface &surface, const std::vector<double> &line_forces)
+{
+  if (surface.lines_are_radial)
+    return density_of_cuts(surface, line_forces);
+  std::vector<double> density(surface.n_sectors, 0);
+  for (unsigned int i = 0; i < line_forces.size(); ++i)
+    density[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=
+      line_forces[i] * surface.n_sectors / two_pi;
+  return density;
+}
+
+std::vector<double> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
+{
+  // A quarter of a sector before a node: neither corner nor mid-side nodes then lie on a border between
+  // sectors.
+  const double first = std::atan2(surface.node_position(0, 1), surface.node_position(0, 0));
+  const double begin = first - two_pi / (4 * surface.n_sectors);
+  std::vector<double> density(surface.n_sectors, 0);
+  for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+  {
+    const double azimuth = std::atan2(surface.node_position(i, 1), surface.node_position(i, 0));
+    density[sector_of(azimuth, begin, surface.n_sectors)] += node_forces(i) * surface.n_sectors / two_pi;
+  }
+  return density;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace stemware::fem
+{
+
+/// Coulomb friction on a foot that slides along x and yaws: a tangential traction mu times the pressure,
+/// against the slip v_rel = (v - omega y, omega x) of the foot over the table.
+struct SlidingTraction
+{
+  double friction_coefficient = 0; ///< mu, >= 0
+  double spin_per_speed =
+    0; ///< omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R
+
+  /// Radial and azimuthal traction on the foot per unit of pressure at (r, theta): at omega = 0 (-mu cos
+  /// theta, mu sin theta). Zero where nothing slips.
+  Eigen::Vector2d direction(double radius, double azimuth) const;
+
+  /// Throws std::invalid_argument when mu is negative or not finite, or the spin not finite.
+  void validate() const;
+};
+
+} // namespace stemware::fem
