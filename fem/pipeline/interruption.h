@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+
+namespace stemware::pipeline
+{
+
+/// From now on SIGINT, SIGTERM and SIGHUP end the program with exit code 130, at once and whatever it is
+/// doing, after the clean-up of clean_up_on_interruption(). The signal handler only wakes a thread, and that
+/// thread does the work: so the clean-up is ordinary code, and a factorisation that never looks at a flag
+/// does not delay it. Signals that were ignored when the program started stay ignored. Call once, before the
+/// work and after start_mpi(), which changes handlers of signals.
+void watch_for_interruption();
+
+/// Holds an interruption back while the lock lives: for steps that must happen together, such as swapping
+/// folders.
+std::unique_lock<std::mutex> postpone_interruption();
+
+/// What to do before the program ends; replaces the earlier one. The clean-up must not wait for the thread
+/// that works. The caller holds the lock of postpone_interruption().
+void clean_up_on_interruption(std::function<void()> clean_up);
+
+} // namespace stemware::pipeline

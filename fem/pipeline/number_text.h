@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// Shortest decimal text that reads back as the same double: 0.03, 7e10, 3e-4.
+std::string to_text(double value);
+
+/// At most six significant digits, for messages.
+std::string to_short_text(double value);
+
+/// The finite number that makes up the whole of @p text (a leading + and surrounding blanks are allowed), or
+/// nothing.
+std::optional<double> parse_number(const std::string &text);
+
+/// The non-negative whole number that makes up the whole of @p text, or nothing.
+std::optional<unsigned int> parse_count(const std::string &text);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,103 @@
+#include "fem/foot_response.h"
+#include "fem/pipeline/contact_demand.h"
+#include "fem/pipeline/failures.h"
+#include "fem/pipeline/foot_contact.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+fem::TableSupport support_of(TableKind kind)
+{
+  switch (kind)
+  {
+  case TableKind::rigid:
+    return fem::TableSupport::rigid;
+  case TableKind::mat:
+    return fem::TableSupport::mat;
+  case TableKind::rough:
+    return fem::TableSupport::rough;
+  case TableKind::elastic:
+    return fem::TableSupport::elastic;
+  }
+  throw std::logic_error("a table without a support");
+}
+
+fem::RevolutionSetup setup_of(const Study &study)
+{
+  fem::RevolutionSetup setup;
+  setup.profile = study.glass.profile;
+  setup.material = study.glass.material;
+  setup.support = support_of(study.table.kind);
+  setup.foundation_modulus = study.table.foundation_modulus;
+  setup.interface = study.table.roughness;
+  setup.disc = study.table.disc;
+  setup.disc_material = study.table.disc_material;
+  if (study.contact.friction_coupling == FrictionCoupling::elastic)
+    setup.friction_coefficient = study.motion.orbit.friction_coefficient;
+  setup.meridian.degree = study.contact.degree;
+  setup.meridian.n_harmonics = study.contact.harmonics;
+  setup.resolution.land_cells = study.contact.resolution.radial_cells;
+  setup.n_lines = study.contact.azimuth_lines;
+  return setup.resolved_for(demanded_load(study).normal_force);
+}
+
+/// The points turned counter-clockwise by @p angle.
+std::vector<fem::PointForce> turned(std::vector<fem::PointForce> points, double angle)
+{
+  for (fem::PointForce &point : points)
+    point = { point.x * std::cos(angle) - point.y * std::sin(angle),
+              point.x * std::sin(angle) + point.y * std::cos(angle), point.force };
+  return points;
+}
+
+class RevolutionContact : public FootContact
+{
+public:
+  explicit RevolutionContact(const Study &study)
+      : foot(setup_of(study))
+  {
+  }
+
+  std::string name() const override { return "revolution"; }
+  unsigned int n_unknowns() const override { return foot.body().n_unknowns(); }
+  unsigned int n_contact_nodes() const override { return foot.body().contact_surface().n_nodes(); }
+
+  FootContactResult solve(const fem::ContactLoad &load, double spin_per_speed,
+                          const Progress & /*progress*/) override
+  {
+    FootContactResult result;
+    result.load = foot.press(load, {}, spin_per_speed);
+    result.solution = foot.solution();
+    // An isotropic foot is solved with the load's maximum on the x axis.
+    const double direction = foot.is_isotropic() ? std::atan2(load.moment_x, -load.moment_y) : 0;
+    result.point_forces = turned(foot.law().point_forces(result.solution.approach), direction);
+    return result;
+  }
+
+  bool write_fields(const std::string &, const FootContactResult &) const override { return false; }
+
+private:
+  fem::FootResponse foot;
+};
+
+} // namespace
+
+std::unique_ptr<FootContact> make_revolution_contact(const Study &study)
+{
+  try
+  {
+    return std::make_unique<RevolutionContact>(study);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw BadInput(error.what());
+  }
+}
+
+} // namespace stemware::pipeline

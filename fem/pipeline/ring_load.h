@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fem/angular_load.h"
+#include "fem/pipeline/study.h"
+#include "fem/pipeline/yaw_study.h"
+
+#include <Eigen/Core>
+
+namespace stemware::pipeline
+{
+
+/// lambda(theta) as it is handed to the ring, wherever it comes from, with the figures that summary.json
+/// reports about it.
+struct RingLoad
+{
+  LoadAtSpin at_spin;                               ///< constant unless the load is in balance at every spin
+  ring::AngularLoad at_rest;                        ///< at_spin(0)
+  double normal_force = 0;                          ///< N [N]
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N [N m] at rest
+  double moment_ratio = 0;                          ///< |M_N| / (N R / 2) at rest, R the contact radius
+  double mean_radius = 0;                           ///< sum f r / sum f [m]
+  double contact_fraction = 0;                      ///< share of azimuths that carry load
+  double minimum = 0;                               ///< smallest pointwise load [N/rad]
+};
+
+/// The load of a contact solution, frozen.
+RingLoad frozen_contact_load(const fem::LoadHarmonics &load, double contact_radius);
+
+/// The paper's ansatz on a ring of the contact radius: in balance with the closure at every spin, or with the
+/// given moment ratio.
+RingLoad first_harmonic_load(const Study &study);
+
+/// The load of Load/File, frozen. Throws BadInput when the file cannot be used, or its load would tip the
+/// ring.
+RingLoad load_from_file(const Study &study);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// Wall-clock time of the stages of a run. The only results that differ between two equal runs, and so kept
+/// apart from the others.
+class Stopwatch
+{
+public:
+  /// Ends the present stage, which began with the one before, and names it.
+  void finish(const std::string &stage)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    seconds[stage] = std::chrono::duration<double>(now - last).count();
+    last = now;
+  }
+
+  /// Seconds per stage, in order, and "total".
+  nlohmann::ordered_json times() const
+  {
+    nlohmann::ordered_json all = seconds;
+    all["total"] = std::chrono::duration<double>(last - start).count();
+    return all;
+  }
+
+private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+  const TimePoint start = std::chrono::steady_clock::now();
+  TimePoint last = start;
+  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+};
+
+} // namespace stemware::pipeline

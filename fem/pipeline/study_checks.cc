@@ -1,0 +1,125 @@
+#include "fem/pipeline/failures.h"
+#include "fem/pipeline/number_text.h"
+#include "fem/pipeline/study.h"
+
+#include <filesystem>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+void require(bool condition, const std::string &sentence)
+{
+  if (!condition)
+    throw BadInput(sentence);
+}
+
+/// What the entries announce, but this version does not have.
+void require_available(const Study &study)
+{
+  require(study.load.coupling != LoadCoupling::response,
+          "Load/Coupling = response is not available in this version; use Load/Coupling = frozen or exact.");
+}
+
+/// What only one of the two bodies can do.
+void require_able_body(const Study &study)
+{
+  const ContactSection &contact = study.contact;
+  if (contact.body == BodyKind::revolution)
+  {
+    require(contact.mesh_file.empty(), "Contact/Mesh file = " + contact.mesh_file +
+                                         " is read by a solid body only; set Contact/Body = solid, or leave "
+                                         "Mesh file empty.");
+    return;
+  }
+  require(contact.degree <= 2,
+          "Contact/Degree = " + std::to_string(contact.degree) +
+            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = "
+            "revolution.");
+  require(study.table.kind != TableKind::elastic,
+          "Table/Kind = elastic needs a body of revolution; set Contact/Body = revolution.");
+  require(contact.friction_coupling == FrictionCoupling::none,
+          "Contact/Friction coupling = elastic needs a body of revolution; set Contact/Body = revolution.");
+}
+
+/// A load in balance with the closure has no moment given beforehand.
+void require_one_moment(const LoadSection &load)
+{
+  require(
+    load.coupling == LoadCoupling::frozen || !load.is_static(),
+    "Load/Moment ratio = " + to_text(load.moment_ratio) +
+      " contradicts Load/Coupling = exact, where the closure sets the moment; leave Moment ratio at -1, or "
+      "set Coupling = frozen.");
+  require(load.coupling == LoadCoupling::frozen || load.source == LoadSource::contact,
+          "Load/Coupling = exact needs Load/Source = contact; change one of the two.");
+}
+
+void require_steps(const MotionSection &motion)
+{
+  constexpr double most_steps = 1e7;
+  require(motion.end_time / motion.euler_step <= most_steps,
+          "Motion/End time = " + to_text(motion.end_time) +
+            " s in steps of Motion/Euler step = " + to_text(motion.euler_step) +
+            " s makes more than 1e7 steps of the forward Euler method; use longer steps.");
+}
+
+void require_load_file(const LoadSection &load)
+{
+  if (load.source != LoadSource::file)
+  {
+    require(load.file.empty(),
+            "Load/File = " + load.file +
+              " is read only with Load/Source = file; set that, or leave Load/File empty.");
+    return;
+  }
+  require(!load.file.empty(),
+          "Load/Source = file needs Load/File; name a file with the load's Fourier coefficients.");
+  require(!load.is_static(),
+          "Load/Moment ratio = " + to_text(load.moment_ratio) +
+            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
+}
+
+/// Missing files are found here, before anything is computed; what is in them is found when they are read.
+void require_readable(const std::string &entry, const std::string &file)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  require(std::filesystem::exists(status), entry + " = " + file +
+                                             " does not exist; give a path that starts at the study file "
+                                             "(with --set: where the program is started).");
+  require(std::filesystem::is_regular_file(status),
+          entry + " = " + file + " is not a file; give the path of a file.");
+}
+
+} // namespace
+
+void check_study(const Study &study)
+{
+  require_available(study);
+  require_able_body(study);
+  require_one_moment(study.load);
+  require_steps(study.motion);
+  require_load_file(study.load);
+  if (study.load.source == LoadSource::file)
+    require_readable("Load/File", study.load.file);
+  if (!study.contact.mesh_file.empty())
+    require_readable("Contact/Mesh file", study.contact.mesh_file);
+  try
+  {
+    study.motion.orbit.validate();
+    study.glass.material.validate();
+    if (study.contact.mesh_file.empty())
+    {
+      study.glass.profile.validate();
+      study.contact.resolution.validate();
+    }
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw BadInput(error.what());
+  }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fem/pipeline/closure_comparison.h"
+#include "fem/pipeline/foot_contact.h"
+#include "fem/pipeline/ring_load.h"
+#include "fem/pipeline/yaw_study.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The finite-element side of a study.
+struct ContactFigures
+{
+  std::string body;                    ///< FootContact::name()
+  std::optional<unsigned int> n_cells; ///< of a three-dimensional mesh
+  unsigned int n_unknowns = 0;
+  unsigned int n_contact_nodes = 0;
+  std::optional<fem::MeshReport> mesh_report; ///< of a mesh file
+  FootContactResult result;
+  fem::ResolvedFriction friction_at_rest;     ///< of the pressure where it lies, beside the ring's
+  fem::ResolvedFriction friction_at_terminal; ///< the same at the ring's terminal spin
+};
+
+/// Everything that a run finds out.
+struct StudyResult
+{
+  RingLoad load;
+  std::optional<ContactFigures> contact; ///< nothing where the load does not come from a contact
+  YawStudy yaw;
+  TorqueCurve torque;
+  SpinUpCurves spin_up;
+  std::vector<ClosureRow> closures;
+};
+
+} // namespace stemware::pipeline

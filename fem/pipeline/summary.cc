@@ -1,0 +1,156 @@
+#include "fem/pipeline/summary.h"
+
+#include "fem/pipeline/program.h"
+#include "fem/pipeline/study_entries.h"
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+Json number_or_null(const std::optional<double> &value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json load_summary(const RingLoad &load)
+{
+  const ring::AngularLoad &series = load.at_rest;
+  Json a = Json::array(), b = Json::array();
+  for (unsigned int n = 0; n <= series.n_harmonics(); ++n)
+  {
+    a.push_back(series.a(n));
+    b.push_back(series.b(n));
+  }
+  return { { "a", a },
+           { "b", b },
+           { "normal_force", load.normal_force },
+           { "moment", { load.moment.x(), load.moment.y() } },
+           { "moment_ratio", load.moment_ratio },
+           { "ring_radius", series.radius() },
+           { "mean_radius", load.mean_radius },
+           { "contact_fraction", load.contact_fraction },
+           { "minimum", load.minimum } };
+}
+
+Json mesh_summary(const ContactFigures &contact)
+{
+  Json mesh = Json::object();
+  if (contact.n_cells)
+    mesh["cells"] = *contact.n_cells;
+  if (contact.mesh_report)
+  {
+    mesh["round_rim"] = contact.mesh_report->round_rim;
+    mesh["rim_radius"] = contact.mesh_report->rim_radius;
+    mesh["land_area_deficit"] = contact.mesh_report->land_area_deficit;
+  }
+  return mesh;
+}
+
+Json contact_summary(const std::optional<ContactFigures> &contact)
+{
+  if (!contact)
+    return nullptr;
+  const fem::ContactSolution &solution = contact->result.solution;
+  return { { "body", contact->body },
+           { "outcome", fem::to_string(solution.outcome) },
+           { "mesh", mesh_summary(*contact) },
+           { "unknowns", contact->n_unknowns },
+           { "contact_nodes", contact->n_contact_nodes },
+           { "loaded_nodes", solution.n_loaded_nodes },
+           { "nodes_across", solution.n_nodes_across },
+           { "iterations", solution.n_iterations },
+           { "linear_iterations", solution.n_linear_iterations },
+           { "force_residual", solution.force_residual },
+           { "moment_residual", solution.moment_residual },
+           { "equilibrium_residual", solution.equilibrium_residual },
+           { "table_motion", { solution.motion(0), solution.motion(1), solution.motion(2) } } };
+}
+
+Json ring_summary(const Study &study, const StudyResult &result)
+{
+  const YawStudy &yaw = result.yaw;
+  return { { "tau_at_rest", yaw.at_rest.torque },
+           { "tau_closed_form", study.motion.orbit.friction_coefficient * result.load.moment.x() },
+           { "omega_terminal", yaw.terminal.omega },
+           { "time_constant", number_or_null(yaw.time_constant) },
+           { "no_lift_off", result.load.moment_ratio <= 1 },
+           { "moment_ratio_at_terminal", result.load.at_spin(yaw.terminal.omega).moment_ratio() } };
+}
+
+Json friction_summary(const fem::ResolvedFriction &resolved, const ring::Wrench &ring)
+{
+  return { { "torque", resolved.torque },
+           { "force", { resolved.force_x, resolved.force_y } },
+           { "ring_torque", ring.torque },
+           { "ring_force", { ring.force_x, ring.force_y } } };
+}
+
+Json resolved_summary(const StudyResult &result)
+{
+  if (!result.contact)
+    return nullptr;
+  return { { "at_rest", friction_summary(result.contact->friction_at_rest, result.yaw.at_rest) },
+           { "at_terminal",
+             friction_summary(result.contact->friction_at_terminal, result.yaw.at_terminal) } };
+}
+
+Json truncation_summary(const std::vector<TruncationRow> &rows)
+{
+  Json table = Json::array();
+  for (const TruncationRow &row : rows)
+    table.push_back({ { "harmonics", row.harmonics },
+                      { "tau_at_rest", row.tau_at_rest },
+                      { "omega_terminal", row.omega_terminal },
+                      { "relative_change", number_or_null(row.relative_change) },
+                      { "bound", row.bound },
+                      { "load_minimum", row.load_minimum } });
+  return table;
+}
+
+Json closure_summary(const std::vector<ClosureRow> &rows)
+{
+  Json closures = Json::object();
+  for (const ClosureRow &row : rows)
+    closures[ring::to_string(row.closure)] = { { "tau_at_rest", row.tau_at_rest },
+                                               { "omega_terminal", number_or_null(row.omega_terminal) },
+                                               { "moment_ratio_at_rest", row.moment_ratio_at_rest },
+                                               { "moment_ratio_at_terminal",
+                                                 number_or_null(row.moment_ratio_at_terminal) },
+                                               { "formal", row.is_formal() } };
+  return closures;
+}
+
+void require_finite(const Json &value, const std::string &path)
+{
+  if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    throw std::runtime_error("The result " + path + " is not a finite number; please report this study.");
+  if (value.is_structured())
+    for (const auto &[key, part] : value.items())
+      require_finite(part, path + "/" + key);
+}
+
+} // namespace
+
+Json summary(const Study &study, const StudyResult &result, const std::vector<std::string> &files)
+{
+  Json all = { { "schema", 1 },
+               { "program", { { "version", program_version() }, { "revision", program_revision() } } },
+               { "parameters", study_as_json(study) },
+               { "load", load_summary(result.load) },
+               { "contact", contact_summary(result.contact) },
+               { "ring", ring_summary(study, result) },
+               { "resolved", resolved_summary(result) },
+               { "truncation", truncation_summary(result.yaw.truncations) },
+               { "closures", closure_summary(result.closures) },
+               { "files", files } };
+  require_finite(all, "summary");
+  return all;
+}
+
+} // namespace stemware::pipeline

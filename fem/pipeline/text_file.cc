@@ -1,0 +1,42 @@
+#include "fem/pipeline/text_file.h"
+
+#include "fem/pipeline/failures.h"
+#include "fem/pipeline/number_text.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+void write_text_file(const std::filesystem::path &file, const std::string &text)
+{
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream)
+    throw OutputFailure("The file " + file.filename().string() + " of the results cannot be written (" +
+                        std::strerror(errno) + "); make room, or choose another folder with --output.");
+}
+
+std::string data_table(const std::string &title, const std::vector<DataColumn> &columns)
+{
+  std::ostringstream text;
+  text << "# " << title << '\n';
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    text << "# " << c + 1 << ": " << columns[c].name << " (" << columns[c].unit << ")\n";
+  for (std::size_t row = 0; row < columns.front().values.size(); ++row)
+  {
+    for (const DataColumn &column : columns)
+      text << std::setw(24) << to_text(column.values.at(row)) << ' ';
+    text.seekp(-1, std::ios::cur);
+    text << '\n';
+  }
+  return text.str();
+}
+
+} // namespace stemware::pipeline

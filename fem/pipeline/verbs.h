@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fem/pipeline/failures.h"
+
+#include <functional>
+#include <optional>
+
+namespace CLI
+{
+class App;
+}
+
+namespace stemware::pipeline
+{
+
+/// The work of the verb that was chosen on the command line, its options included.
+using Verb = std::function<void()>;
+
+/// What all verbs share: version, exit codes, first examples.
+void describe_program(CLI::App &program);
+
+/// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
+void add_run_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware defaults`: a commented study file of all defaults on standard output.
+void add_defaults_verb(CLI::App &program, Verb &chosen);
+
+/// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
+/// error, which is reported in one sentence.
+std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[]);
+
+} // namespace stemware::pipeline
