@@ -1,0 +1,129 @@
+// Exact properties of the body of revolution: no mixing of harmonics, rotation, rigid motions of the table,
+// warm starts.
+#include "revolution_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+/// Largest difference of two loads' harmonics, over a_0, when @p rotated is turned back by @p angle.
+double difference(const LoadHarmonics &load, const LoadHarmonics &rotated, double angle)
+{
+  double largest = 0;
+  for (unsigned int n = 0; n < load.a.size(); ++n)
+  {
+    const double c = std::cos(n * angle);
+    const double s = std::sin(n * angle);
+    largest = std::max(largest, std::abs(rotated.a[n] * c + rotated.b[n] * s - load.a[n]));
+    largest = std::max(largest, std::abs(rotated.b[n] * c - rotated.a[n] * s - load.b[n]));
+  }
+  return largest / load.a[0];
+}
+
+} // namespace
+
+TEST(BodyOfRevolution, FlatFootInFullContactMixesNoHarmonics)
+{
+  RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells()));
+  for (const double modulus : { 1e9, 1e10, 1e11 })
+  {
+    const LoadHarmonics load = foot.press_on_mat(modulus, load_at(0.4, 0.3), 16);
+    for (unsigned int n = 2; n <= 16; ++n)
+      EXPECT_LT(std::hypot(load.a[n], load.b[n]) / load.a[0], 1e-12) << "n = " << n << ", k = " << modulus;
+    EXPECT_EQ(load.contact_fraction, 1);
+  }
+}
+
+TEST(BodyOfRevolution, LoadTurnsWithTheMoment)
+{
+  const GlassProfile profile;
+  RevolutionCase foot(profile, foot_compliance(profile, graded_cells()));
+  const double angle =
+    2 * M_PI * 37 / 256; // from one azimuth line to another: equal quadrature, and no line of symmetry at x
+  for (const double m : { 0.5, 1.5 })
+  {
+    const LoadHarmonics along_x = foot.press_on_mat(1e10, load_at(m));
+    const LoadHarmonics turned = foot.press_on_mat(1e10, load_at(m, angle));
+    EXPECT_LT(difference(along_x, turned, angle), 1e-9) << "m = " << m;
+    // Between two lines the kink at the edge of contact is integrated at other places.
+    const LoadHarmonics between = foot.press_on_mat(1e10, load_at(m, angle + 0.3 / 256));
+    EXPECT_LT(difference(along_x, between, angle + 0.3 / 256), 1e-5) << "m = " << m;
+  }
+}
+
+TEST(BodyOfRevolution, OffsetAndTiltOfTheTableChangeNothing)
+{
+  const GlassProfile profile;
+  const ContactCompliance compliance = foot_compliance(profile, graded_cells());
+  RevolutionCase foot(profile, compliance);
+  RevolutionCase tilted(profile, compliance);
+  tilted.body.set_gap(
+    [&](double r, double theta)
+    { return profile.gap(r) + 3e-4 + 2e-3 * r * std::cos(theta) - 1e-3 * r * std::sin(theta); });
+  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(1.2, 0.4));
+  const LoadHarmonics same = tilted.press_on_mat(1e10, load_at(1.2, 0.4));
+  EXPECT_LT(difference(load, same, 0), 1e-9);
+}
+
+TEST(BodyOfRevolution, HoldsForceAndMomentToSolverPrecision)
+{
+  const GlassProfile profile;
+  RevolutionCase foot(profile, foot_compliance(profile, graded_cells()));
+  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(0.9, 1.1));
+  EXPECT_NEAR(load.normal_force / weight, 1, 1e-10);
+  EXPECT_NEAR(load.moment_x / load_at(0.9, 1.1).moment_x, 1, 1e-9);
+  EXPECT_NEAR(load.moment_y / load_at(0.9, 1.1).moment_y, 1, 1e-9);
+  EXPECT_LT(foot.solution.equilibrium_residual, 1e-9);
+}
+
+TEST(BodyOfRevolution, WarmStartFindsTheColdSolution)
+{
+  const GlassProfile profile;
+  const ContactCompliance compliance = foot_compliance(profile, graded_cells());
+  RevolutionCase cold(profile, compliance);
+  RevolutionCase warm(profile, compliance);
+  const auto mat = make_mat(warm.body.contact_surface(), 1e10);
+  const LoadHarmonics expected = cold.press_on_mat(1e10, load_at(1.3, 0.2));
+  const ContactSolution neighbour = solve_contact(warm.body, *mat, load_at(1.2, 0.1), warm.radius);
+  const ContactSolution solution =
+    solve_contact(warm.body, *mat, load_at(1.3, 0.2), warm.radius, {}, &neighbour.motion);
+  EXPECT_LT(difference(expected, extract_load(*mat, solution, 8), 0), 1e-9);
+}
+
+TEST(BodyOfRevolution, StiffnessAndLoadScaleTogether)
+{
+  // The same foot with ten times the modulus under ten times the load on ten times the mat: equal
+  // displacements.
+  const GlassProfile profile;
+  dealii::Triangulation<2> triangulation;
+  make_meridian_mesh(profile, graded_cells(), triangulation);
+  ElasticMaterial stiff;
+  stiff.young_modulus *= 10;
+  RevolutionCase foot(profile, compute_compliance(triangulation, ElasticMaterial()));
+  RevolutionCase stiffer(profile, compute_compliance(triangulation, stiff));
+  ContactLoad load = load_at(1.2);
+  const LoadHarmonics expected = foot.press_on_mat(1e10, load);
+  load.normal_force *= 10;
+  load.moment_y *= 10;
+  const LoadHarmonics scaled = stiffer.press_on_mat(1e11, load);
+  for (unsigned int n = 0; n <= 8; ++n)
+    EXPECT_NEAR(scaled.a[n] / 10, expected.a[n], 1e-9 * expected.a[0]);
+}
+
+TEST(BodyOfRevolution, RefusesWhatItCannotResolve)
+{
+  const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
+  EXPECT_THROW(RevolutionCase(GlassProfile(), compliance, 32), std::invalid_argument);
+  MeridianOptions options;
+  options.degree = 5;
+  EXPECT_THROW(foot_compliance(GlassProfile(), graded_cells(), options), std::invalid_argument);
+  ContactCompliance sum = compliance;
+  EXPECT_THROW(sum += foot_compliance(GlassProfile(), graded_cells(1)), std::invalid_argument);
+  SlidingTraction traction;
+  traction.friction_coefficient = -0.1;
+  RevolutionCase foot(GlassProfile(), compliance);
+  EXPECT_THROW(foot.body.set_sliding(traction), std::invalid_argument);
+}

@@ -1,0 +1,49 @@
+#include "fem/fourier_basis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace stemware::fem;
+
+TEST(FourierBasis, ValuesAreTheTrigonometricFunctions)
+{
+  const FourierBasis basis(5, 24);
+  for (unsigned int j = 0; j < basis.n_lines(); ++j)
+    for (unsigned int mode = 0; mode < basis.n_modes(); ++mode)
+    {
+      const double angle = FourierBasis::harmonic(mode) * basis.azimuth(j);
+      const bool sine = FourierBasis::is_sine(mode);
+      EXPECT_NEAR(basis.values()(j, mode), sine ? std::sin(angle) : std::cos(angle), 1e-14);
+      EXPECT_NEAR(basis.partners()(j, mode), sine ? -std::cos(angle) : std::sin(angle), 1e-14);
+    }
+}
+
+TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
+{
+  const FourierBasis basis(4, 16); // products reach beyond the highest harmonic that the lines tell apart
+  const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(2, 16);
+  const FourierProducts products(basis, samples, true);
+  for (unsigned int row = 0; row < basis.n_modes(); ++row)
+    for (unsigned int column = 0; column < basis.n_modes(); ++column)
+      for (Eigen::Index f = 0; f < 2; ++f)
+      {
+        double sum = 0;
+        double partner_sum = 0;
+        for (unsigned int j = 0; j < 16; ++j)
+        {
+          sum += samples(f, j) * basis.values()(j, row) * basis.values()(j, column);
+          partner_sum += samples(f, j) * basis.partners()(j, row) * basis.values()(j, column);
+        }
+        EXPECT_NEAR(products(f, row, column), sum, 1e-13) << row << ", " << column;
+        EXPECT_NEAR(products.with_partner(f, row, column), partner_sum, 1e-13) << row << ", " << column;
+      }
+}
+
+TEST(FourierBasis, RefusesTooFewLines)
+{
+  EXPECT_THROW(FourierBasis(8, 16), std::invalid_argument);
+  EXPECT_THROW(FourierBasis(0, 16), std::invalid_argument);
+  EXPECT_NO_THROW(FourierBasis(8, 17));
+}

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace stemware::test
+{
+
+/// A new folder for one test, gone with the object.
+class ScratchFolder
+{
+public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder &) = delete;
+  ScratchFolder &operator=(const ScratchFolder &) = delete;
+
+  std::filesystem::path operator/(const std::string &name) const { return folder / name; }
+  const std::filesystem::path &path() const { return folder; }
+
+  /// Writes a file and returns its path.
+  std::string write(const std::string &name, const std::string &text) const;
+
+private:
+  std::filesystem::path folder;
+};
+
+/// What a program has left behind when it has ended.
+struct Ended
+{
+  int exit_code = -1; ///< 128 + number for a signal that killed it
+  std::string out;    ///< standard output
+  std::string err;    ///< standard error
+};
+
+/// A program that runs in its own folder, which holds its standard output and error as the files .out and
+/// .err.
+class RunningProgram
+{
+public:
+  RunningProgram(const std::vector<std::string> &command, const std::filesystem::path &folder);
+
+  /// Waits until the program has printed @p text on standard output; false when it ends, or a minute passes,
+  /// before that.
+  bool wait_for_output(const std::string &text) const;
+
+  void send(int signal) const;
+
+  /// Waits for the end; to be called once. A program that hangs for five minutes is killed.
+  Ended end();
+
+private:
+  std::filesystem::path folder;
+  pid_t process = -1;
+};
+
+/// Runs `stemware` with these arguments in the folder.
+Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
+
+std::string read_text(const std::filesystem::path &file);
+nlohmann::json read_summary(const std::filesystem::path &results);
+
+/// Columns of a table of results by position, as numbers.
+std::vector<std::vector<double>> read_columns(const std::filesystem::path &table);
+
+/// Contents of all files below a folder by relative path, without timings.json.
+std::map<std::string, std::string> all_files(const std::filesystem::path &folder);
+
+/// Names of everything in a folder, hidden files too, without the runner's own .out and .err.
+std::vector<std::string> names_in(const std::filesystem::path &folder);
+
+/// A study on a mesh so coarse that it runs in a fraction of a second; @p further lines are appended.
+std::string coarse_study(const std::string &further = "");
+
+} // namespace stemware::test

@@ -1,0 +1,262 @@
+#include "reference.h"
+#include "ring_model/free_sliding.h"
+#include "ring_model/friction_kernels.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+using test::expect_relative;
+using test::reference;
+constexpr double pi = boost::math::constants::pi<double>();
+
+/// Unit mass, radius and mu g; inertia gamma.
+FreeSlider unit_slider(const SlidingBody &body, double gamma)
+{
+  return { body, 1., gamma, 1., 1., 0. };
+}
+
+TEST(FreeSliding, UniformRingRowsOfTheReference)
+{
+  const auto &rows = reference()["literature"]["ring_uniform"];
+  const FreeSlider ring = unit_slider(SlidingBody::ring(1.), 1.);
+  for (std::size_t i = 0; i < rows["eps"].size(); ++i)
+  {
+    const Wrench friction = sliding_friction(ring, 1., rows["eps"][i]);
+    EXPECT_NEAR(-friction.force_x, rows["f"][i].get<double>(), 2e-15);
+    EXPECT_NEAR(-friction.torque, rows["t"][i].get<double>(), 2e-15);
+    EXPECT_EQ(friction.force_y, 0.);
+  }
+}
+
+TEST(FreeSliding, RingOfInertiaMRSquaredStopsRollingAboutItsRim)
+{
+  const auto &row = reference()["literature"]["ring_free_terminal"];
+  const FreeSlider ring = unit_slider(SlidingBody::ring(1.), 1.);
+  for (const double start : { 0.1, 0.7, 1., 3., 20., -0.5 })
+    EXPECT_EQ(slide_to_stop(ring, 1., start).final_slip_ratio, std::copysign(1., start)) << start;
+  const Wrench friction = sliding_friction(ring, 1., 1.);
+  expect_relative(-friction.force_x, row["f"], 1e-15, "f");
+  expect_relative(-friction.torque, row["t"], 1e-15, "t");
+  // The integration gets there by itself, long before the stop.
+  const auto path = slide_to_stop(ring, 1., 0.5);
+  const SlidingState &late = path.states[path.states.size() - 2];
+  EXPECT_NEAR(late.omega / late.speed, 1., 1e-11);
+}
+
+TEST(FreeSliding, RingRowsOverTheInertia)
+{
+  for (const auto &row : reference()["literature"]["ring_free_terminal_vs_gamma"]["rows"])
+  {
+    const FreeSlider ring = unit_slider(SlidingBody::ring(1.), row["gamma"]);
+    const auto ratios = self_similar_slip_ratios(ring);
+    ASSERT_EQ(ratios.size(), 1u);
+    expect_relative(ratios[0], row["eps0_omegaR_over_v"], 1e-13, "eps_0");
+    expect_relative(1. / ratios[0], row["v_over_omegaR"], 1e-13, "v / omega R");
+    EXPECT_EQ(final_slip_ratio(ring, 0.01), ratios[0]);
+    EXPECT_EQ(final_slip_ratio(ring, 50.), ratios[0]);
+  }
+  // Outside 1/2 < gamma < 2 one motion dies first.
+  EXPECT_EQ(slide_to_stop(unit_slider(SlidingBody::ring(1.), 0.45), 1., 1.).final_slip_ratio, 0.);
+  EXPECT_EQ(slide_to_stop(unit_slider(SlidingBody::ring(1.), 2.2), 1., 1.).final_slip_ratio,
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(FreeSliding, AnnulusAndDiscRowsOfTheReference)
+{
+  for (const auto &row : reference()["literature"]["annulus_free_terminal"]["rows"])
+  {
+    const SlidingBody body = SlidingBody::annulus(row["eta"], 1.);
+    expect_relative(body.mean_square_radius(), row["gamma"], 1e-15, "gamma");
+    const FreeSlider slider = unit_slider(body, row["gamma"]);
+    const std::string name = "eta " + std::to_string(row["eta"].get<double>());
+    const double eps = final_slip_ratio(slider, 0.3);
+    expect_relative(eps, row["eps0_omegaR_over_v"], 1e-14, name + " eps");
+    expect_relative(1. / eps, row["v_over_omegaR"], 1e-14, name + " v / omega R");
+    const Wrench friction = sliding_friction(slider, 1., eps);
+    expect_relative(-friction.force_x, row["f"], 1e-14, name + " f");
+    expect_relative(-friction.torque, row["t"], 1e-14, name + " t");
+  }
+  const FreeSlider disc = unit_slider(SlidingBody::disc(1.), 0.5);
+  EXPECT_NEAR(1. / slide_to_stop(disc, 1., 0.2).final_slip_ratio, 0.6530017892055976, 5e-15);
+}
+
+TEST(FreeSliding, DiscRowsAndClosedFormsAreReproduced)
+{
+  const FreeSlider disc = unit_slider(SlidingBody::disc(1.), 0.5);
+  for (const auto &row : reference()["literature"]["disc_uniform"]["rows"])
+  {
+    const Wrench friction = sliding_friction(disc, row["v_over_omegaR"], 1.);
+    expect_relative(-friction.force_x, row["f"], 1e-14, "f");
+    expect_relative(-friction.torque, row["t"], 1e-14, "t");
+  }
+  // Closed forms in complete elliptic integrals of modulus v/(omega R) <= 1, another route than rings.
+  for (const double e : { 0.05, 0.3, 0.7, 0.95 })
+  {
+    const double K = boost::math::ellint_1(e), E = boost::math::ellint_2(e);
+    const Wrench friction = sliding_friction(disc, e, 1.);
+    expect_relative(-friction.force_x, 4. / (3. * pi * e) * ((e * e + 1.) * E + (e * e - 1.) * K), 1e-12,
+                    "f");
+    expect_relative(-friction.torque, 4. / (9. * pi) * ((4. - 2. * e * e) * E + (e * e - 1.) * K), 1e-13,
+                    "t");
+  }
+}
+
+TEST(FreeSliding, RingStoppingRowsOfTheReference)
+{
+  const FreeSlider ring = unit_slider(SlidingBody::ring(1.), 1.);
+  for (const auto &row : reference()["literature"]["ring_stopping"]["rows"])
+  {
+    const auto path = slide_to_stop(ring, 1., row["eps_start"], 1e-13);
+    const SlidingState &stop = path.states.back();
+    const std::string name = "eps " + std::to_string(row["eps_start"].get<double>());
+    expect_relative(stop.time, row["T"], 1e-12, name + " T");
+    expect_relative(stop.x, row["X"], 1e-12, name + " X");
+    expect_relative(stop.yaw, row["Phi"], 1e-12, name + " Phi");
+    EXPECT_EQ(stop.y, 0.);
+    EXPECT_EQ(stop.speed, 0.);
+    EXPECT_EQ(stop.omega, 0.);
+  }
+}
+
+TEST(FreeSliding, WithoutSpinItIsABrick)
+{
+  // T = v_0 / mu g, X = v_0^2 / 2 mu g, for any body.
+  for (const SlidingBody &body :
+       { SlidingBody::ring(0.03), SlidingBody::disc(0.03), SlidingBody::annulus(0.01, 0.03) })
+  {
+    const auto path = slide_to_stop({ body, 0.3, 3e-4, 0.25, 9.81, 0.02 }, 2., 0.);
+    expect_relative(path.states.back().time, 2. / (0.25 * 9.81), 1e-11, "time");
+    expect_relative(path.states.back().x, 4. / (2. * 0.25 * 9.81), 1e-11, "distance");
+    EXPECT_EQ(path.states.back().y, 0.);
+    EXPECT_EQ(path.states.back().yaw, 0.);
+    EXPECT_EQ(path.final_slip_ratio, 0.);
+  }
+}
+
+TEST(FreeSliding, LimitSurfaceIsNormalToTheMotion)
+{
+  // f' + eps t' = 0 along the limit curve of the ring (maximum dissipation).
+  for (const double eps : { 0.1, 0.5, 0.9, 1.3, 4. })
+  {
+    const auto friction = [](double slip_ratio)
+    { return sliding_friction(unit_slider(SlidingBody::ring(1.), 1.), 1., slip_ratio); };
+    const double h = 1e-5;
+    const double df = friction(eps + h).force_x - friction(eps - h).force_x;
+    const double dt = friction(eps + h).torque - friction(eps - h).torque;
+    EXPECT_NEAR((df + eps * dt) / (2. * h), 0., 1e-9);
+  }
+}
+
+TEST(FreeSliding, StackOfRingsApproachesTheDisc)
+{
+  const unsigned int n_rings = 400;
+  std::vector<WeightedRing> rings;
+  for (unsigned int i = 0; i < n_rings; ++i)
+  {
+    const double r = (i + 0.5) / n_rings;
+    rings.push_back({ r, 2. * r / n_rings });
+  }
+  const FreeSlider stack = unit_slider(SlidingBody::stack(rings), 0.5),
+                   disc = unit_slider(SlidingBody::disc(1.), 0.5);
+  EXPECT_NEAR(sliding_friction(stack, 0.5, 1.).torque, sliding_friction(disc, 0.5, 1.).torque, 1e-5);
+  EXPECT_NEAR(sliding_friction(stack, 0.5, 1.).force_x, sliding_friction(disc, 0.5, 1.).force_x, 1e-5);
+}
+
+TEST(FreeSliding, CylinderRowsOfTheReference)
+{
+  for (const auto &row : reference()["free_sliding_cylinder"]["rows"])
+  {
+    FreeSlider cylinder{
+      SlidingBody::ring(0.1), 2., 0.01, row["mu"], 9.81, 0.1 * row["h_over_R"].get<double>()
+    };
+    const double weight = 2. * 9.81, eps = row["eps"];
+    const Wrench friction = sliding_friction(cylinder, 0.7, eps * 0.7 / 0.1);
+    EXPECT_NEAR(friction.force_x / weight, row["Tpar_over_N"].get<double>(), 1e-15);
+    EXPECT_NEAR(friction.force_y / weight, row["Tperp_over_N"].get<double>(), 1e-15);
+    EXPECT_NEAR(friction.torque / (weight * 0.1), row["tau_over_NR"].get<double>(), 1e-15);
+  }
+}
+
+TEST(FreeSliding, TumblerDriftsToTheRightAndConservesItsBalance)
+{
+  // Counter-clockwise spin, load on the front: the path bends to the right; mirrored spin mirrors the path.
+  FreeSlider tumbler{ SlidingBody::annulus(0.02, 0.03), 0.3, 3e-4, 0.2, 9.81, 0.05 };
+  const auto path = slide_to_stop(tumbler, 1., 20.), mirror = slide_to_stop(tumbler, 1., -20.);
+  EXPECT_LT(path.states.back().y, -1e-3);
+  EXPECT_LT(path.states.back().heading, 0.);
+  EXPECT_NEAR(mirror.states.back().y, -path.states.back().y, 1e-12);
+  EXPECT_NEAR(mirror.states.back().x, path.states.back().x, 1e-12);
+  double previous = HUGE_VAL;
+  for (const SlidingState &state : path.states)
+  {
+    const double energy = 0.5 * 0.3 * state.speed * state.speed + 0.5 * 3e-4 * state.omega * state.omega;
+    EXPECT_LE(energy, previous);
+    previous = energy;
+  }
+}
+
+TEST(FreeSliding, AgreesWithADirectIntegrationUntilCloseToTheStop)
+{
+  // Classical Runge-Kutta in time on v_x, v_y, omega with fixed steps, up to 90 % of the way.
+  const FreeSlider tumbler{ SlidingBody::ring(0.03), 0.3, 2e-4, 0.2, 9.81, 0.04 };
+  const auto path = slide_to_stop(tumbler, 1., 25.);
+  using State = std::array<double, 5>; // x, y, v_x, v_y, omega
+  const auto rate = [&](const State &s)
+  {
+    const double speed = std::hypot(s[2], s[3]);
+    const Wrench friction = sliding_friction(tumbler, speed, s[4]);
+    const double c = s[2] / speed, sine = s[3] / speed;
+    return State{ s[2], s[3], (c * friction.force_x - sine * friction.force_y) / 0.3,
+                  (sine * friction.force_x + c * friction.force_y) / 0.3, friction.torque / 2e-4 };
+  };
+  const auto moved = [](const State &s, const State &k, double h)
+  {
+    State result = s;
+    for (unsigned int i = 0; i < 5; ++i)
+      result[i] += h * k[i];
+    return result;
+  };
+  std::size_t index = 0;
+  while (path.states[index].speed > 0.1)
+    ++index;
+  const SlidingState &target = path.states[index];
+  State state{ 0., 0., 1., 0., 25. };
+  const unsigned int n_steps = 4000;
+  const double h = target.time / n_steps;
+  for (unsigned int i = 0; i < n_steps; ++i)
+  {
+    const State k1 = rate(state), k2 = rate(moved(state, k1, h / 2.)), k3 = rate(moved(state, k2, h / 2.)),
+                k4 = rate(moved(state, k3, h));
+    for (unsigned int j = 0; j < 5; ++j)
+      state[j] += h / 6. * (k1[j] + 2. * k2[j] + 2. * k3[j] + k4[j]);
+  }
+  EXPECT_NEAR(state[0], target.x, 1e-9);
+  EXPECT_NEAR(state[1], target.y, 1e-9);
+  EXPECT_NEAR(std::hypot(state[2], state[3]), target.speed, 1e-9);
+  EXPECT_NEAR(std::atan2(state[3], state[2]), target.heading, 1e-8);
+  EXPECT_NEAR(state[4], target.omega, 1e-6);
+}
+
+TEST(FreeSliding, RefusesBadInput)
+{
+  EXPECT_THROW(SlidingBody::ring(0.), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::annulus(0.5, 0.5), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::annulus(-0.1, 0.5), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::stack({}), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::stack({ { 1., 0.5 } }), std::invalid_argument);
+  const FreeSlider ring = unit_slider(SlidingBody::ring(1.), 1.);
+  EXPECT_THROW(slide_to_stop(ring, 0., 1.), std::invalid_argument);
+  EXPECT_THROW(slide_to_stop(ring, 1., std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  EXPECT_THROW(slide_to_stop(unit_slider(SlidingBody::ring(1.), 0.), 1., 1.), std::invalid_argument);
+  EXPECT_THROW(sliding_friction(ring, 0., 0.), std::invalid_argument);
+}
+} // namespace
+} // namespace stemware::ring

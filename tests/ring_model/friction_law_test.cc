@@ -1,0 +1,140 @@
+#include "reference.h"
+#include "ring_model/friction_law.h"
+#include "ring_model/terminal_spin.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+using test::expect_relative;
+
+AngularLoad some_load()
+{
+  return { { 0.5, 0.12, -0.07, 0.03, 0.02 }, { 0., -0.15, 0.05, -0.04, 0.01 }, 0.03 };
+}
+
+/// Constant, but not known to be: takes the quadrature.
+class DisguisedCoulombLaw : public FrictionLaw
+{
+public:
+  double coefficient(double /*slip_speed*/) const override { return 0.3; }
+};
+
+TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
+{
+  const AngularLoad load = some_load();
+  for (const double eps :
+       { 0., 1e-6, -0.27, 0.5, 0.9, 0.999, 1. - 1e-9, 1., 1. + 1e-12, -1.001, 1.3, 5., 1e4 })
+  {
+    const double speed = 0.35, omega = eps * speed / load.radius();
+    const Wrench exact = CoulombRing(0.3).wrench(load, omega, speed);
+    const EstimatedWrench found = wrench(DisguisedCoulombLaw(), load, omega, speed);
+    const auto expect_within_estimate = [&](double value, double expected, double error, double scale)
+    {
+      EXPECT_NEAR(value, expected, 1e-12 * scale) << eps;
+      EXPECT_LE(std::abs(value - expected), error + 4e-15 * scale) << eps;
+      EXPECT_LE(error, 1e-11 * scale) << eps;
+    };
+    expect_within_estimate(found.value.torque, exact.torque, found.error.torque, 0.03);
+    expect_within_estimate(found.value.force_x, exact.force_x, found.error.force_x, 1.);
+    expect_within_estimate(found.value.force_y, exact.force_y, found.error.force_y, 1.);
+  }
+}
+
+TEST(FrictionLaw, ConstantLawsUseTheKernels)
+{
+  const AngularLoad load = some_load();
+  const Wrench exact = CoulombRing(0.3).wrench(load, 7., 0.35);
+  for (const EstimatedWrench &found : { wrench(CoulombLaw(0.3), load, 7., 0.35),
+                                        wrench(StribeckLaw({ 0.3, 0.3, 0.1, 0., 2. }), load, 7., 0.35) })
+  {
+    EXPECT_EQ(found.value.torque, exact.torque);
+    EXPECT_EQ(found.error.torque, 0.);
+  }
+}
+
+TEST(FrictionLaw, ViscousPartIsLinear)
+{
+  // mu = c |v_rel|: force = -c int lambda v_rel, a polynomial in the coefficients of the load.
+  const AngularLoad load = some_load();
+  const double c = 0.4, omega = 9., speed = 0.35, R = load.radius(),
+               pi = boost::math::constants::pi<double>();
+  const EstimatedWrench found = wrench(StribeckLaw({ 0., 0., 0.1, c, 2. }), load, omega, speed);
+  expect_relative(found.value.force_x, -c * pi * (2. * load.a(0) * speed - omega * R * load.b(1)), 1e-12,
+                  "T_x");
+  expect_relative(found.value.force_y, -c * pi * omega * R * load.a(1), 1e-12, "T_y");
+  expect_relative(found.value.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12,
+                  "tau");
+}
+
+TEST(FrictionLaw, StribeckCurveHasItsLimits)
+{
+  const StribeckLaw law({ 0.5, 0.3, 0.05, 0.1, 1. });
+  EXPECT_DOUBLE_EQ(law.coefficient(0.), 0.5);
+  EXPECT_NEAR(law.coefficient(0.05), 0.3 + 0.2 * std::exp(-1.) + 0.005, 1e-15);
+  EXPECT_NEAR(law.coefficient(10.), 1.3, 1e-12);
+  EXPECT_FALSE(law.is_constant());
+}
+
+TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
+{
+  const AngularLoad load = some_load();
+  const double speed = 0.35, R = load.radius(), pi = boost::math::constants::pi<double>();
+  const StribeckLaw law({ 0.5, 0.3, 0.1, 0.05, 2. });
+  for (const double omega : { -20., -3., 0.5, 6., 60. })
+  {
+    const unsigned int n_points = 4000;
+    Wrench sum{ 0., 0., 0. };
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      const double theta = 2. * pi * (i + 0.5) / n_points;
+      const double x = speed - omega * R * std::sin(theta), y = omega * R * std::cos(theta);
+      const double force =
+        law.coefficient(std::hypot(x, y)) * load(theta) / std::hypot(x, y) * 2. * pi / n_points;
+      sum.force_x -= force * x;
+      sum.force_y -= force * y;
+      sum.torque -= force * R * (std::cos(theta) * y - std::sin(theta) * x);
+    }
+    const EstimatedWrench found = wrench(law, load, omega, speed);
+    EXPECT_NEAR(found.value.torque, sum.torque, 1e-14) << omega;
+    EXPECT_NEAR(found.value.force_x, sum.force_x, 5e-13) << omega;
+    EXPECT_NEAR(found.value.force_y, sum.force_y, 5e-13) << omega;
+  }
+}
+
+TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
+{
+  // A coefficient that falls with the slip speed works most where the slip is slow, on the driving side: the
+  // ring spins faster than the paper's 3.12 rad/s; one that grows makes it slower.
+  const AngularLoad load = AngularLoad::first_harmonic(2.943, { 0.01225, 0. }, 0.03);
+  const auto terminal = [&](const FrictionLaw &law)
+  {
+    return terminal_spin([&](double omega) { return wrench(law, load, omega, 0.35).value.torque; }, 3e-4,
+                         0.35 / 0.03)
+      .omega;
+  };
+  const double coulomb = terminal(CoulombLaw(0.3));
+  expect_relative(coulomb, 3.12055870152586, 1e-12, "constant coefficient");
+  EXPECT_GT(terminal(StribeckLaw({ 0.5, 0.2, 0.3, 0., 2. })), 1.1 * coulomb);
+  EXPECT_LT(terminal(StribeckLaw({ 0.3, 0.3, 0.3, 0.5, 2. })), 0.95 * coulomb);
+}
+
+TEST(FrictionLaw, RefusesBadInput)
+{
+  EXPECT_THROW(CoulombLaw(-0.1), std::invalid_argument);
+  EXPECT_THROW(StribeckLaw({ -0.5, 0.3, 0.1, 0., 2. }), std::invalid_argument);
+  EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0., 0., 2. }), std::invalid_argument);
+  EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0.1, 0., 0. }), std::invalid_argument);
+  const StribeckLaw law({ 0.5, 0.3, 0.1, 0., 2. });
+  EXPECT_THROW(wrench(law, some_load(), 0., 0.), std::invalid_argument);
+  EXPECT_THROW(wrench(law, some_load(), 1., -1.), std::invalid_argument);
+  EXPECT_THROW(wrench(law, some_load(), 1., 1., 0.), std::invalid_argument);
+  EXPECT_THROW(wrench(law, some_load(), std::numeric_limits<double>::quiet_NaN(), 1.), std::invalid_argument);
+}
+} // namespace
+} // namespace stemware::ring

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace stemware::ring::test
+{
+/// The reference figures (ring_cases.json), computed with 22 to 50 digits by a program that shares nothing
+/// with this one.
+inline const nlohmann::json &reference()
+{
+  static const nlohmann::json cases = []
+  {
+    std::ifstream file(STEMWARE_RING_CASES);
+    return nlohmann::json::parse(file);
+  }();
+  return cases;
+}
+
+/// |actual - expected| <= tolerance * |expected|
+inline void expect_relative(double actual, double expected, double tolerance, const std::string &what)
+{
+  EXPECT_LE(std::abs(actual - expected), tolerance * std::abs(expected))
+    << what << ": " << ::testing::PrintToString(actual) << " instead of "
+    << ::testing::PrintToString(expected);
+}
+
+/// Evenly distributed numbers from a fixed seed, so that a failure comes back.
+class Numbers
+{
+public:
+  explicit Numbers(unsigned int seed)
+      : engine(seed)
+  {
+  }
+
+  double between(double lower, double upper)
+  {
+    return std::uniform_real_distribution<double>(lower, upper)(engine);
+  }
+
+  /// Coefficients of a load with @p n_harmonics harmonics that is nowhere negative.
+  std::pair<std::vector<double>, std::vector<double>> nonnegative_load(unsigned int n_harmonics)
+  {
+    std::vector<double> a{ 1. }, b{ 0. };
+    double sum = 0.;
+    for (unsigned int n = 1; n <= n_harmonics; ++n)
+    {
+      a.push_back(between(-1., 1.));
+      b.push_back(between(-1., 1.));
+      sum += std::hypot(a[n], b[n]);
+    }
+    const double share = between(0., 1.) / sum;
+    for (unsigned int n = 1; n <= n_harmonics; ++n)
+    {
+      a[n] *= share;
+      b[n] *= share;
+    }
+    return { a, b };
+  }
+
+private:
+  std::mt19937 engine;
+};
+} // namespace stemware::ring::test

@@ -1,0 +1,121 @@
+#include "reference.h"
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/first_harmonic_ring.h"
+#include "ring_model/terminal_spin.h"
+#include "ring_model/unilateral_foundation.h"
+
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+using test::expect_relative;
+using test::reference;
+
+/// Terminal slip ratio of a frozen load whose moment drives the ring counter-clockwise, R = 1 m, v = 1 m/s.
+double terminal_slip_ratio(const LoadModel &model, double moment_ratio)
+{
+  Motion motion;
+  motion.orbit_speed = 1.;
+  const double force = motion.normal_force();
+  return terminal_spin(model.load(force, { 0.5 * force * moment_ratio, 0. }), motion).omega;
+}
+
+TEST(TerminalSpin, RadialLoadRowsOfTheReference)
+{
+  for (const auto &row : reference()["terminal_radial_load"]["rows"])
+  {
+    const double m = row["ratio"];
+    expect_relative(terminal_slip_ratio(FirstHarmonicModel(1.), m), row["eps_first_harmonic"], 1e-13,
+                    "first harmonic, m " + std::to_string(m));
+    // eps up to 0.966: 0.966^1024 is below rounding.
+    expect_relative(terminal_slip_ratio(UnilateralFoundation(1., 1., 1024), m), row["eps_p1.0"], 1e-13,
+                    "mat, m " + std::to_string(m));
+    expect_relative(terminal_slip_ratio(UnilateralFoundation(1., 1.5, 1024), m), row["eps_p1.5"], 1e-13,
+                    "torus, m " + std::to_string(m));
+  }
+}
+
+TEST(TerminalSpin, PointLoadPivotsAboutItself)
+{
+  // eps -> 1 as m -> 2: the ring turns about the one loaded point.
+  const double before = 1. - terminal_slip_ratio(UnilateralFoundation(1., 1., 1024), 1.9);
+  const double near = 1. - terminal_slip_ratio(UnilateralFoundation(1., 1., 4096), 1.99);
+  EXPECT_GT(before, near);
+  EXPECT_GT(near, 0.);
+  EXPECT_LT(near, 1e-2);
+}
+
+TEST(TerminalSpin, FindsAllRootsWithTheirStability)
+{
+  const auto torque = [](double omega) { return -(omega + 3.) * (omega - 1.) * (omega - 4.5); };
+  const auto spins = all_terminal_spins(torque, 2., -10., 10., 57);
+  ASSERT_EQ(spins.size(), 3u);
+  const double expected[3] = { -3., 1., 4.5 };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    expect_relative(spins[i].omega, expected[i], 1e-14, "root");
+    EXPECT_EQ(spins[i].stable, i != 1);
+  }
+  expect_relative(spins[1].torque_slope, -(4. * -3.5), 1e-10, "slope");
+  expect_relative(spins[1].time_constant, 2. / 14., 1e-10, "time constant");
+}
+
+TEST(TerminalSpin, FindsAPairOfRootsBetweenTwoSamples)
+{
+  const auto torque = [](double omega) { return (omega - 0.501) * (omega - 0.502); };
+  const auto spins = all_terminal_spins(torque, 1., -10., 10., 100);
+  ASSERT_EQ(spins.size(), 2u);
+  expect_relative(spins[0].omega, 0.501, 1e-12, "stable root");
+  expect_relative(spins[1].omega, 0.502, 1e-12, "unstable root");
+  EXPECT_TRUE(spins[0].stable);
+  EXPECT_FALSE(spins[1].stable);
+}
+
+TEST(TerminalSpin, ReportsARootOnASampleOnce)
+{
+  const auto torque = [](double omega) { return -omega * (omega - 10.) * (omega + 10.); };
+  const auto spins = all_terminal_spins(torque, 1., -10., 10., 100);
+  ASSERT_EQ(spins.size(), 3u);
+  EXPECT_EQ(spins[1].omega, 0.);
+  EXPECT_FALSE(spins[1].stable);
+}
+
+TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
+{
+  // Hand at the height of the centre of mass, closure full: the first harmonic has the damping 1/2 - (mu
+  // h/R)^2, negative for mu h / R > 1/sqrt 2; a load that only pushes has <cos^2> - <cos>^2 >= 0
+  // (docs/theory/closures.md).
+  Motion motion;
+  motion.force_offset = 0.;
+  motion.centre_of_mass_height = 0.09; // mu h / R = 0.9
+  const FirstHarmonicRing ring(Closure::full, motion, 0.03);
+  const auto spins =
+    all_terminal_spins([&](double omega) { return ring.torque(omega); }, motion.yaw_inertia, -35., 35., 401);
+  ASSERT_EQ(spins.size(), 3u);
+  EXPECT_NEAR(spins[1].omega, 0., 1e-12);
+  EXPECT_FALSE(spins[1].stable);
+  EXPECT_TRUE(spins[0].stable && spins[2].stable);
+  expect_relative(spins[0].omega, -spins[2].omega, 1e-12, "mirror images");
+  const double damping = -spins[1].torque_slope * (0.35 / 0.03) / (0.3 * motion.normal_force() * 0.03);
+  expect_relative(damping, 0.5 - 0.9 * 0.9, 1e-9, "damping");
+}
+
+TEST(TerminalSpin, StopsAtTheFirstRootInTheDirectionOfTheTorque)
+{
+  const auto torque = [](double omega) { return -(omega + 3.) * (omega - 1.) * (omega - 4.5); };
+  expect_relative(terminal_spin(torque, 1., 10., 0.).omega, -3., 1e-14, "from 0");
+  expect_relative(terminal_spin(torque, 1., 10., 2.).omega, 4.5, 1e-14, "from 2");
+  expect_relative(terminal_spin(torque, 1., 10., 9.).omega, 4.5, 1e-14, "from 9");
+}
+
+TEST(TerminalSpin, SaysThatThereIsNone)
+{
+  EXPECT_THROW(terminal_spin([](double) { return 1.; }, 1., 1.), std::runtime_error);
+  EXPECT_TRUE(all_terminal_spins([](double) { return 1.; }, 1., -1., 1.).empty());
+  EXPECT_THROW(terminal_spin([](double omega) { return -omega; }, 0., 1.), std::invalid_argument);
+  EXPECT_THROW(all_terminal_spins([](double omega) { return -omega; }, 1., 1., 1.), std::invalid_argument);
+}
+} // namespace
+} // namespace stemware::ring

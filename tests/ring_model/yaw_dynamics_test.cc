@@ -1,0 +1,184 @@
+#include "reference.h"
+#include "ring_model/first_harmonic_ring.h"
+#include "ring_model/hand_drive.h"
+#include "ring_model/self_consistent_ring.h"
+#include "ring_model/unilateral_foundation.h"
+#include "ring_model/yaw_dynamics.h"
+
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+using test::expect_relative;
+using test::reference;
+
+/// Closure `paper` with the inertia that the reference chose.
+class PaperSpinUp : public ::testing::Test
+{
+protected:
+  const nlohmann::json &rows = reference()["time_evolution_A"];
+  const double inertia = rows["Iz"];
+  const FirstHarmonicRing ring{ Closure::paper, Motion(), 0.03 };
+  const TorqueFunction torque = [this](double omega) { return ring.torque(omega); };
+  const TimedTorqueFunction timed = [this](double, double omega) { return ring.torque(omega); };
+};
+
+TEST_F(PaperSpinUp, FollowsTheReferenceRows)
+{
+  expect_relative(torque(0.) / inertia, rows["omega_dot_0"], 1e-14, "initial acceleration");
+  std::vector<double> times;
+  for (const auto &row : rows["rows"])
+    times.push_back(row["t"]);
+  const auto samples = spin_up(timed, inertia, 0., times, 1e-12);
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    expect_relative(samples[i].omega, rows["rows"][i]["omega"], 1e-11,
+                    "omega at t = " + std::to_string(times[i]));
+    expect_relative(torque(rows["rows"][i]["omega"]), rows["rows"][i]["tau"], 1e-12, "tau");
+  }
+  const auto decimal = spin_up(timed, inertia, 0., { 0.1, 0.2 }, 1e-12);
+  expect_relative(decimal[0].omega, rows["omega_at_t0p1"], 1e-11, "omega(0.1 s)");
+  expect_relative(decimal[1].omega, rows["omega_at_t0p2"], 1e-11, "omega(0.2 s)");
+}
+
+TEST_F(PaperSpinUp, HasTheAccuracyThatWasAskedFor)
+{
+  // Dense output at 200 times against the same run two decades sharper.
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 200; ++i)
+    times.push_back(0.01 * i);
+  for (const double accuracy : { 1e-6, 1e-8, 1e-10 })
+  {
+    const auto samples = spin_up(timed, inertia, 0., times, accuracy, 0.35 / 0.03);
+    const auto sharper = spin_up(timed, inertia, 0., times, accuracy / 100., 0.35 / 0.03);
+    for (std::size_t i = 0; i < times.size(); ++i)
+      EXPECT_NEAR(samples[i].omega, sharper[i].omega, accuracy * 0.35 / 0.03) << times[i];
+  }
+  expect_relative(spin_up(timed, inertia, 0., { 20. }, 1e-10)[0].omega, ring.terminal_spin().omega, 1e-9,
+                  "terminal");
+}
+
+TEST_F(PaperSpinUp, EulerConvergesAtFirstOrderToTheAdaptiveSolution)
+{
+  const double exact = spin_up(timed, inertia, 0., { 0.1 }, 1e-12)[0].omega;
+  double previous = 0.;
+  for (const unsigned int n_steps : { 100u, 200u, 400u, 800u })
+  {
+    const auto samples = spin_up_euler(torque, inertia, 0., 0.1 / n_steps, n_steps);
+    ASSERT_EQ(samples.size(), n_steps + 1);
+    const double error = std::abs(samples.back().omega - exact);
+    if (previous > 0.)
+    {
+      EXPECT_NEAR(std::log2(previous / error), 1., 0.01);
+    }
+    previous = error;
+  }
+}
+
+TEST_F(PaperSpinUp, SettlesWhenTheReferenceSaysSo)
+{
+  const double terminal = ring.terminal_spin().omega;
+  for (const auto &row : rows["rows"])
+  {
+    const double fraction = (terminal - row["omega"].get<double>()) / terminal;
+    expect_relative(settling_time(torque, inertia, 0., terminal, fraction), row["t"], 1e-11, "settling time");
+  }
+  // The last decade takes ln 10 time constants.
+  const double tail =
+    settling_time(torque, inertia, 0., terminal, 1e-7) - settling_time(torque, inertia, 0., terminal, 1e-6);
+  Motion motion;
+  motion.yaw_inertia = inertia;
+  expect_relative(
+    tail, std::log(10.) * FirstHarmonicRing(Closure::paper, motion, 0.03).terminal_spin().time_constant, 1e-5,
+    "time per decade");
+  EXPECT_THROW(settling_time(torque, inertia, 0., 5., 0.1), std::runtime_error);
+  EXPECT_THROW(settling_time(torque, inertia, 0., terminal, 0.), std::invalid_argument);
+}
+
+TEST_F(PaperSpinUp, RefusesBadInput)
+{
+  EXPECT_THROW(spin_up(timed, -1., 0., { 1. }), std::invalid_argument);
+  EXPECT_THROW(spin_up(timed, inertia, 0., { 1., 0.5 }), std::invalid_argument);
+  EXPECT_THROW(spin_up(timed, inertia, 0., { -1. }), std::invalid_argument);
+  EXPECT_THROW(spin_up(timed, inertia, 0., { 1. }, 0.), std::invalid_argument);
+  EXPECT_THROW(spin_up_euler(torque, inertia, 0., 0., 10), std::invalid_argument);
+  EXPECT_TRUE(spin_up(timed, inertia, 0., {}).empty());
+  EXPECT_EQ(spin_up(timed, inertia, 0.5, { 0. })[0].omega, 0.5);
+}
+
+TEST(OrbitSpeedTable, IsExactMonotoneAndDoesNotExtrapolate)
+{
+  const OrbitSpeedTable table({ 0., 0.5, 1., 1.5, 3. }, { 0.1, 0.3, 0.35, 0.35, 0.2 });
+  EXPECT_EQ(table.speed(0.5), 0.3);
+  EXPECT_DOUBLE_EQ(table.speed(3.), 0.2);
+  for (double t = 0.; t < 1.; t += 0.01)
+  {
+    EXPECT_LE(table.speed(t), table.speed(t + 0.01));
+    EXPECT_NEAR(table.acceleration(t + 0.005), (table.speed(t + 0.0051) - table.speed(t + 0.0049)) / 0.0002,
+                1e-4);
+  }
+  EXPECT_NEAR(table.speed(1.2), 0.35, 1e-15); // no overshoot over the plateau
+  EXPECT_THROW(table.speed(3.1), std::out_of_range);
+  EXPECT_THROW(table.acceleration(-0.1), std::out_of_range);
+
+  const OrbitSpeedTable ramp({ 0., 2. }, { 0.1, 0.5 });
+  EXPECT_NEAR(ramp.speed(0.7), 0.24, 1e-15);
+  EXPECT_NEAR(ramp.acceleration(0.7), 0.2, 1e-14);
+
+  EXPECT_THROW(OrbitSpeedTable({ 0. }, { 1. }), std::invalid_argument);
+  EXPECT_THROW(OrbitSpeedTable({ 0., 1. }, { 1., 0. }), std::invalid_argument);
+  EXPECT_THROW(OrbitSpeedTable({ 0., 0. }, { 1., 1. }), std::invalid_argument);
+}
+
+TEST(HandDrive, ConstantTableIsTheMotor)
+{
+  const Motion motion;
+  const FirstHarmonicRing ring(Closure::full, motion, 0.03);
+  const auto driven = driven_torque(Closure::full, motion, 0.03, OrbitSpeedTable({ 0., 2. }, { 0.35, 0.35 }));
+  const auto by_table = spin_up(driven, motion.yaw_inertia, 0., { 0.3, 2. });
+  const auto by_motor =
+    spin_up([&](double, double omega) { return ring.torque(omega); }, motion.yaw_inertia, 0., { 0.3, 2. });
+  for (unsigned int i = 0; i < 2; ++i)
+    expect_relative(by_table[i].omega, by_motor[i].omega, 1e-9, "omega");
+}
+
+TEST(HandDrive, FollowsARampLikeAClassicalRungeKutta)
+{
+  const Motion motion;
+  const OrbitSpeedTable table({ 0., 0.4, 0.8, 1.2 }, { 0.1, 0.3, 0.4, 0.35 });
+  const auto model = std::make_shared<UnilateralFoundation>(0.03, 1., 32);
+  for (const auto &torque : { driven_torque(Closure::hand, motion, 0.03, table),
+                              driven_torque(Closure::full, motion, model, table) })
+  {
+    // Fourth order with fixed steps, each table entry at the end of a step.
+    double omega = 0.;
+    const unsigned int n_steps = 1200;
+    const double step = 1.2 / n_steps;
+    const auto rate = [&](double t, double spin)
+    { return torque(std::min(t, 1.2), spin) / motion.yaw_inertia; };
+    for (unsigned int i = 0; i < n_steps; ++i)
+    {
+      const double t = i * step, k1 = rate(t, omega), k2 = rate(t + step / 2., omega + step / 2. * k1),
+                   k3 = rate(t + step / 2., omega + step / 2. * k2), k4 = rate(t + step, omega + step * k3);
+      omega += step / 6. * (k1 + 2. * k2 + 2. * k3 + k4);
+    }
+    EXPECT_NEAR(spin_up(torque, motion.yaw_inertia, 0., { 0.6, 1.2 }, 1e-10)[1].omega, omega, 1e-8);
+  }
+}
+
+TEST(HandDrive, TangentialForceTiltsTheGlass)
+{
+  // Speeding up, the hand pushes forward with m dv/dt at Delta z: M_N,y = -Delta z m dv/dt more than at
+  // constant speed.
+  Motion motion;
+  const Eigen::Vector2d steady = required_moment(Closure::hand, motion, { -0.8, 0. });
+  motion.orbit_acceleration = 2.;
+  const Eigen::Vector2d pushed = required_moment(Closure::hand, motion, { -0.8, 0. });
+  EXPECT_NEAR(pushed.y() - steady.y(), 0.05 * 0.3 * 2., 1e-16);
+  EXPECT_EQ(pushed.x(), steady.x());
+  EXPECT_EQ(required_moment(Closure::paper, motion, { -0.8, 0. }).y(), 0.);
+}
+} // namespace
+} // namespace stemware::ring
