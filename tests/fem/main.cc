@@ -3,6 +3,25 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
+
+namespace
+{
+
+/// Ranks other than the first say only what failed.
+class FailurePrinter : public testing::EmptyTestEventListener
+{
+  void OnTestPartResult(const testing::TestPartResult &result) override
+  {
+    if (result.failed())
+      std::cout << "rank " << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": "
+                << (result.file_name() ? result.file_name() : "") << ':' << result.line_number() << ": "
+                << result.message() << std::endl;
+  }
+};
+
+} // namespace
+
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -11,6 +30,7 @@ int main(int argc, char **argv)
   {
     testing::TestEventListeners &listeners = testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new FailurePrinter); // the list owns it
   }
   return RUN_ALL_TESTS();
 }

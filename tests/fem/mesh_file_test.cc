@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <fstream>
 
@@ -43,11 +45,11 @@ std::string message_of(const std::string &file_name)
   return "";
 }
 
-/// A file that lives as long as the test.
+/// A file that lives as long as the test; its own in every process, for tests run side by side and on several ranks.
 struct TemporaryFile
 {
   explicit TemporaryFile(const std::string &content)
-      : name(::testing::TempDir() + "stemware_mesh_file_test.msh")
+      : name(::testing::TempDir() + "stemware_mesh_file_test_" + std::to_string(getpid()) + ".msh")
   {
     std::ofstream(name) << content;
   }
