@@ -1,13 +1,12 @@
 #include "fem/pipeline/run.h"
 
 #include "fem/pipeline/contact_demand.h"
-#include "fem/pipeline/coupled_load.h"
-#include "fem/pipeline/foot_contact.h"
 #include "fem/pipeline/interruption.h"
 #include "fem/pipeline/program.h"
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/result_tables.h"
 #include "fem/pipeline/results_folder.h"
+#include "fem/pipeline/solve_study.h"
 #include "fem/pipeline/stopwatch.h"
 #include "fem/pipeline/study_file.h"
 #include "fem/pipeline/summary.h"
@@ -56,86 +55,30 @@ private:
   const fs::path partial;
 };
 
-/// Contact at rest and fields of a study whose load comes from the finite elements.
-ContactFigures solve_foot_contact(const fem::ContactLoad &demand, FootContact &contact, SharedFolder &folder,
-                                  Stopwatch &stopwatch)
+/// Fields of the contact at rest, where the body has some.
+void write_fields(const FootContact &contact, const FootContactResult &result, SharedFolder &folder)
 {
-  ProgressTable progress;
-  ContactFigures figures;
-  figures.body = contact.name();
-  figures.n_cells = contact.n_cells();
-  figures.n_unknowns = contact.n_unknowns();
-  figures.n_contact_nodes = contact.n_contact_nodes();
-  figures.mesh_report = contact.mesh_report();
-  figures.result =
-    contact.solve(demand, 0, [&](const fem::ContactIteration &iteration) { progress.add(iteration); });
-  stopwatch.finish("contact");
-
   const fs::path fields = folder.working_folder() / "fields";
   folder.write([&](ResultsFolder &) { fs::create_directory(fields); });
-  if (!contact.write_fields(fields.string(), figures.result))
+  if (!contact.write_fields(fields.string(), result))
     folder.write([&](ResultsFolder &) { fs::remove(fields); });
-  stopwatch.finish("fields");
-  return figures;
 }
 
-/// The load on the ring, from wherever the study wants it; a contact and its figures are kept in @p foot and
-/// @p contact.
-RingLoad find_load(const Study &study, SharedFolder &folder, Stopwatch &stopwatch,
-                   std::shared_ptr<FootContact> &foot, std::optional<ContactFigures> &contact)
+/// Shows on the terminal what happens, and keeps the fields and the times.
+StudyObserver make_observer(SharedFolder &folder, Stopwatch &stopwatch)
 {
-  switch (study.load.source)
+  StudyObserver observer;
+  observer.foot_made = print_mesh;
+  observer.newton_step = [progress = std::make_shared<ProgressTable>()](
+                           const fem::ContactIteration &iteration) { progress->add(iteration); };
+  observer.contact_found = [&](const FootContact &contact, const FootContactResult &result)
   {
-  case LoadSource::contact:
-    foot = make_foot_contact(study);
-    print_mesh(*foot);
-    stopwatch.finish("mesh_and_stiffness");
-    contact = solve_foot_contact(demanded_load(study), *foot, folder, stopwatch);
-    if (study.load.coupling == LoadCoupling::exact)
-      return coupled_contact_load(study, foot, contact->result.load, print_balance);
-    return frozen_contact_load(contact->result.load, study.glass.profile.contact_radius);
-  case LoadSource::first_harmonic:
-    return first_harmonic_load(study);
-  case LoadSource::file:
-    return load_from_file(study);
-  }
-  throw std::logic_error("a load source without a load");
-}
-
-/// Friction of the pressure where it lies, beside that of the ring.
-void resolve_friction(const Study &study, const RingLoad &load, double omega_terminal, FootContact &foot,
-                      ContactFigures &contact)
-{
-  const ring::Motion &motion = study.motion.orbit;
-  const auto friction = [&](const std::vector<fem::PointForce> &forces, double omega)
-  { return fem::resolved_friction(forces, motion.friction_coefficient, omega, motion.orbit_speed); };
-  contact.friction_at_rest = friction(contact.result.point_forces, 0);
-  if (study.load.coupling == LoadCoupling::frozen)
-  {
-    contact.friction_at_terminal = friction(contact.result.point_forces, omega_terminal);
-    return;
-  }
-  const ring::AngularLoad terminal = load.at_spin(omega_terminal);
-  const FootContactResult result =
-    foot.solve({ terminal.normal_force(), terminal.moment().x(), terminal.moment().y() },
-               omega_terminal / motion.orbit_speed, {});
-  contact.friction_at_terminal = friction(result.point_forces, omega_terminal);
-}
-
-/// Everything that follows from the load: spin, truncations, closures.
-StudyResult study_ring(const Study &study, const RingLoad &load, FootContact *foot,
-                       std::optional<ContactFigures> contact)
-{
-  const ring::Motion &motion = study.motion.orbit;
-  StudyResult result = { load,
-                         std::move(contact),
-                         study_yaw(load.at_spin, motion),
-                         torque_curve(load.at_spin, motion),
-                         spin_up_curves(load.at_spin, study.motion),
-                         compare_closures(motion, study.glass.profile.contact_radius) };
-  if (result.contact)
-    resolve_friction(study, load, result.yaw.terminal.omega, *foot, *result.contact);
-  return result;
+    write_fields(contact, result, folder);
+    stopwatch.finish("fields");
+  };
+  observer.balance_found = print_balance;
+  observer.stage_done = [&](const std::string &stage) { stopwatch.finish(stage); };
+  return observer;
 }
 
 void write_results(const Study &study, const StudyResult &result, Stopwatch &stopwatch, ResultsFolder &folder)
@@ -175,16 +118,10 @@ void run(const RunOptions &options)
     print_demand(study, demand);
   stopwatch.finish("input");
 
-  // 2. The load on the table.
-  std::shared_ptr<FootContact> foot;
-  std::optional<ContactFigures> contact;
-  const RingLoad load = find_load(study, folder, stopwatch, foot, contact);
+  // 2. The load on the table, and what it does to the ring.
+  const StudyResult result = solve_study(study, make_observer(folder, stopwatch));
 
-  // 3. What it does to the ring.
-  const StudyResult result = study_ring(study, load, foot.get(), std::move(contact));
-  stopwatch.finish("ring");
-
-  // 4. The results, all at once, and the answer.
+  // 3. The results, all at once, and the answer.
   folder.write([&](ResultsFolder &results) { write_results(study, result, stopwatch, results); });
   print_answer(study, result);
   console() << "Results   " << output.string() << std::endl;

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <fstream>
+#include <unistd.h>
 
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
@@ -45,7 +44,8 @@ std::string message_of(const std::string &file_name)
   return "";
 }
 
-/// A file that lives as long as the test; its own in every process, for tests run side by side and on several ranks.
+/// A file that lives as long as the test; its own in every process, for tests run side by side and on several
+/// ranks.
 struct TemporaryFile
 {
   explicit TemporaryFile(const std::string &content)

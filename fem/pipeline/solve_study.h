@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fem/pipeline/study_result.h"
+
+#include <functional>
+#include <memory>
+
+namespace stemware::pipeline
+{
+
+/// What a caller may want to see of a study while it is solved; members may be left empty.
+struct StudyObserver
+{
+  std::function<void(const FootContact &)> foot_made;
+  std::function<void(const fem::ContactIteration &)> newton_step;
+  std::function<void(const FootContact &, const FootContactResult &)> contact_found; ///< at rest
+  std::function<void(std::size_t n_states)> balance_found; ///< after each spin with contact in balance
+  std::function<void(const std::string &stage)> stage_done;
+};
+
+/// The load of a study, with the foot that carries it.
+struct StudyLoad
+{
+  RingLoad load;
+  std::shared_ptr<FootContact> foot;     ///< nothing where the load does not come from a contact
+  std::optional<ContactFigures> contact; ///< at rest; without the resolved friction
+};
+
+/// The load on the ring, from wherever @p study wants it. MPI must have been started for a contact;
+/// collective over all ranks. Throws BadInput, ContactFailure.
+StudyLoad find_load(const Study &study, const StudyObserver &observer = {});
+
+/// The whole study: the load, and what follows from it for torque, spin, truncations and closures. Writes
+/// nothing. Throws as find_load, and std::runtime_error where a balance or a terminal spin is not found.
+StudyResult solve_study(const Study &study, const StudyObserver &observer = {});
+
+} // namespace stemware::pipeline
