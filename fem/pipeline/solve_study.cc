@@ -57,16 +57,15 @@ void resolve_friction(const Study &study, const RingLoad &load, double omega_ter
 
 StudyLoad find_contact_load(const Study &study, const StudyObserver &observer)
 {
-  StudyLoad found;
-  found.foot = make_foot_contact(study);
-  tell(observer.foot_made, *found.foot);
+  const std::shared_ptr<FootContact> foot = make_foot_contact(study);
+  tell(observer.foot_made, *foot);
   tell(observer.stage_done, "mesh_and_stiffness");
-  found.contact = solve_foot_contact(demanded_load(study), *found.foot, observer);
-  const fem::LoadHarmonics &at_rest = found.contact->result.load;
-  found.load = study.load.coupling == LoadCoupling::exact
-                 ? coupled_contact_load(study, found.foot, at_rest, observer.balance_found)
-                 : frozen_contact_load(at_rest, study.glass.profile.contact_radius);
-  return found;
+  const ContactFigures contact = solve_foot_contact(demanded_load(study), *foot, observer);
+  const fem::LoadHarmonics &at_rest = contact.result.load;
+  const RingLoad load = study.load.coupling == LoadCoupling::exact
+                          ? coupled_contact_load(study, foot, at_rest, observer.balance_found)
+                          : frozen_contact_load(at_rest, study.glass.profile.contact_radius);
+  return { load, foot, contact };
 }
 
 } // namespace
