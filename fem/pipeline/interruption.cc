@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <map>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -22,6 +23,7 @@ struct Watch
 {
   std::mutex mutex;
   std::function<void()> clean_up;
+  std::set<pid_t> children;
   bool first_rank = true; ///< asked in advance: MPI may be busy, or over, when the signal comes
 };
 
@@ -61,6 +63,8 @@ extern "C" void wake_up(int)
   // Kept until the end, so that the working thread cannot publish results, or report that its folder is gone,
   // meanwhile.
   watch().mutex.lock();
+  for (const pid_t child : watch().children)
+    ::kill(child, SIGKILL);
   if (watch().clean_up)
     watch().clean_up();
   // mpirun kills the remaining ranks as soon as one has ended: the first rank, which owns the folder, gets
@@ -106,6 +110,16 @@ std::unique_lock<std::mutex> postpone_interruption()
 void clean_up_on_interruption(std::function<void()> clean_up)
 {
   watch().clean_up = std::move(clean_up);
+}
+
+void kill_on_interruption(pid_t child)
+{
+  watch().children.insert(child);
+}
+
+void spare_on_interruption(pid_t child)
+{
+  watch().children.erase(child);
 }
 
 } // namespace stemware::pipeline

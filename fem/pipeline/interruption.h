@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <mutex>
+#include <sys/types.h>
 
 namespace stemware::pipeline
 {
@@ -20,5 +21,12 @@ std::unique_lock<std::mutex> postpone_interruption();
 /// What to do before the program ends; replaces the earlier one. The clean-up must not wait for the thread
 /// that works. The caller holds the lock of postpone_interruption().
 void clean_up_on_interruption(std::function<void()> clean_up);
+
+/// A child process that is killed on interruption, before the clean-up, until it is spared. The caller holds
+/// the lock.
+void kill_on_interruption(pid_t child);
+
+/// That child process has been waited for. The caller holds the lock.
+void spare_on_interruption(pid_t child);
 
 } // namespace stemware::pipeline

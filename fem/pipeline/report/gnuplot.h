@@ -1,0 +1,20 @@
+#pragma once
+
+#include "fem/pipeline/report/report.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Writes figures/style.gp and the scripts and data of @p figures into @p folder, then lets gnuplot draw all
+/// of them, SVG and PDF side by side. A figure that fails costs the others nothing. Returns one or more
+/// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
+std::string draw_figures(const std::vector<ReportFigure> &figures, const std::filesystem::path &folder);
+
+/// A text as gnuplot's quoted string that shows just these characters, free of gnuplot's markup.
+std::string gnuplot_text(const std::string &text);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A table of a report. Columns of numbers are aligned to the right.
+struct ReportTable
+{
+  std::string caption;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows; ///< as many cells as the header
+};
+
+/// A picture of a report, drawn by gnuplot as SVG and as PDF.
+struct ReportFigure
+{
+  std::string name;    ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
+  std::string caption; ///< below the figure, and its name for those who do not see it
+  std::string script;  ///< gnuplot commands without terminal and output; the results folder is where they run
+  double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
+  std::string data = "";            ///< content of figures/<name>.dat; empty: no such file is written
+};
+
+/// A file of the results to which a report links.
+struct ReportFile
+{
+  std::string name; ///< relative to the results folder
+  std::string description;
+};
+
+/// A heading, paragraphs (parted by empty lines), figures, tables and files, in this order; whatever is empty
+/// is left out.
+struct ReportSection
+{
+  std::string heading, text;
+  std::vector<ReportFigure> figures = {};
+  std::vector<ReportTable> tables = {};
+  std::vector<ReportFile> files = {};
+  bool folded = false; ///< shown when the heading is clicked
+};
+
+/// What a verb has found out, for eyes. All texts are plain: they are escaped here and nowhere else, and an
+/// underscore after a single letter makes a subscript (τ_z, a_n, z_CM).
+struct Report
+{
+  std::string title;
+  std::string answer; ///< first paragraph: one or two sentences with the numbers that were asked for
+  std::vector<ReportSection> sections;
+};
+
+/// What to say before long work where no gnuplot can be found: the report will then have no pictures, but
+/// their scripts and data. Empty where there is one.
+std::string missing_plotter();
+
+/// Writes report.html, one page that needs nothing else (CSS and SVG inside, no address outside), and
+/// figures/ with the pictures as SVG and PDF, their gnuplot scripts and data, into @p folder.
+///
+/// Equal reports give equal files, byte for byte. Pictures that gnuplot does not draw are left out; the page
+/// says why, and so does a line on stderr. Throws OutputFailure. One rank only.
+void write_report(const Report &report, const std::filesystem::path &folder);
+
+} // namespace stemware::pipeline
