@@ -1,5 +1,7 @@
 #include "fem/foot_response.h"
 
+#include "fem/compliance_store.h"
+
 #include <deal.II/grid/tria.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -21,16 +23,18 @@ bool touches_without_penetration(const RevolutionSetup &setup)
   return setup.support == TableSupport::rigid || setup.support == TableSupport::elastic;
 }
 
-ContactCompliance compliance_of(const RevolutionSetup &setup)
+std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup, ComplianceStore &store)
 {
   dealii::Triangulation<2> foot;
   make_meridian_mesh(setup.profile, setup.resolution, foot);
-  ContactCompliance compliance = compute_compliance(foot, setup.material, setup.meridian);
+  const auto compliance = store.get(foot, setup.material, setup.meridian);
   if (setup.support != TableSupport::elastic)
     return compliance;
   dealii::Triangulation<2> disc;
   make_meridian_mesh(setup.disc, setup.profile, setup.resolution, disc);
-  return compliance += compute_compliance(disc, setup.disc_material, setup.meridian);
+  const auto of_both = std::make_shared<ContactCompliance>(*compliance);
+  *of_both += *store.get(disc, setup.disc_material, setup.meridian);
+  return of_both;
 }
 
 std::unique_ptr<TableLaw> law_of(const RevolutionSetup &setup, const ContactCompliance &compliance,
@@ -112,12 +116,12 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 
 struct FootResponse::Implementation
 {
-  explicit Implementation(const RevolutionSetup &setup)
+  Implementation(const RevolutionSetup &setup, ComplianceStore &store)
       : setup(setup)
-      , compliance(compliance_of(setup))
+      , compliance(compliance_of(setup, store))
       , body(
-          compliance, [this](double r, double theta) { return gap(r, theta); }, lines_of(setup))
-      , law(law_of(setup, compliance, body.contact_surface()))
+          *compliance, [this](double r, double theta) { return gap(r, theta); }, lines_of(setup))
+      , law(law_of(setup, *compliance, body.contact_surface()))
   {
     setup.imperfection.validate();
     control.tolerance = 1e-10; // one Newton step less on most of a path of neighbouring loads
@@ -148,14 +152,14 @@ struct FootResponse::Implementation
         solution.reset();
         if (failure.outcome == ContactOutcome::tipping)
           throw;
-        law = law_of(setup, compliance, body.contact_surface());
+        law = law_of(setup, *compliance, body.contact_surface());
       }
     ++n_cold_starts;
     solution = solve_contact(body, *law, load, radius, control);
   }
 
   const RevolutionSetup setup;
-  const ContactCompliance compliance;
+  const std::shared_ptr<const ContactCompliance> compliance;
   FootPhase phase;
   BodyOfRevolution body;
   std::unique_ptr<TableLaw> law;
@@ -164,9 +168,15 @@ struct FootResponse::Implementation
   unsigned int n_cold_starts = 0;
 };
 
-FootResponse::FootResponse(const RevolutionSetup &setup)
-    : implementation(std::make_unique<Implementation>(setup))
+FootResponse::FootResponse(const RevolutionSetup &setup, ComplianceStore &store)
+    : implementation(std::make_unique<Implementation>(setup, store))
 {
+}
+
+FootResponse::FootResponse(const RevolutionSetup &setup)
+{
+  ComplianceStore store;
+  implementation = std::make_unique<Implementation>(setup, store);
 }
 
 FootResponse::~FootResponse() = default;
@@ -199,7 +209,7 @@ void FootResponse::forget()
 {
   implementation->solution.reset();
   implementation->law =
-    law_of(implementation->setup, implementation->compliance, implementation->body.contact_surface());
+    law_of(implementation->setup, *implementation->compliance, implementation->body.contact_surface());
 }
 
 const ContactSolution &FootResponse::solution() const

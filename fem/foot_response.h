@@ -13,6 +13,8 @@
 namespace stemware::fem
 {
 
+class ComplianceStore;
+
 /// What the foot stands on.
 enum class TableSupport
 {
@@ -60,6 +62,8 @@ class FootResponse
 public:
   /// Computes the compliances. Throws std::invalid_argument for a setup that is not allowed.
   explicit FootResponse(const RevolutionSetup &setup);
+  /// The same with compliances from @p store, where other feet have left or will find them.
+  FootResponse(const RevolutionSetup &setup, ComplianceStore &store);
   ~FootResponse();
 
   /// The load with the given resultants; marks of glass and table stand at @p phase, the foot yaws at @p
