@@ -1,5 +1,5 @@
+#include "fem/pipeline/console.h"
 #include "fem/pipeline/study_file.h"
-#include "fem/pipeline/terminal_report.h"
 #include "fem/pipeline/verbs.h"
 
 #include <CLI/CLI.hpp>

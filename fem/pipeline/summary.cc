@@ -1,10 +1,5 @@
 #include "fem/pipeline/summary.h"
 
-#include "fem/pipeline/program.h"
-#include "fem/pipeline/study_entries.h"
-
-#include <cmath>
-
 namespace stemware::pipeline
 {
 
@@ -12,11 +7,6 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-
-Json number_or_null(const std::optional<double> &value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json load_summary(const RingLoad &load)
 {
@@ -126,31 +116,23 @@ Json closure_summary(const std::vector<ClosureRow> &rows)
   return closures;
 }
 
-void require_finite(const Json &value, const std::string &path)
-{
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw std::runtime_error("The result " + path + " is not a finite number; please report this study.");
-  if (value.is_structured())
-    for (const auto &[key, part] : value.items())
-      require_finite(part, path + "/" + key);
-}
-
 } // namespace
 
-Json summary(const Study &study, const StudyResult &result, const std::vector<std::string> &files)
+Findings run_findings(const Study &study, const StudyResult &result)
 {
-  Json all = { { "schema", 1 },
-               { "program", { { "version", program_version() }, { "revision", program_revision() } } },
-               { "parameters", study_as_json(study) },
-               { "load", load_summary(result.load) },
-               { "contact", contact_summary(result.contact) },
-               { "ring", ring_summary(study, result) },
-               { "resolved", resolved_summary(result) },
-               { "truncation", truncation_summary(result.yaw.truncations) },
-               { "closures", closure_summary(result.closures) },
-               { "files", files } };
-  require_finite(all, "summary");
-  return all;
+  Findings findings;
+  findings.summary = { { "load", load_summary(result.load) },
+                       { "contact", contact_summary(result.contact) },
+                       { "ring", ring_summary(study, result) },
+                       { "resolved", resolved_summary(result) },
+                       { "truncation", truncation_summary(result.yaw.truncations) },
+                       { "closures", closure_summary(result.closures) } };
+  const TruncationRow &first = result.yaw.truncations.front();
+  findings.key_figures = { { "tau_at_rest", result.yaw.at_rest.torque },
+                           { "omega_terminal", result.yaw.terminal.omega },
+                           { "omega_terminal_first_harmonic", first.omega_terminal },
+                           { "relative_change", number_or_null(first.relative_change) } };
+  return findings;
 }
 
 } // namespace stemware::pipeline

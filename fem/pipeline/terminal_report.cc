@@ -1,56 +1,19 @@
 #include "fem/pipeline/terminal_report.h"
 
+#include "fem/pipeline/console.h"
 #include "fem/pipeline/contact_demand.h"
-#include "fem/pipeline/ranks.h"
+#include "fem/pipeline/text_layout.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
-#include <cstdio>
-#include <iostream>
-#include <sstream>
+#include <ostream>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
-
-/// printf into a string: columns and digits at a glance.
-template <typename... Values>
-std::string formatted(const char *format, Values... values)
-{
-  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)) + 1, ' ');
-  std::snprintf(text.data(), text.size(), format, values...);
-  text.pop_back();
-  return text;
-}
-
-std::string in_percent(const std::optional<double> &share)
-{
-  return share ? formatted("%+.3g %%", 100 * *share) : "-";
-}
-
-/// Breaks a text between words into lines of at most 96 columns.
-std::string wrapped(const std::string &text)
-{
-  constexpr std::size_t width = 96;
-  std::istringstream words(text);
-  std::string lines;
-  std::size_t column = 0;
-  for (std::string word; words >> word; column += word.size() + 1)
-  {
-    if (column > 0 && column + word.size() > width)
-    {
-      lines += '\n';
-      column = 0;
-    }
-    else if (column > 0)
-      lines += ' ';
-    lines += word;
-  }
-  return lines;
-}
 
 std::string harmonic_effect(const Study &study, const StudyResult &result)
 {
@@ -112,13 +75,24 @@ std::string narrow_contact(const Study &study, const std::optional<ContactFigure
       : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
 }
 
-} // namespace
-
-std::ostream &console()
+std::string truncation_text(const std::vector<TruncationRow> &rows)
 {
-  static std::ostream stream(is_first_rank() ? std::cout.rdbuf() : nullptr);
-  return stream;
+  TextColumn harmonics = { "harmonics", {} }, torque = { "torque at rest\n(N m)", {} },
+             spin = { "terminal spin\n(rad/s)", {} }, change = { "change\nof spin", {} },
+             bound = { "bound on torque\n(N m)", {} }, least = { "least load\n(N/rad)", {} };
+  for (const TruncationRow &row : rows)
+  {
+    harmonics.cells.push_back(std::to_string(row.harmonics));
+    torque.cells.push_back(formatted("%.7g", row.tau_at_rest));
+    spin.cells.push_back(formatted("%.8g", row.omega_terminal));
+    change.cells.push_back(in_percent(row.relative_change));
+    bound.cells.push_back(formatted("%.3e", row.bound));
+    least.cells.push_back(formatted("%.4g", row.load_minimum));
+  }
+  return text_table({ harmonics, torque, spin, change, bound, least });
 }
+
+} // namespace
 
 void ProgressTable::add(const fem::ContactIteration &iteration)
 {
@@ -131,8 +105,14 @@ void ProgressTable::add(const fem::ContactIteration &iteration)
             << std::endl;
 }
 
-void print_demand(const Study &study, const fem::ContactLoad &demand)
+void print_load_source(const Study &study)
 {
+  if (study.load.source == LoadSource::file)
+  {
+    console() << "Load      " << study.load.file << std::endl;
+    return;
+  }
+  const fem::ContactLoad demand = demanded_load(study);
   const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
   const double crest =
     std::atan2(demand.moment_x, -demand.moment_y) * 180 / boost::math::constants::pi<double>();
@@ -166,18 +146,12 @@ void print_balance(std::size_t n_states)
 
 void print_answer(const Study &study, const StudyResult &result)
 {
-  console()
-    << '\n'
-    << wrapped(harmonic_effect(study, result) + lift_off(result.load) + narrow_contact(study, result.contact))
-    << '\n'
-    << wrapped(closure_effect(result.closures)) << "\n\n"
-    << "  harmonics   torque at rest   terminal spin        change   bound on torque    least load\n"
-    << "                       (N m)         (rad/s)        of spin             (N m)       (N/rad)\n";
-  for (const TruncationRow &row : result.yaw.truncations)
-    console() << formatted("  %9u   %14.7g   %13.8g   %11s   %15.3e   %11.4g\n", row.harmonics,
-                           row.tau_at_rest, row.omega_terminal, in_percent(row.relative_change).c_str(),
-                           row.bound, row.load_minimum);
-  console() << std::endl;
+  console() << '\n'
+            << wrapped(harmonic_effect(study, result) + lift_off(result.load) +
+                       narrow_contact(study, result.contact))
+            << '\n'
+            << wrapped(closure_effect(result.closures)) << "\n\n"
+            << truncation_text(result.yaw.truncations) << std::endl;
 }
 
 } // namespace stemware::pipeline

@@ -2,14 +2,8 @@
 
 #include "fem/pipeline/study_result.h"
 
-#include <ostream>
-#include <string>
-
 namespace stemware::pipeline
 {
-
-/// Standard output on the first rank, nowhere on the others. Lines have at most 100 columns.
-std::ostream &console();
 
 /// Table of contact steps that grows as they come; its header is printed before the first.
 class ProgressTable
@@ -21,8 +15,8 @@ private:
   bool has_header = false;
 };
 
-/// What is pressed on the table: one line.
-void print_demand(const Study &study, const fem::ContactLoad &demand);
+/// What is pressed on the table, or the file that says so: one line.
+void print_load_source(const Study &study);
 
 /// Size of the finite-element system, and what is special about a mesh file.
 void print_mesh(const FootContact &contact);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+// NOLINTNEXTLINE(readability-identifier-naming): the library's name
 namespace CLI
 {
 class App;

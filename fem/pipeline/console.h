@@ -1,0 +1,20 @@
+#pragma once
+
+#include <iosfwd>
+
+namespace stemware::pipeline
+{
+
+/// Where the text for people goes from now on: to standard output; with @p json, which keeps standard output
+/// for programs, to standard error; with @p quiet nowhere.
+void direct_console(bool quiet, bool json);
+
+/// The stream for people, on the first rank; silent on the others. Plain text: no colours, no escape codes.
+/// For the thread that started the program only.
+std::ostream &console();
+
+/// Whether somebody watches the console, so that a line may be overwritten with "\r" to show progress. False
+/// for files, pipes, terminals that cannot do it (TERM=dumb), and where nothing is printed.
+bool console_is_terminal();
+
+} // namespace stemware::pipeline

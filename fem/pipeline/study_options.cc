@@ -1,0 +1,58 @@
+#include "fem/pipeline/study_options.h"
+
+#include "fem/pipeline/console.h"
+#include "fem/pipeline/contact_demand.h"
+#include "fem/pipeline/interruption.h"
+#include "fem/pipeline/program.h"
+#include "fem/pipeline/ranks.h"
+#include "fem/pipeline/study_file.h"
+
+#include <CLI/CLI.hpp>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+void add_study_options(CLI::App &verb, StudyOptions &options)
+{
+  options.verb = verb.get_name();
+  verb.add_option("STUDY", options.study_file, "Study file, .prm or .json")->required();
+  verb
+    .add_option("--output", options.output,
+                "Folder of the results; default: results/<name of the study file>" +
+                  std::string(options.verb == "run" ? "" : "-" + options.verb))
+    ->type_name("DIR");
+  verb.add_option("--set", options.overrides, "Replaces one entry of the study file; may be repeated")
+    ->type_name("\"Section/Entry=value\"")
+    ->allow_extra_args(false);
+  verb.add_flag("--quiet", options.quiet, "Print nothing unless something is wrong");
+  verb.add_flag("--json", options.json,
+                "Print one JSON object on standard output, with paths and key figures;\n"
+                "the text for people goes to standard error");
+}
+
+fs::path results_place(const StudyOptions &options)
+{
+  if (!options.output.empty())
+    return options.output;
+  fs::path name = fs::path(options.study_file).stem();
+  if (options.verb != "run")
+    name += "-" + options.verb;
+  return "results" / name;
+}
+
+Study begin_study(const StudyOptions &options, bool needs_mpi)
+{
+  direct_console(options.quiet, options.json);
+  const Study study = read_study(options.study_file, options.overrides);
+  demanded_load(study); // refuses a glass that would tip
+  if (needs_mpi || study.load.source == LoadSource::contact)
+    start_mpi();
+  watch_for_interruption(); // after MPI, which puts handlers of its own in place
+  console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
+            << "Study     " << options.study_file << std::endl;
+  return study;
+}
+
+} // namespace stemware::pipeline

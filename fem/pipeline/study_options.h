@@ -1,0 +1,41 @@
+#pragma once
+
+#include "fem/pipeline/study.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+// NOLINTNEXTLINE(readability-identifier-naming): the library's name
+namespace CLI
+{
+class App;
+}
+
+namespace stemware::pipeline
+{
+
+/// What every verb that works on a study is told.
+struct StudyOptions
+{
+  std::string verb; ///< its name, "run"
+  std::string study_file;
+  std::string output;                 ///< of --output; empty: the default place
+  std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
+  bool quiet = false;                 ///< nothing for people but failures
+  bool json = false;                  ///< standard output holds one JSON object and nothing else
+};
+
+/// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
+void add_study_options(CLI::App &verb, StudyOptions &options);
+
+/// The folder of the results: --output, or results/<stem of the study> for `run` and
+/// results/<stem of the study>-<verb> for the others.
+std::filesystem::path results_place(const StudyOptions &options);
+
+/// What every verb begins with: directs the console, reads and checks the study, starts MPI where @p
+/// needs_mpi or a contact asks for it, and watches for interruptions. Refuses everything that can be refused
+/// before the work; throws BadInput.
+Study begin_study(const StudyOptions &options, bool needs_mpi = false);
+
+} // namespace stemware::pipeline
