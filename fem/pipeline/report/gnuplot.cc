@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/child_process.h"
 #include "fem/pipeline/failures.h"
+#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/report/gnuplot_style.h"
 #include "fem/pipeline/text_file.h"
 
@@ -82,6 +83,23 @@ std::string draw_alone(const std::string &gnuplot, const std::string &format, co
          "). ";
 }
 
+/// Text within gnuplot's double quotes without what means something there or to its markup.
+std::string quotable(const std::string &text)
+{
+  std::string quoted;
+  for (const char character : text)
+  {
+    if (std::string("_^{}@&~").find(character) != std::string::npos)
+      quoted += "\\\\"; // once for the string, once for the markup
+    else if (character == '"')
+      quoted += '\\';
+    else if (character == '\\')
+      quoted += "\\\\\\";
+    quoted += character;
+  }
+  return quoted;
+}
+
 /// The hour at which a PDF was made is the only thing in it that differs between equal runs: blanks instead.
 void remove_date(const fs::path &pdf)
 {
@@ -133,17 +151,9 @@ std::string draw_figures(const std::vector<ReportFigure> &figures, const fs::pat
 std::string gnuplot_text(const std::string &text)
 {
   std::string quoted = "\"";
-  for (const char character : text)
-  {
-    if (std::string("_^{}@&~").find(character) != std::string::npos)
-      quoted += "\\\\"; // for the string, then for the markup
-    else if (character == '"')
-      quoted += '\\';
-    else if (character == '\\')
-      quoted += "\\\\\\";
-    quoted += character;
-  }
-  return quoted + '"';
+  for (const TextPiece &piece : formula_pieces(text))
+    quoted += piece.subscript ? "_{" + quotable(piece.text) + "}" : quotable(piece.text);
+  return quoted + "\"";
 }
 
 } // namespace stemware::pipeline

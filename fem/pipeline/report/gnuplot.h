@@ -14,7 +14,8 @@ namespace stemware::pipeline
 /// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
 std::string draw_figures(const std::vector<ReportFigure> &figures, const std::filesystem::path &folder);
 
-/// A text as gnuplot's quoted string that shows just these characters, free of gnuplot's markup.
+/// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the
+/// subscripts of formula_pieces().
 std::string gnuplot_text(const std::string &text);
 
 } // namespace stemware::pipeline

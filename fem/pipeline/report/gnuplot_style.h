@@ -32,9 +32,9 @@ set palette defined (0 "#00204d", 1 "#31446b", 2 "#666970", 3 "#958f78", 4 "#cbb
 
 set minussign
 set border 3 lw 0.8 lc rgb "#333333"
-set tics nomirror
+set tics nomirror scale 0.6
 set grid lt -1 lw 0.5 lc rgb "#dddddd"
-set key top right reverse Left samplen 2.5 spacing 1.15
+set key tmargin left horizontal reverse Left samplen 2.2 spacing 1.2 width 1 # above the plot, never on a curve
 degrees = 180 / pi
 )gp";
 

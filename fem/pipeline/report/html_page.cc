@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/html_page.h"
 
 #include "fem/pipeline/program.h"
+#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/report/html_style.h"
 
 #include <algorithm>
@@ -172,28 +173,9 @@ std::string html_text(const std::string &text)
 
 std::string html_formula(const std::string &text)
 {
-  // Bytes beyond ASCII belong to Greek letters and the like, which stand alone.
-  const auto is_letter = [&](std::size_t i)
-  { return i < text.size() && std::isalnum(static_cast<unsigned char>(text[i])); };
-  const auto is_symbol = [&](std::size_t i)
-  {
-    return i < text.size() &&
-           (static_cast<unsigned char>(text[i]) >= 128 || (is_letter(i) && (i == 0 || !is_letter(i - 1))));
-  };
   std::string html;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    if (text[i] == '_' && i > 0 && is_symbol(i - 1) && is_letter(i + 1))
-    {
-      std::size_t end = i + 1;
-      while (is_letter(end))
-        ++end;
-      html += "<sub>" + text.substr(i + 1, end - i - 1) + "</sub>";
-      i = end - 1;
-    }
-    else
-      html += html_text(text.substr(i, 1));
-  }
+  for (const TextPiece &piece : formula_pieces(text))
+    html += piece.subscript ? "<sub>" + html_text(piece.text) + "</sub>" : html_text(piece.text);
   return html;
 }
 

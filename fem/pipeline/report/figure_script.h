@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/pipeline/report/figures.h"
+#include "fem/pipeline/text_file.h"
+
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// gnuplot's commands for the axis "x" or "y".
+std::string axis_commands(const std::string &which, const Axis &axis);
+
+/// A table within a data file.
+struct DataBlock
+{
+  std::string title;
+  std::vector<DataColumn> columns;
+};
+
+/// Tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
+std::string data_blocks(const std::vector<DataBlock> &blocks);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,88 @@
+#include "fem/pipeline/report/figures.h"
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Relative changes below this say nothing.
+constexpr double rounding = 1e-12;
+
+std::string up_to(unsigned int harmonics)
+{
+  return harmonics == 1 ? "first harmonic alone" : "harmonics 1 to " + std::to_string(harmonics);
+}
+
+std::vector<double> in_milli(const std::vector<double> &values)
+{
+  std::vector<double> scaled;
+  for (const double value : values)
+    scaled.push_back(1e3 * value);
+  return scaled;
+}
+
+} // namespace
+
+ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations)
+{
+  CurvePlot plot = { "torque",
+                     "Torque of friction against the spin; the glass spins up to where it vanishes (points).",
+                     { "spin ω (rad/s)", false, std::pair(curve.omega.front(), curve.omega.back()) },
+                     { "torque τ_z (mN m)" },
+                     {},
+                     "set xzeroaxis lt 8\n" };
+  std::vector<double> torques;
+  for (const ring::Wrench &friction : curve.friction)
+    torques.push_back(1e3 * friction.torque);
+  plot.curves.push_back({ "all harmonics", curve.omega, torques, CurveStyle::line, {}, 1 });
+  for (std::size_t i = 0; i < curve.harmonics.size() && curve.harmonics[i] <= 3; ++i)
+    plot.curves.push_back({ up_to(curve.harmonics[i]),
+                            curve.omega,
+                            in_milli(curve.truncations[i]),
+                            CurveStyle::line,
+                            {},
+                            static_cast<unsigned int>(i) + 2 });
+  for (const TruncationRow &row : truncations)
+  {
+    const bool all = &row == &truncations.back();
+    if (all || row.harmonics <= 3)
+      plot.curves.push_back(
+        { "", { row.omega_terminal }, { 0 }, CurveStyle::points, {}, all ? 1 : row.harmonics + 1 });
+  }
+  return curve_figure(plot);
+}
+
+ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves)
+{
+  CurvePlot plot = { "spin_up",
+                     "Spin-up of the glass from rest.",
+                     { "time (s)" },
+                     { "spin ω (rad/s)" },
+                     {},
+                     "set xzeroaxis lt 8\n" };
+  for (const SpinUp &curve : curves)
+    plot.curves.push_back({ curve.title, time, curve.omega });
+  return curve_figure(plot);
+}
+
+ReportFigure truncation_figure(const std::vector<TruncationRow> &truncations)
+{
+  Curve change = { "terminal spin, relative change", {}, {}, CurveStyle::line_and_points };
+  for (const TruncationRow &row : truncations)
+    if (row.relative_change && std::abs(*row.relative_change) > rounding)
+    {
+      change.x.push_back(row.harmonics);
+      change.y.push_back(std::abs(*row.relative_change));
+    }
+  CurvePlot plot = { "truncation",
+                     "What leaving out the harmonics beyond some number does to the terminal spin.",
+                     { "harmonics kept" },
+                     { "|Δω / ω|", true },
+                     { change } };
+  return curve_figure(plot);
+}
+
+} // namespace stemware::pipeline
