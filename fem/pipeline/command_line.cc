@@ -1,7 +1,10 @@
 #include "fem/pipeline/program.h"
+#include "fem/pipeline/spelling.h"
 #include "fem/pipeline/verbs.h"
 
 #include <CLI/CLI.hpp>
+
+#include <iostream>
 
 namespace stemware::pipeline
 {
@@ -24,6 +27,60 @@ Exit codes:
   130 interrupted; no results are left behind)");
 }
 
+namespace
+{
+
+/// "a, b and c".
+std::string enumerated(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    (text += i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") += words[i];
+  return text;
+}
+
+std::vector<std::string> verbs_of(const CLI::App &program)
+{
+  std::vector<std::string> names;
+  for (const CLI::App *verb : program.get_subcommands([](const CLI::App *) { return true; }))
+    names.push_back(verb->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App &verb)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option *option : verb.get_options())
+    for (const std::string &name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+/// A word that fits nowhere, and what may have been meant; ends with "see".
+std::string not_known(const std::string &word, const std::vector<std::string> &known,
+                      const std::string &otherwise)
+{
+  const auto meant = likeliest(word, known);
+  return "\"" + word + "\" is " + otherwise + (meant ? "; did you mean " + *meant + "? See" : "; see");
+}
+
+/// What is wrong with the command line, up to the word "see".
+std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
+{
+  const auto chosen = program.get_subcommands();
+  const CLI::App &verb = chosen.empty() ? program : *chosen.front();
+  const std::vector<std::string> known = chosen.empty() ? verbs_of(program) : options_of(verb);
+  const std::vector<std::string> rest = verb.remaining();
+  if (!rest.empty())
+    return not_known(rest.front(), known,
+                     chosen.empty() ? "not one of the verbs " + enumerated(known)
+                                    : "not expected by " + verb.get_name());
+  return chosen.empty() ? "say what to do: one of " + enumerated(known) + "; see"
+                        : on_one_line(error.what()) + "; see";
+}
+
+} // namespace
+
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
   try
@@ -39,12 +96,8 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   catch (const CLI::ParseError &error)
   {
     const auto verbs = program.get_subcommands();
-    const auto rest = program.remaining();
-    const std::string verb = verbs.empty() ? "" : verbs.front()->get_name() + " ";
-    const std::string trouble = !verbs.empty() ? on_one_line(error.what())
-                                : rest.empty() ? "say what to do, run or defaults"
-                                               : "\"" + rest.front() + "\" is not one of run and defaults";
-    std::cerr << "stemware: " << trouble << "; see `stemware " << verb << "--help` for examples."
+    std::cerr << "stemware: " << trouble_with(program, error) << " `stemware "
+              << (verbs.empty() ? "" : verbs.front()->get_name() + " ") << "--help` for examples."
               << std::endl;
     return ExitCode::bad_input;
   }

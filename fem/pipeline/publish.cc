@@ -20,13 +20,18 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
+std::string path_below(const std::string &path, const std::string &key)
+{
+  return path + "/" + key;
+}
+
 void require_finite(const Json &value, const std::string &path)
 {
   if (value.is_number_float() && !std::isfinite(value.get<double>()))
     throw std::runtime_error("The result " + path + " is not a finite number; please report this study.");
   if (value.is_structured())
     for (const auto &[key, part] : value.items())
-      require_finite(part, path + "/" + key);
+      require_finite(part, path_below(path, key));
 }
 
 /// summary.json as text. @p files are the names of all that is in the results folder.

@@ -97,6 +97,38 @@ void remove_folder(const fs::path &folder) noexcept
     fs::remove_all(away, error);
 }
 
+bool begins_with(const std::string &text, const std::string &start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// Removes what killed processes have left of their work on @p target. The older results that a process was
+/// about to replace stay where they are the only ones.
+void remove_leftovers(const fs::path &target, const std::string &prefix)
+{
+  for (const std::string &name : names_in(target.parent_path()))
+  {
+    const fs::path folder = target.parent_path() / name;
+    const bool only_copy = folder.extension() == ".replaced" && !fs::exists(target);
+    if (begins_with(name, prefix) && !only_copy && FolderClaim(folder).held())
+      remove_folder(folder);
+  }
+}
+
+/// Creates a folder and claims it. Another process may have taken the bare folder for a leftover; then there
+/// is a next time.
+FolderClaim create_claimed(const fs::path &folder, std::error_code &error)
+{
+  FolderClaim claim;
+  for (unsigned int attempt = 0; attempt < 5 && !claim.held(); ++attempt)
+  {
+    if (fs::create_directory(folder, error); error)
+      break;
+    claim = FolderClaim(folder);
+  }
+  return claim;
+}
+
 } // namespace
 
 ResultsFolder::ResultsFolder(const fs::path &wanted)
@@ -107,12 +139,13 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
     require_replaceable(target);
     const auto lock = postpone_interruption();
     created_parents = create_folders(target.parent_path());
-    partial =
-      target.parent_path() / ("." + target.filename().string() + ".partial-" + std::to_string(::getpid()));
+    const std::string prefix = "." + target.filename().string() + ".partial-";
+    partial = target.parent_path() / (prefix + std::to_string(::getpid()));
     clean_up_on_interruption([this] { remove_partial(); });
+    remove_leftovers(target, prefix);
     std::error_code error;
-    fs::remove_all(partial, error); // of a process that had our number and was killed
-    if (fs::create_directory(partial, error); error)
+    claim = create_claimed(partial, error);
+    if (error)
     {
       remove_partial();
       clean_up_on_interruption({});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/pipeline/folder_claim.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,9 +12,9 @@ namespace stemware::pipeline
 /// A folder of results that appears under its name whole or not at all.
 ///
 /// Everything is written into a hidden folder beside it, ".<name>.partial-<pid>", which publish() renames.
-/// Until then it goes away with the object, and on interruption; only SIGKILL can leave it behind, and then
-/// it may be deleted. An older folder of results is replaced, anything else is left alone: a folder is one of
-/// results when its summary.json lists all that is in it under "files".
+/// Until then it goes away with the object, and on interruption; only SIGKILL can leave it behind, until the
+/// next one for the same target removes it. An older folder of results is replaced, anything else is left
+/// alone: a folder is one of results when its summary.json lists all that is in it under "files".
 class ResultsFolder
 {
 public:
@@ -40,6 +42,7 @@ private:
 
   std::filesystem::path target;
   std::filesystem::path partial;
+  FolderClaim claim;                                  ///< on the working folder
   std::vector<std::filesystem::path> created_parents; ///< innermost first
   bool published = false;
 };

@@ -1,6 +1,7 @@
 #include "fem/pipeline/study_file.h"
 
 #include "fem/pipeline/failures.h"
+#include "fem/pipeline/spelling.h"
 #include "fem/pipeline/study_entries.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -52,41 +53,30 @@ void declare(const std::vector<StudyEntry> &entries, ParameterHandler &handler)
   }
 }
 
-/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case
-/// being equal.
-std::size_t edit_distance(const std::string &from, const std::string &to)
+/// Section/name of the entry of that name; names are unique.
+std::string path_of(const std::vector<StudyEntry> &entries, const std::string &name)
 {
-  std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j <= to.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= from.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= to.size(); ++j)
-    {
-      const bool equal = std::tolower(from[i - 1]) == std::tolower(to[j - 1]);
-      const std::size_t replaced = diagonal + (equal ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, replaced });
-    }
-  }
-  return row.back();
+  for (const StudyEntry &entry : entries)
+    if (entry.name == name)
+      return entry.path();
+  return name;
 }
 
 /// "; did you mean Glass/Contact radius?" for the likeliest entry; the word may be an entry's name or path,
 /// or a section's name.
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)
 {
-  const auto distance = [&](const StudyEntry &entry)
-  { return std::min(edit_distance(word, entry.name), edit_distance(word, entry.path())); };
-  const auto best =
-    std::min_element(entries.begin(), entries.end(),
-                     [&](const auto &one, const auto &other) { return distance(one) < distance(other); });
-  const std::string list = "`stemware defaults` lists what there is.";
-  return distance(*best) <= 3
-           ? "; did you mean " + best->path() + "? (" + list.substr(0, list.size() - 1) + ".)"
-           : "; " + list;
+  std::vector<std::string> names, paths;
+  for (const StudyEntry &entry : entries)
+  {
+    names.push_back(entry.name);
+    paths.push_back(entry.path());
+  }
+  std::optional<std::string> meant = likeliest(word, paths);
+  if (const auto name = likeliest(word, names); name && !meant)
+    meant = path_of(entries, *name);
+  return meant ? "; did you mean " + *meant + "? (`stemware defaults` lists what there is.)"
+               : "; `stemware defaults` lists what there is.";
 }
 
 /// What stands between the pieces of @p text, which begins with the first piece and holds the others in this
@@ -107,15 +97,6 @@ std::optional<std::vector<std::string>> between(const std::string &text,
     begin = end + pieces[i].size();
   }
   return parts;
-}
-
-/// Section/name of the entry of that name; names are unique.
-std::string path_of(const std::vector<StudyEntry> &entries, const std::string &name)
-{
-  for (const StudyEntry &entry : entries)
-    if (entry.name == name)
-      return entry.path();
-  return name;
 }
 
 std::string not_allowed(const std::string &path, const std::string &value, const std::string &allowed)
@@ -208,19 +189,24 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
   entry->assign(value);
 }
 
+/// Sets the entries of one section of a JSON file.
+void read_section(const std::string &file, const std::string &section, const nlohmann::ordered_json &values,
+                  const std::vector<StudyEntry> &entries)
+{
+  require(values.is_object(), file + ": \"" + section + "\" is not an object of entries; write {\"" +
+                                section + "\": {\"Entry\": value}}.");
+  const std::string prefix = section + '/';
+  for (const auto &[name, value] : values.items())
+    assign(entries, file, prefix + name, value.is_string() ? value.get<std::string>() : value.dump());
+}
+
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
 {
   const auto sections = nlohmann::ordered_json::parse(text, nullptr, false);
   require(sections.is_object(),
           file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
   for (const auto &[section, values] : sections.items())
-  {
-    require(values.is_object(), file + ": \"" + section + "\" is not an object of entries; write {\"" +
-                                  section + "\": {\"Entry\": value}}.");
-    for (const auto &[name, value] : values.items())
-      assign(entries, file, section + '/' + name,
-             value.is_string() ? value.get<std::string>() : value.dump());
-  }
+    read_section(file, section, values, entries);
 }
 
 void read_prm(const std::string &file, const std::vector<StudyEntry> &entries)

@@ -45,7 +45,7 @@ fs::path results_place(const StudyOptions &options)
 Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
-  const Study study = read_study(options.study_file, options.overrides);
+  Study study = read_study(options.study_file, options.overrides);
   demanded_load(study); // refuses a glass that would tip
   if (needs_mpi || study.load.source == LoadSource::contact)
     start_mpi();

@@ -27,6 +27,13 @@ std::vector<std::string> lines_of(const std::string &text)
   return lines;
 }
 
+/// A line of a column, blanks before it and beside it.
+std::string padded(const std::string &line, std::size_t width, bool is_text)
+{
+  const std::string blanks(width - margin - width_of(line), ' ');
+  return std::string(margin, ' ') + (is_text ? line + blanks : blanks + line);
+}
+
 /// A column as the lines that are printed, all equally wide; headers stand at the bottom of theirs.
 struct LaidOutColumn
 {
@@ -39,10 +46,7 @@ struct LaidOutColumn
     for (const std::string &line : lines)
       width = std::max(width, width_of(line) + margin);
     for (std::string &line : lines)
-    {
-      const std::string blanks(width - margin - width_of(line), ' ');
-      line = std::string(margin, ' ') + (column.is_text ? line + blanks : blanks + line);
-    }
+      line = padded(line, width, column.is_text);
   }
 
   std::vector<std::string> lines;
@@ -98,6 +102,7 @@ std::string text_table(const std::vector<TextColumn> &columns)
   for (const TextColumn &column : columns)
     n_header_lines = std::max(n_header_lines, lines_of(column.header).size());
   std::vector<LaidOutColumn> laid_out;
+  laid_out.reserve(columns.size());
   for (const TextColumn &column : columns)
     laid_out.emplace_back(column, n_header_lines);
 

@@ -168,10 +168,14 @@ TEST(BadInput, UsageErrorsAreRefused)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("study.prm", "# defaults\n");
-  expect_refused(scratch, {}, 1, "run or defaults");
-  expect_refused(scratch, { "rum" }, 1, "\"rum\"");
+  expect_refused(scratch, {}, 1, "say what to do: one of run");
+  expect_refused(scratch, { "rum" }, 1, "\"rum\" is not one of the verbs run");
+  expect_refused(scratch, { "rum" }, 1, "; did you mean run? See `stemware --help`");
+  expect_refused(scratch, { "frobnicate" }, 1, "; see `stemware --help`");
   expect_refused(scratch, { "run" }, 1, "STUDY");
   expect_refused(scratch, { "run", file, "--bogus" }, 1, "--bogus");
+  expect_refused(scratch, { "run", file, "--outptu", "there" }, 1,
+                 "\"--outptu\" is not expected by run; did you mean --output? See `stemware run --help`");
   expect_refused(scratch, { "run", file, "another.prm" }, 1, "another.prm");
 }
 

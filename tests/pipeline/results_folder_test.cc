@@ -1,4 +1,5 @@
 #include "fem/pipeline/failures.h"
+#include "fem/pipeline/folder_claim.h"
 #include "fem/pipeline/results_folder.h"
 #include "fem/pipeline/text_file.h"
 #include "program_runner.h"
@@ -78,6 +79,27 @@ TEST(ResultsFolder, LeavesOtherPeoplesFilesAlone)
   EXPECT_EQ(read_text(scratch / "thesis/chapter.tex"), "years of work");
   EXPECT_EQ(read_text(scratch / "paper/mark"), "old");
   EXPECT_EQ(names_in(scratch.path()), (Names{ "file", "paper", "thesis" }));
+}
+
+TEST(ResultsFolder, RemovesWhatKilledProcessesLeft)
+{
+  const ScratchFolder scratch;
+  for (const char *name :
+       { ".paper.partial-1", ".paper.partial-2", ".paper.partial-3.replaced", ".other.partial-1" })
+    std::filesystem::create_directory(scratch / name);
+  scratch.write(".paper.partial-1/load.dat", "half a table");
+  {
+    const FolderClaim at_work(scratch / ".paper.partial-2");
+    EXPECT_TRUE(at_work.held());
+    const ResultsFolder folder(scratch / "paper");
+    // The older results of a process that was killed in the midst of replacing them exist nowhere else.
+    EXPECT_FALSE(std::filesystem::exists(scratch / ".paper.partial-1"));
+    for (const char *name : { ".paper.partial-2", ".paper.partial-3.replaced", ".other.partial-1" })
+      EXPECT_TRUE(std::filesystem::exists(scratch / name)) << name;
+  }
+  publish(scratch / "paper", "new");
+  publish(scratch / "paper", "newer");
+  EXPECT_EQ(names_in(scratch.path()), (Names{ ".other.partial-1", "paper" }));
 }
 
 TEST(ResultsFolder, TakesAnEmptyFolder)
