@@ -1,13 +1,10 @@
 #include "ring_model/yaw_dynamics.h"
 
 #include "ring_model/require.h"
+#include "ring_model/sampled_trajectory.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/numeric/odeint/integrate/max_step_checker.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::ring
@@ -35,43 +32,17 @@ std::vector<SpinSample> spin_up(const TimedTorqueFunction &torque, double yaw_in
   require_positive(accuracy, "the requested accuracy", "");
   require_positive(spin_scale, "the spin scale v / R", "rad/s");
   require_finite(initial_spin, "the initial spin [rad/s]");
-  require(std::is_sorted(times.begin(), times.end()) &&
-            (times.empty() || (times.front() >= 0. && std::isfinite(times.back()))),
-          "the ", times.size(), " output times must be finite, increasing and not negative");
-
-  // The error of one step is held a decade below the request: errors of all steps add up, and the
-  // interpolation between steps is one order lower than the steps themselves.
-  namespace odeint = boost::numeric::odeint;
-  auto stepper = odeint::make_dense_output(accuracy * spin_scale / 10., accuracy / 10.,
-                                           odeint::runge_kutta_dopri5<double>());
-  const double end = times.empty() ? 0. : times.back();
+  require_output_times(times);
   const auto derivative = [&](const double &omega, double &rate, double time)
-  { rate = torque(std::min(time, end), omega) / yaw_inertia; };
+  { rate = torque(time, omega) / yaw_inertia; };
   const double push = std::abs(torque(0., initial_spin)) / yaw_inertia;
-  stepper.initialize(initial_spin, 0., push > 0. ? 1e-3 * spin_scale / push : 1e-3);
-
+  const double first_step = push > 0. ? 1e-3 * spin_scale / push : 1e-3;
+  const std::vector<double> spins =
+    sampled_trajectory(derivative, initial_spin, first_step, times, accuracy, spin_scale);
   std::vector<SpinSample> samples;
   samples.reserve(times.size());
-  for (const double time : times)
-  {
-    unsigned int n_steps = 0;
-    while (stepper.current_time() < time * (1. - 1e-15))
-    {
-      // The last step ends at the last output: a torque given by a table may be unknown beyond.
-      if (stepper.current_time() + stepper.current_time_step() > end)
-        stepper.initialize(double(stepper.current_state()), stepper.current_time(),
-                           end - stepper.current_time());
-      stepper.do_step(derivative);
-      if (++n_steps > 100000 || !std::isfinite(stepper.current_state()))
-        throw std::runtime_error(sentence("the spin-up did not reach t = ", time, " s: stuck at t = ",
-                                          stepper.current_time(), " s with omega = ", stepper.current_state(),
-                                          " rad/s; ask for less than an accuracy of ", accuracy));
-    }
-    double omega = initial_spin;
-    if (time > 0.)
-      stepper.calc_state(time, omega);
-    samples.push_back({ time, omega });
-  }
+  for (std::size_t i = 0; i < times.size(); ++i)
+    samples.push_back({ times[i], spins[i] });
   return samples;
 }
 

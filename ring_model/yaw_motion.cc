@@ -1,0 +1,119 @@
+#include "ring_model/yaw_motion.h"
+
+#include "ring_model/sampled_trajectory.h"
+
+#include <array>
+#include <optional>
+
+namespace stemware::ring
+{
+namespace
+{
+/// psi and omega / spin_scale: one accuracy for both.
+using YawState = std::array<double, 2>;
+
+/// The motion from @p start at the time @p origin on, sampled at @p times counted from there.
+std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
+                                   double yaw_inertia, const std::vector<double> &times, double accuracy,
+                                   double spin_scale)
+{
+  const auto derivative = [&](const YawState &state, YawState &rate, double time)
+  {
+    rate[0] = state[1] * spin_scale;
+    rate[1] = torque(start.time + time, state[0], rate[0]) / (yaw_inertia * spin_scale);
+  };
+  const double push = std::abs(torque(start.time, start.yaw_angle, start.omega)) / yaw_inertia;
+  const double first_step = 1e-3 / std::max(push / spin_scale, 1.);
+  const std::vector<YawState> states = sampled_trajectory(
+    derivative, YawState{ start.yaw_angle, start.omega / spin_scale }, first_step, times, accuracy, 1.);
+  std::vector<YawSample> samples;
+  samples.reserve(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    samples.push_back({ start.time + times[i], states[i][0], states[i][1] * spin_scale });
+  return samples;
+}
+
+/// Mean of equidistant samples with a weight that comes and goes smoothly.
+double smooth_mean(const std::vector<YawSample> &samples)
+{
+  double sum = 0., weights = 0.;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i)
+  {
+    const double s = static_cast<double>(i) / static_cast<double>(samples.size() - 1);
+    const double weight = std::exp(-1. / (s * (1. - s)));
+    sum += weight * samples[i].omega;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+/// Largest of equidistant values, at the vertex of the parabola through it and its neighbours.
+double largest(const std::vector<double> &values)
+{
+  const auto place = std::max_element(values.begin(), values.end());
+  if (place == values.begin() || place + 1 == values.end())
+    return *place;
+  const double slope = (place[1] - place[-1]) / 2., curvature = place[1] - 2. * place[0] + place[-1];
+  return curvature < 0. ? *place - slope * slope / (2. * curvature) : *place;
+}
+
+double half_range(const std::vector<YawSample> &samples)
+{
+  std::vector<double> up, down;
+  for (const YawSample &sample : samples)
+  {
+    up.push_back(sample.omega);
+    down.push_back(-sample.omega);
+  }
+  return (largest(up) + largest(down)) / 2.;
+}
+
+void require_motion(double yaw_inertia, double initial_spin, double accuracy, double spin_scale)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  require_positive(accuracy, "the requested accuracy", "");
+  require_positive(spin_scale, "the spin scale v / R", "rad/s");
+  require_finite(initial_spin, "the initial spin [rad/s]");
+}
+} // namespace
+
+std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
+                                  const std::vector<double> &times, double accuracy, double spin_scale)
+{
+  require_motion(yaw_inertia, initial_spin, accuracy, spin_scale);
+  require_output_times(times);
+  return motion_from({ 0., 0., initial_spin }, torque, yaw_inertia, times, accuracy, spin_scale);
+}
+
+LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
+                            double window, double accuracy, double spin_scale)
+{
+  constexpr unsigned int n_samples = 2048, n_windows = 8, n_doublings = 2;
+  require_motion(yaw_inertia, initial_spin, accuracy, spin_scale);
+  require_positive(window, "the window of time", "s");
+  YawSample state = { 0., 0., initial_spin };
+  LongTimeSpin spin = {};
+  for (unsigned int doubling = 0; doubling <= n_doublings; ++doubling, window *= 2.)
+  {
+    std::vector<double> times;
+    for (unsigned int i = 0; i <= n_samples << doubling; ++i)
+      times.push_back(window * i / (n_samples << doubling));
+    std::optional<double> before;
+    for (unsigned int i = 0; i < n_windows; ++i)
+    {
+      const std::vector<YawSample> samples =
+        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale);
+      state = samples.back();
+      spin.mean = smooth_mean(samples);
+      spin.ripple = half_range(samples);
+      spin.uncertainty = std::abs(spin.mean - before.value_or(spin.mean));
+      if (before && spin.uncertainty <= accuracy * spin_scale)
+        return spin;
+      before = spin.mean;
+    }
+  }
+  throw std::runtime_error(sentence("the mean spin does not settle: windows of ", window / 2.,
+                                    " s still differ by ", spin.uncertainty, " rad/s around ", spin.mean,
+                                    " rad/s"));
+}
+} // namespace stemware::ring

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace stemware::ring
+{
+/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad] and spin omega [rad/s]: of a glass or a table
+/// that is not the same all round.
+using PhasedTorqueFunction = std::function<double(double time, double yaw_angle, double omega)>;
+
+/// Yaw angle and spin at one time.
+struct YawSample
+{
+  double time;      ///< [s]
+  double yaw_angle; ///< psi [rad], 0 at t = 0
+  double omega;     ///< d psi / dt [rad/s]
+};
+
+/**
+ * I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the Dormand-Prince pair
+ * with step control and dense output, sampled at @p times.
+ *
+ * @param times    Output times [s], increasing, the first one >= 0.
+ * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to
+ *                 their sizes where these are larger.
+ * @param spin_scale Spin that counts as large, v / R [rad/s].
+ * @throws std::invalid_argument for times out of order or values out of range, std::runtime_error if the step
+ *         control gives up.
+ */
+std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
+                                  const std::vector<double> &times, double accuracy, double spin_scale);
+
+/// Spin of a ring whose torque depends on the phase, once the start is forgotten.
+struct LongTimeSpin
+{
+  double mean;        ///< [rad/s]
+  double ripple;      ///< half of largest minus smallest spin [rad/s]
+  double uncertainty; ///< change of the mean from one window to the next [rad/s]
+};
+
+/**
+ * Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree.
+ *
+ * The mean over a window is weighted with exp(-1 / (s (1 - s))), 0 < s < 1: for periodic and quasi-periodic
+ * motions that converges faster than any power of the window's length, whatever the periods (Das, Saiki,
+ * Sander & Yorke, Nonlinearity 30 (2017) 4111).
+ *
+ * @param window   First length of a window [s]: a dozen of the motion's slowest period. Doubled twice if
+ * means do not agree.
+ * @param accuracy Of the mean, relative to @p spin_scale.
+ * @throws std::invalid_argument for values out of range, std::runtime_error if the means do not agree, or as
+ *         yaw_motion().
+ */
+LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
+                            double window, double accuracy, double spin_scale);
+} // namespace stemware::ring

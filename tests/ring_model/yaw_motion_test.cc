@@ -1,0 +1,170 @@
+#include "ring_model/yaw_motion.h"
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+constexpr double inertia = 3e-4; // kg m^2
+
+/// A damped ring with one mark on it: tau = -damping (omega - drive) + bump cos(psi - orbit t).
+struct MarkedRing
+{
+  double damping = 1.2e-3; ///< [N m s]
+  double drive = -3.6;     ///< [rad/s]
+  double bump = 4e-4;      ///< [N m]
+  double orbit = 2.3;      ///< [rad/s]
+
+  double operator()(double time, double yaw_angle, double omega) const
+  {
+    return -damping * (omega - drive) + bump * std::cos(yaw_angle - orbit * time);
+  }
+};
+
+/// (psi, omega) by the classical Runge-Kutta scheme with fixed steps.
+std::array<double, 2> runge_kutta(const PhasedTorqueFunction &torque, double end, unsigned int n_steps)
+{
+  const double step = end / n_steps;
+  std::array<double, 2> state = { 0., 0. };
+  for (unsigned int i = 0; i < n_steps; ++i)
+  {
+    const double time = i * step;
+    std::array<double, 2> sum = { 0., 0. }, rate = { 0., 0. };
+    for (const auto &[fraction, weight] :
+         { std::array{ 0., 1. }, std::array{ 0.5, 2. }, std::array{ 0.5, 2. }, std::array{ 1., 1. } })
+    {
+      const double angle = state[0] + fraction * step * rate[0], omega = state[1] + fraction * step * rate[1];
+      rate = { omega, torque(time + fraction * step, angle, omega) / inertia };
+      for (unsigned int c = 0; c < 2; ++c)
+        sum[c] += weight * rate[c] / 6.;
+    }
+    for (unsigned int c = 0; c < 2; ++c)
+      state[c] += step * sum[c];
+  }
+  return state;
+}
+
+/// The ring's mean spin and ripple after many turns of the mark against the orbit, with the mark's angle as
+/// the variable of integration: d omega / d angle = tau / (I (omega - orbit)), and the same for the time.
+std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns, unsigned int n_steps)
+{
+  const double step = -2. * M_PI / n_steps; // the mark falls back behind the orbit
+  const auto rates = [&](double angle, double omega)
+  {
+    return std::array{ ring(0., angle, omega) / (inertia * (omega - ring.orbit)), 1. / (omega - ring.orbit) };
+  };
+  double omega = ring.drive, period = 0., most = 0., least = 0.;
+  for (unsigned int turn = 0; turn < n_turns; ++turn)
+  {
+    period = 0.;
+    most = least = omega;
+    for (unsigned int i = 0; i < n_steps; ++i)
+    {
+      const double angle = i * step;
+      const auto first = rates(angle, omega);
+      const auto second = rates(angle + step / 2., omega + step / 2. * first[0]);
+      const auto third = rates(angle + step / 2., omega + step / 2. * second[0]);
+      const auto fourth = rates(angle + step, omega + step * third[0]);
+      omega += step / 6. * (first[0] + 2. * second[0] + 2. * third[0] + fourth[0]);
+      period += step / 6. * (first[1] + 2. * second[1] + 2. * third[1] + fourth[1]);
+      most = std::max(most, omega);
+      least = std::min(least, omega);
+    }
+  }
+  return { ring.orbit - 2. * M_PI / period, (most - least) / 2. };
+}
+} // namespace
+
+TEST(YawMotion, TurnsLikeAPendulum)
+{
+  // I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2 asin sn.
+  const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;
+  const auto torque = [=](double, double angle, double) { return -stiffness * std::sin(angle); };
+  const std::vector<double> times = { 0., 0.05, 0.3, 0.41 };
+  const auto samples = yaw_motion(torque, inertia, spin, times, 1e-11, spin);
+  for (const YawSample &sample : samples)
+  {
+    double cn = 0., dn = 0.;
+    const double sn = boost::math::jacobi_elliptic(modulus, spin * sample.time / 2., &cn, &dn);
+    EXPECT_NEAR(sample.omega, spin * dn, 1e-9) << sample.time;
+    EXPECT_NEAR(sample.yaw_angle, 2. * std::asin(sn), 1e-9) << sample.time;
+  }
+
+  const LongTimeSpin turning = long_time_spin(torque, inertia, spin, 20., 1e-9, spin);
+  EXPECT_NEAR(turning.mean, M_PI * spin / (2. * boost::math::ellint_1(modulus)), 1e-7);
+  EXPECT_NEAR(turning.ripple, spin * (1. - std::sqrt(1. - modulus * modulus)) / 2., 1e-4);
+}
+
+TEST(YawMotion, FollowsAForcedLinearRing)
+{
+  // The table's mark alone: I omega' = -c (omega - omega_0) + A cos(nu t) from rest.
+  const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
+  const auto torque = [=](double time, double, double omega)
+  { return -damping * (omega - drive) + force * std::cos(nu * time); };
+  const double rate = damping / inertia, amplitude = force / inertia / (rate * rate + nu * nu);
+  for (const YawSample &sample : yaw_motion(torque, inertia, 0., { 0.1, 0.7, 2. }, 1e-11, 10.))
+  {
+    const double time = sample.time, decay = std::exp(-rate * time);
+    const double expected = drive * (1. - decay) + amplitude * (rate * std::cos(nu * time) +
+                                                                nu * std::sin(nu * time) - rate * decay);
+    EXPECT_NEAR(sample.omega, expected, 1e-9) << time;
+  }
+  const LongTimeSpin spin = long_time_spin(torque, inertia, 0., 25., 1e-9, 10.);
+  EXPECT_NEAR(spin.mean, drive, 1e-8);
+  EXPECT_NEAR(spin.ripple, force / std::hypot(damping, inertia * nu), 1e-7);
+}
+
+TEST(YawMotion, AgreesWithFixedSteps)
+{
+  const MarkedRing ring;
+  const auto sample = yaw_motion(ring, inertia, 0., { 1.3 }, 1e-11, 10.)[0];
+  const auto [angle, omega] = runge_kutta(ring, 1.3, 4000);
+  EXPECT_NEAR(sample.yaw_angle, angle, 1e-9);
+  EXPECT_NEAR(sample.omega, omega, 1e-9);
+}
+
+TEST(LongTimeSpin, IsThatOfManyTurnsOfTheMark)
+{
+  const MarkedRing ring;
+  const LongTimeSpin spin = long_time_spin(ring, inertia, 0., 25., 1e-9, 10.);
+  const auto [mean, ripple] = spin_by_angle(ring, 40, 2000);
+  EXPECT_NEAR(spin.mean, mean, 1e-8);
+  EXPECT_NEAR(spin.ripple, ripple, 1e-5);
+  EXPECT_LT(spin.uncertainty, 1e-8);
+  // The mean is not where the mean torque vanishes: of second order in the bump.
+  EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
+}
+
+TEST(LongTimeSpin, LocksToTheOrbitWhereTheMarkHoldsTheGlass)
+{
+  MarkedRing ring;
+  ring.bump = 1.1 * ring.damping * std::abs(ring.orbit - ring.drive);
+  const LongTimeSpin spin = long_time_spin(ring, inertia, ring.orbit, 25., 1e-9, 10.);
+  EXPECT_NEAR(spin.mean, ring.orbit, 1e-7);
+  EXPECT_NEAR(spin.ripple, 0., 1e-7);
+}
+
+TEST(LongTimeSpin, SaysThatItDoesNotSettle)
+{
+  const auto accelerating = [](double, double, double) { return 1e-4; };
+  EXPECT_THROW(long_time_spin(accelerating, inertia, 0., 1., 1e-9, 10.), std::runtime_error);
+}
+
+TEST(YawMotion, RefusesBadInput)
+{
+  const MarkedRing ring;
+  EXPECT_THROW(yaw_motion(ring, -1., 0., { 1. }, 1e-9, 10.), std::invalid_argument);
+  EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1., 0.5 }, 1e-9, 10.), std::invalid_argument);
+  EXPECT_THROW(yaw_motion(ring, inertia, 0., { 1. }, 0., 10.), std::invalid_argument);
+  EXPECT_THROW(yaw_motion(ring, inertia, NAN, { 1. }, 1e-9, 10.), std::invalid_argument);
+  EXPECT_THROW(long_time_spin(ring, inertia, 0., 0., 1e-9, 10.), std::invalid_argument);
+  EXPECT_THROW(long_time_spin(ring, inertia, 0., 1., 1e-9, -1.), std::invalid_argument);
+}
+} // namespace stemware::ring
