@@ -12,17 +12,6 @@ namespace stemware::fem
 namespace
 {
 
-/// Lagrange polynomials of @p nodes at @p x.
-Eigen::VectorXd lagrange(const Eigen::VectorXd &nodes, double x)
-{
-  Eigen::VectorXd values = Eigen::VectorXd::Ones(nodes.size());
-  for (Eigen::Index i = 0; i < nodes.size(); ++i)
-    for (Eigen::Index k = 0; k < nodes.size(); ++k)
-      if (k != i)
-        values(i) *= (x - nodes(k)) / (nodes(i) - nodes(k));
-  return values;
-}
-
 /// Circles whose force is more than rounding of the largest.
 std::vector<bool> loaded_circles(const Eigen::MatrixXd &modes)
 {
@@ -76,7 +65,7 @@ void BodyOfRevolution::make_lines()
         for (unsigned int sample = 0; sample < 3; ++sample)
         {
           const double radius = nodes(0) + length * (piece + sample / 2.);
-          line.shape.row(sample) = lagrange(nodes, radius);
+          line.shape.row(sample) = lagrange_values(nodes, radius);
           line.position.row(sample) = radius * outward;
           line.breadth.row(sample) = radius * width * across;
         }
@@ -132,7 +121,7 @@ void BodyOfRevolution::set_sliding(const std::optional<SlidingTraction> &tractio
     state.radial = state.azimuthal = Eigen::MatrixXd::Zero(state.normal.rows(), state.normal.cols());
 }
 
-const BodyOfRevolution::ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) const
+const ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) const
 {
   // The driver asks for the balance of the same forces that it then hands to solve().
   if (projected_forces.size() == forces.size() && projected_forces == forces)
@@ -148,7 +137,7 @@ const BodyOfRevolution::ForceModes &BodyOfRevolution::modes_of(const Eigen::Vect
   return projection;
 }
 
-BodyOfRevolution::ForceModes BodyOfRevolution::imbalance(const Eigen::VectorXd &forces) const
+ForceModes BodyOfRevolution::imbalance(const Eigen::VectorXd &forces) const
 {
   ForceModes result = modes_of(forces);
   result.normal -= state.normal;

@@ -12,6 +12,15 @@
 namespace stemware::fem
 {
 
+/// Modes of the normal, radial and azimuthal forces on the contact circles, sum_j f_j mode(theta_j) [N], each
+/// of shape [n_radii, n_modes].
+struct ForceModes
+{
+  Eigen::MatrixXd normal;
+  Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
+  Eigen::MatrixXd azimuthal; ///< against the partners of the modes
+};
+
 /// Elastic foot that is a body of revolution, displacement harmonics as unknowns (docs/method/revolution.md).
 ///
 /// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on
@@ -47,17 +56,14 @@ public:
   unsigned int n_unknowns() const override;
 
   const FourierBasis &fourier_basis() const { return basis; }
+  const ContactCompliance &contact_compliance() const { return compliance; }
+
+  /// contact_displacement() as amplitudes of the modes on the contact circles [m], shape [n_radii, n_modes].
+  Eigen::MatrixXd contact_displacement_modes() const { return displacement_modes(state); }
+  /// The forces whose elastic response is the present displacement.
+  const ForceModes &force_modes() const { return state; }
 
 private:
-  /// Modes of the normal, radial and azimuthal forces on the contact circles [N], each of shape [n_radii,
-  /// n_modes].
-  struct ForceModes
-  {
-    Eigen::MatrixXd normal;
-    Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
-    Eigen::MatrixXd azimuthal; ///< against the partners of the modes
-  };
-
   const ForceModes &modes_of(const Eigen::VectorXd &forces) const;
   ForceModes imbalance(const Eigen::VectorXd &forces) const;
   Eigen::MatrixXd displacement_modes(const ForceModes &forces) const;

@@ -7,6 +7,9 @@
 namespace stemware::fem
 {
 
+/// Lagrange polynomials of @p nodes at @p x. Shape [nodes.size()].
+Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x);
+
 /// Vertical displacement of the contact nodes of a body of revolution under line forces of one harmonic n.
 ///
 /// Forces in cylindrical directions f_z cos(n theta), f_r cos(n theta), f_theta sin(n theta) per radian at
@@ -30,6 +33,10 @@ struct ContactCompliance
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
+
+  /// Values at @p radius of the contact nodes' shape functions: those of the element that it lies in. Outside
+  /// the contact zone the nearest element's polynomials go on. Shape [n_nodes].
+  Eigen::VectorXd shape_at(double radius) const;
 
   /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.
   /// Throws std::invalid_argument unless nodes, degree and number of harmonics agree.

@@ -1,6 +1,7 @@
 #include "fem/foot_response.h"
 
 #include "fem/compliance_store.h"
+#include "fem/revolution_output.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -161,6 +162,7 @@ struct FootResponse::Implementation
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance;
   FootPhase phase;
+  double direction = 0; ///< of the solution's x axis in the slip frame [rad]
   BodyOfRevolution body;
   std::unique_ptr<TableLaw> law;
   ContactControl control;
@@ -187,9 +189,9 @@ LoadHarmonics FootResponse::press(const ContactLoad &load, const FootPhase &phas
   if (foot.is_isotropic())
   {
     // Solved with the load's maximum on the x axis, where the sine modes drop out.
-    const double direction = std::atan2(load.moment_x, -load.moment_y);
+    foot.direction = std::atan2(load.moment_x, -load.moment_y);
     foot.solve({ load.normal_force, 0, -std::hypot(load.moment_x, load.moment_y) });
-    return turned(extract_load(*foot.law, *foot.solution, foot.setup.n_load_harmonics), direction);
+    return turned(extract_load(*foot.law, *foot.solution, foot.setup.n_load_harmonics), foot.direction);
   }
   foot.phase = phase;
   if (!foot.setup.imperfection.empty())
@@ -218,6 +220,24 @@ const ContactSolution &FootResponse::solution() const
     throw std::logic_error(
       "The foot has not been pressed on the table yet, so there is no contact solution.");
   return *implementation->solution;
+}
+
+double FootResponse::direction() const
+{
+  return implementation->direction;
+}
+
+void FootResponse::write_fields(std::ostream &file) const
+{
+  const Implementation &foot = *implementation;
+  const RevolutionSetup &setup = foot.setup;
+  dealii::Triangulation<2> triangulation;
+  make_meridian_mesh(setup.profile, setup.resolution, triangulation);
+  const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);
+  const MeridianField field(space, setup.material, foot.body.force_modes());
+  const PressureField pressure(foot.body, *foot.law, solution(),
+                               [&foot](double r, double theta) { return foot.gap(r, theta); });
+  write_revolution_fields(field, pressure, { solution().motion, foot.direction }, file);
 }
 
 const BodyOfRevolution &FootResponse::body() const

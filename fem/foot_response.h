@@ -8,6 +8,7 @@
 #include "fem/meridian_problem.h"
 #include "fem/rim_imperfection.h"
 
+#include <iosfwd>
 #include <memory>
 
 namespace stemware::fem
@@ -78,9 +79,12 @@ public:
   /// Forgets the last solution: the next load starts cold.
   void forget();
 
-  /// The last solution; its x axis is the direction of the load's maximum where is_isotropic(), else the slip
-  /// frame's.
+  /// The last solution; its x axis stands at direction() in the slip frame.
   const ContactSolution &solution() const;
+  /// The load's maximum where is_isotropic(), else 0 [rad].
+  double direction() const;
+  /// Writes the foot under the last load as a VTU file: write_revolution_fields().
+  void write_fields(std::ostream &file) const;
   const BodyOfRevolution &body() const;
   const TableLaw &law() const;
   unsigned int n_cold_starts() const;

@@ -74,6 +74,8 @@ public:
     return (-(surface.node_gap + approach)).unaryExpr([this](double depth) { return law.pressure(depth); });
   }
 
+  std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
+
 private:
   static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &approach)
   {

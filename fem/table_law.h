@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace stemware::fem
@@ -48,6 +49,9 @@ public:
 
   /// Nodal pressure [Pa] for pictures.
   virtual Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const = 0;
+
+  /// Pressure [Pa] at a penetration [m], for laws by which it depends on that alone; nothing for the others.
+  virtual std::optional<double> pressure_at(double /*penetration*/) const { return std::nullopt; }
 
   /// Tells a law with multipliers (rigid table) that Newton's method has converged; returns the largest
   /// violation of the contact conditions that it has left [m]. Laws without multipliers have none: 0.

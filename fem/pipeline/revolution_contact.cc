@@ -2,8 +2,11 @@
 #include "fem/pipeline/contact_demand.h"
 #include "fem/pipeline/failures.h"
 #include "fem/pipeline/foot_contact.h"
+#include "fem/pipeline/ranks.h"
+#include "fem/pipeline/text_file.h"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -74,13 +77,22 @@ public:
     FootContactResult result;
     result.load = foot.press(load, {}, spin_per_speed);
     result.solution = foot.solution();
-    // An isotropic foot is solved with the load's maximum on the x axis.
-    const double direction = foot.is_isotropic() ? std::atan2(load.moment_x, -load.moment_y) : 0;
-    result.point_forces = turned(foot.law().point_forces(result.solution.approach), direction);
+    result.point_forces = turned(foot.law().point_forces(result.solution.approach), foot.direction());
     return result;
   }
 
-  bool write_fields(const std::string &, const FootContactResult &) const override { return false; }
+  bool write_fields(const std::string &folder, const FootContactResult & /*result*/) const override
+  {
+    std::ostringstream fields;
+    foot.write_fields(fields);
+    on_first_rank(
+      [&]
+      {
+        write_text_file(folder + "/contact.vtu", fields.str());
+        return std::string();
+      });
+    return true;
+  }
 
 private:
   fem::FootResponse foot;

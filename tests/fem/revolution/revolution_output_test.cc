@@ -1,0 +1,245 @@
+// The picture of a foot of revolution: its fields against the contact solution, the balance of forces, and
+// the solid body's picture.
+#include "../foot_case.h"
+#include "fem/foot_response.h"
+#include "revolution_case.h"
+#include "vtu_file.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <unistd.h>
+
+namespace
+{
+
+using namespace stemware::revolution_tests;
+using stemware::fem_tests::FootCase;
+
+VtuFile picture_of(const FootResponse &foot)
+{
+  std::ostringstream file;
+  foot.write_fields(file);
+  return VtuFile(file.str());
+}
+
+Eigen::Vector3d vector_at(const std::vector<double> &values, std::size_t point)
+{
+  return { values[3 * point], values[3 * point + 1], values[3 * point + 2] };
+}
+
+/// Integral of a scalar over a horizontal plane made of the lower faces of quadratic cells: with the weights
+/// 1, x and y.
+Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
+                                    const std::function<double(std::size_t point)> &value)
+{
+  // Nodes of a Lagrange hexahedron's lower face, and where they stand in it.
+  constexpr std::array<unsigned int, 9> nodes = { 0, 8, 1, 11, 24, 9, 3, 10, 2 };
+  const double gauss[3] = { -std::sqrt(0.6), 0, std::sqrt(0.6) };
+  const double weight[3] = { 5. / 9, 8. / 9, 5. / 9 };
+  const auto shape = [](double x) { return Eigen::Vector3d(x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2); };
+  const auto slope = [](double x) { return Eigen::Vector3d(x - 0.5, -2 * x, x + 0.5); };
+  const std::vector<double> &points = file.array("points");
+  const std::vector<double> &connectivity = file.array("connectivity");
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t cell = 0; cell < file.n_cells(); ++cell)
+  {
+    Eigen::Matrix<double, 9, 4> face; // x, y, z, value
+    for (unsigned int i = 0; i < 9; ++i)
+    {
+      const auto point = static_cast<std::size_t>(connectivity[27 * cell + nodes[i]]);
+      face.row(i) << vector_at(points, point).transpose(), value(point);
+    }
+    if ((face.col(2).array() - height).abs().maxCoeff() > 1e-9)
+      continue;
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < 3; ++b)
+      {
+        const auto combined = [](const Eigen::Vector3d &one, const Eigen::Vector3d &other)
+        {
+          const Eigen::Matrix3d product = one * other.transpose(); // [first, second coordinate], column-major
+          return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(product.data()).eval();
+        };
+        const Eigen::Vector4d at = face.transpose() * combined(shape(gauss[a]), shape(gauss[b]));
+        const Eigen::Vector4d first = face.transpose() * combined(slope(gauss[a]), shape(gauss[b]));
+        const Eigen::Vector4d second = face.transpose() * combined(shape(gauss[a]), slope(gauss[b]));
+        const double area = std::abs(first(0) * second(1) - first(1) * second(0)) * weight[a] * weight[b];
+        sum += area * at(3) * Eigen::Vector3d(1, at(0), at(1));
+      }
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
+{
+  for (const double friction : { 0., 0.3 })
+  {
+    RevolutionSetup setup;
+    setup.friction_coefficient = friction;
+    FootResponse foot(setup);
+    foot.press(load_at(1.3, 0.7));
+    const VtuFile file = picture_of(foot);
+    const Eigen::VectorXd &approach = foot.solution().approach;
+    const Eigen::MatrixX2d &nodes = foot.body().contact_surface().node_position;
+    const Eigen::Rotation2Dd turn(foot.direction());
+    unsigned int n_common = 0;
+    for (std::size_t point = 0; point < file.n_points(); ++point)
+    {
+      const Eigen::Vector3d at = vector_at(file.array("points"), point);
+      if (at(2) != 0)
+        continue;
+      for (Eigen::Index node = 0; node < nodes.rows(); ++node)
+        if ((turn * nodes.row(node).transpose() - at.head<2>()).norm() < 1e-8)
+        {
+          ++n_common;
+          ASSERT_NEAR(vector_at(file.array("displacement"), point)(2), approach(node),
+                      1e-6 * approach.cwiseAbs().maxCoeff());
+        }
+    }
+    EXPECT_GE(n_common, 32u * 9u) << "nodes that picture and contact share";
+  }
+}
+
+TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
+{
+  // On a cut z = 3 mm through the middle of the foot the stresses balance the contact forces below: N, and
+  // the friction mu N along the motion.
+  constexpr double friction = 0.3, height = 0.003;
+  RevolutionSetup setup;
+  setup.friction_coefficient = friction;
+  setup.resolution.refinements = 1;
+  FootResponse foot(setup);
+  const ContactLoad load = load_at(0.8, 0.7);
+  foot.press(load);
+  const VtuFile file = picture_of(foot);
+  const auto over_cut = [&](unsigned int row, unsigned int column)
+  {
+    return integral_over_plane(
+      file, height, [&](std::size_t point) { return file.array("stress")[9 * point + 3 * row + column]; });
+  };
+  const Eigen::Vector3d normal = over_cut(2, 2);
+  const double drag = friction * weight, arm = weight * setup.profile.contact_radius;
+  EXPECT_NEAR(normal(0) / weight, -1, 0.002);
+  EXPECT_NEAR(normal(1) / arm, (load.moment_y + height * drag) / arm, 0.002);
+  EXPECT_NEAR(normal(2) / arm, -load.moment_x / arm, 0.002);
+  EXPECT_NEAR(over_cut(0, 2)(0) / drag, 1, 0.01);
+  EXPECT_NEAR(over_cut(2, 0)(0) / drag, 1, 0.01);
+  EXPECT_NEAR(over_cut(1, 2)(0) / drag, 0, 0.01);
+}
+
+TEST(RevolutionFields, PressureCarriesTheLoad)
+{
+  for (const double crown : { 0.003, 0. })
+    for (const double m : { 0.5, 1.3 })
+    {
+      RevolutionSetup setup;
+      setup.profile.crown_radius = crown;
+      FootResponse foot(setup.resolved_for(weight));
+      const ContactLoad load = load_at(m, 0.7);
+      foot.press(load);
+      const VtuFile file = picture_of(foot);
+      const Eigen::Vector3d sums = integral_over_plane(
+        file, 0, [&](std::size_t point) { return file.array("contact_pressure")[point]; });
+      const double arm = weight * setup.profile.contact_radius;
+      EXPECT_NEAR(sums(0) / weight, 1, 0.006);
+      EXPECT_NEAR(sums(2) / arm, load.moment_x / arm, 0.006);
+      EXPECT_NEAR(-sums(1) / arm, load.moment_y / arm, 0.006);
+    }
+}
+
+TEST(RevolutionFields, AgreeWithTheSolidBody)
+{
+  const GlassProfile profile = flat_profile();
+  RevolutionSetup setup;
+  setup.profile = profile;
+  setup.resolution = equal_cells(1);
+  FootResponse foot(setup);
+  const ContactLoad load = stemware::revolution_tests::load_at(0.4);
+  foot.press(load);
+  const VtuFile file = picture_of(foot);
+
+  FootCase solid(profile, { 24, 4, 2 });
+  const auto mat = make_mat(solid.body->contact_surface(), 1e10);
+  solid.press(*mat, load);
+  const std::filesystem::path folder =
+    std::filesystem::temp_directory_path() / ("stemware_fields_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  solid.body->write_fields(folder.string(), "solid", solid.solution.motion,
+                           mat->nodal_pressure(solid.solution.approach));
+  const VtuFile expected = VtuFile::read((folder / "solid.vtu").string());
+  std::filesystem::remove_all(folder);
+
+  // Nodes that both pictures have, in micrometres. On the land, half a millimetre away from its corners, the
+  // stresses of both are smooth.
+  const auto place = [](const VtuFile &picture, std::size_t point)
+  {
+    const Eigen::Vector3d at = 1e6 * vector_at(picture.array("points"), point);
+    return std::array<long, 3>{ std::lround(at(0)), std::lround(at(1)), std::lround(at(2)) };
+  };
+  std::map<std::array<long, 3>, std::size_t> places;
+  for (std::size_t point = 0; point < file.n_points(); ++point)
+    places[place(file, point)] = point;
+  double largest_motion = 0, motion_difference = 0, largest_stress = 0, stress_difference = 0;
+  unsigned int n_motions = 0, n_stresses = 0;
+  for (std::size_t point = 0; point < expected.n_points(); ++point)
+  {
+    const auto found = places.find(place(expected, point));
+    if (found == places.end())
+      continue;
+    const Eigen::Vector3d motion = vector_at(expected.array("displacement"), point);
+    largest_motion = std::max(largest_motion, motion.norm());
+    motion_difference =
+      std::max(motion_difference, (motion - vector_at(file.array("displacement"), found->second)).norm());
+    ++n_motions;
+    const double radius = vector_at(expected.array("points"), point).head<2>().norm();
+    if (std::abs(radius - 0.03) > 0.0003)
+      continue;
+    for (unsigned int i = 0; i < 9; ++i)
+    {
+      const double stress = expected.array("stress")[9 * point + i];
+      largest_stress = std::max(largest_stress, std::abs(stress));
+      stress_difference =
+        std::max(stress_difference, std::abs(stress - file.array("stress")[9 * found->second + i]));
+    }
+    ++n_stresses;
+  }
+  EXPECT_GT(n_motions, 1000u);
+  EXPECT_GT(n_stresses, 500u);
+  EXPECT_LT(motion_difference / largest_motion, 4e-3);
+  EXPECT_LT(stress_difference / largest_stress, 0.02);
+}
+
+TEST(RevolutionFields, EqualRunsGiveEqualFiles)
+{
+  const auto written = []
+  {
+    FootResponse foot{ RevolutionSetup() };
+    foot.press(load_at(0.5, 0.7));
+    std::ostringstream file;
+    foot.write_fields(file);
+    return file.str();
+  };
+  EXPECT_EQ(written(), written());
+}
+
+TEST(RevolutionFields, PressureOfARigidTableIsThatOfItsNodes)
+{
+  RevolutionSetup setup;
+  setup.profile = flat_profile();
+  setup.support = TableSupport::rigid;
+  FootResponse foot(setup.resolved_for(weight));
+  const ContactLoad load = load_at(0.6, 0.7);
+  foot.press(load);
+  const VtuFile file = picture_of(foot);
+  const Eigen::Vector3d sums =
+    integral_over_plane(file, 0, [&](std::size_t point) { return file.array("contact_pressure")[point]; });
+  const double arm = weight * setup.profile.contact_radius;
+  EXPECT_NEAR(sums(0) / weight, 1, 0.002);
+  EXPECT_NEAR(sums(2) / arm, load.moment_x / arm, 0.002);
+  EXPECT_NEAR(-sums(1) / arm, load.moment_y / arm, 0.002);
+}
