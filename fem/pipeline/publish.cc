@@ -58,7 +58,7 @@ void write_and_publish(const StudyOptions &options, const Study &study, const Fi
   files.insert(files.end(), { "summary.json", "timings.json" });
   std::sort(files.begin(), files.end());
   write_text_file(place / "summary.json", summary_text(options.verb, echo, findings.summary, files));
-  stopwatch.finish("tables");
+  stopwatch.finish("summary");
   write_text_file(place / "timings.json", stopwatch.times().dump(2) + "\n");
   folder.publish();
 }

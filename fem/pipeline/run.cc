@@ -1,6 +1,7 @@
 #include "fem/pipeline/run.h"
 
 #include "fem/pipeline/publish.h"
+#include "fem/pipeline/report/run_report.h"
 #include "fem/pipeline/result_tables.h"
 #include "fem/pipeline/solve_study.h"
 #include "fem/pipeline/summary.h"
@@ -55,7 +56,14 @@ void run(const StudyOptions &options)
   const StudyResult result = solve_study(study, make_observer(folder, stopwatch));
 
   // 3. The answer, and the results, all at once.
-  folder.write([&](ResultsFolder &owned) { write_result_tables(result, owned.working_folder()); });
+  folder.write(
+    [&](ResultsFolder &owned)
+    {
+      write_result_tables(result, owned.working_folder());
+      stopwatch.finish("tables");
+      write_report(run_report(study, result, owned.working_folder()), owned.working_folder());
+      stopwatch.finish("report");
+    });
   print_answer(study, result);
   publish(options, study, run_findings(study, result), folder, stopwatch);
 }

@@ -5,9 +5,12 @@
 #include "fem/pipeline/interruption.h"
 #include "fem/pipeline/program.h"
 #include "fem/pipeline/ranks.h"
+#include "fem/pipeline/report/report.h"
 #include "fem/pipeline/study_file.h"
 
 #include <CLI/CLI.hpp>
+
+#include <iostream>
 
 namespace stemware::pipeline
 {
@@ -52,6 +55,8 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   watch_for_interruption(); // after MPI, which puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     " << options.study_file << std::endl;
+  if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
+    std::cerr << "stemware: " << trouble << std::endl;
   return study;
 }
 

@@ -24,7 +24,7 @@ void print_mesh(const FootContact &contact);
 /// A line for every 500 spins at which contact and friction have been brought into balance.
 void print_balance(std::size_t n_states);
 
-/// The answer in two sentences, and the table of truncations.
+/// The answer in sentences, and the table of truncations.
 void print_answer(const Study &study, const StudyResult &result);
 
 } // namespace stemware::pipeline

@@ -55,8 +55,7 @@ TEST(Figures, Load)
   const ReportFigure figure = load_figure(lifted, pointwise);
   EXPECT_EQ(draw(figure, scratch), "");
   const std::string words = words_of(figure, scratch);
-  for (const char *name :
-       { "first harmonic alone", "harmonics 1 to 2", "harmonics 1 to 3", "all 4 harmonics" })
+  for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all, n ≤ 4" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
   // One block for each of the four series, then the arc: closed, and interrupted where nothing is carried.
   const auto columns = data_of(figure, scratch);

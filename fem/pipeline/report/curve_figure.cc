@@ -43,6 +43,13 @@ std::string axis_commands(const std::string &which, const Axis &axis)
   return script.str();
 }
 
+std::string truncation_title(unsigned int n, unsigned int n_all)
+{
+  if (n == 1)
+    return "first harmonic";
+  return (n == n_all ? "all, n ≤ " : "n ≤ ") + std::to_string(n);
+}
+
 std::string data_blocks(const std::vector<DataBlock> &blocks)
 {
   std::string text;

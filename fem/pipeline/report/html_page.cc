@@ -82,10 +82,12 @@ std::string table(const ReportTable &table)
       cells += "<td" + attributes[c] + ">" + html_formula(row.at(c)) + "</td>";
     body += element("tr", cells);
   }
+  const bool has_header =
+    std::any_of(table.header.begin(), table.header.end(), [](const auto &cell) { return !cell.empty(); });
+  const std::string thead = has_header ? element("thead", element("tr", head)) : "";
   const std::string caption = table.caption.empty() ? "" : element("caption", html_formula(table.caption));
-  return element(
-    "div class=\"wide\"",
-    element("table", "\n" + caption + element("thead", element("tr", head)) + element("tbody", "\n" + body)));
+  return element("div class=\"wide\"",
+                 element("table", "\n" + caption + thead + element("tbody", "\n" + body)));
 }
 
 std::string file_list(const std::vector<ReportFile> &files)

@@ -36,13 +36,6 @@ std::vector<unsigned int> shown_truncations(const ring::AngularLoad &load)
   return orders;
 }
 
-std::string truncation_name(unsigned int n, unsigned int n_all)
-{
-  if (n == n_all)
-    return n == 1 ? "first harmonic" : "all " + std::to_string(n) + " harmonics";
-  return n == 1 ? "first harmonic alone" : "harmonics 1 to " + std::to_string(n);
-}
-
 /// Logarithmic range that shows @p values down to where rounding begins.
 std::pair<double, double> amplitude_range(const std::vector<double> &values)
 {
@@ -71,6 +64,23 @@ DataBlock contact_arc(const ring::AngularLoad &load, std::vector<LoadSample> sam
   return block;
 }
 
+/// The rim has radius 1 and the load is drawn outwards from it, its mean as half a radius.
+constexpr char view_from_above[] = R"gp(data = "figures/load.dat"
+x(theta, load) = (1 + load / 2) * cos(theta) # the rim has radius 1, the mean load half of that
+y(theta, load) = (1 + load / 2) * sin(theta)
+set size ratio -1
+set lmargin at screen 0.02; set rmargin at screen 0.68; set tmargin at screen 0.97; set bmargin at screen 0.03
+unset border; unset tics; unset grid
+set offsets 0.1, 0.1, 0.1, 0.1
+set key at screen 0.7, screen 0.72 left top vertical
+set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
+set label 1 "v" at 0.46,0 left
+set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(pi * i / 2),0.78 * sin(pi * i / 2) center font ",12"
+set parametric; set trange [0:2 * pi]; set samples 181
+plot cos(t), sin(t) with lines lt 8 title "rim", \
+     data index arc using ($2 * cos($1)):($2 * sin($1)) with lines lt 7 lw 5 title "under load", \
+     x(t, 1), y(t, 1) with lines lt 8 dt 3 title "mean load")gp";
+
 } // namespace
 
 ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSample> &pointwise)
@@ -85,41 +95,20 @@ ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSa
     std::vector<double> values;
     for (const double angle : theta)
       values.push_back(truncated(angle) / load.a(0));
-    const std::string name = truncation_name(orders[i], load.n_harmonics());
+    const std::string name = truncation_title(orders[i], load.n_harmonics());
     blocks.push_back({ "λ(θ)/a_0, " + name, { { "theta", "rad", theta }, { "lambda / a_0", "1", values } } });
     curves += ", \\\n     data index " + std::to_string(i) + " using (x($1, $2)):(y($1, $2)) with lines lt " +
               std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
   }
   blocks.push_back(contact_arc(load, pointwise));
-  const std::string script =
-    R"gp(# The rim has radius 1; the load is drawn outwards from it, its mean a_0 as half a radius.
-data = "figures/load.dat"
-x(theta, load) = (1 + load / 2) * cos(theta)
-y(theta, load) = (1 + load / 2) * sin(theta)
-set size ratio -1
-unset border; unset tics; unset grid
-set offsets 0.1, 0.1, 0.1, 0.1
-set key outside right center vertical
-set lmargin 1; set tmargin 1; set bmargin 1
-set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
-set label 1 "v" at 0.46,0 left
-set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.8 * cos(pi * i / 2),0.8 * sin(pi * i / 2) center font ",12"
-set parametric; set trange [0:2 * pi]; set samples 181
-plot cos(t), sin(t) with lines lt 8 title "rim", \
-     data index )gp" +
-    std::to_string(orders.size()) +
-    R"gp( using ($2 * cos($1)):($2 * sin($1)) with lines lt 7 lw 5 title "under load", \
-     x(t, 1), y(t, 1) with lines lt 8 dt 3 title "mean load")gp" +
-    curves + "\n";
-  return {
-    "load",
-    "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of travel. "
-    "A curve inside the rim would pull on the table.",
-    script,
-    540,
-    380,
-    data_blocks(blocks)
-  };
+  return { "load",
+           "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of "
+           "travel, n the "
+           "harmonics kept. A curve inside the rim would pull on the table.",
+           "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
+           540,
+           380,
+           data_blocks(blocks) };
 }
 
 ReportFigure higher_harmonics_figure(const ring::AngularLoad &load)
@@ -128,16 +117,18 @@ ReportFigure higher_harmonics_figure(const ring::AngularLoad &load)
   for (const double theta : azimuths())
     degrees.push_back(theta * 360 / two_pi);
   const ring::AngularLoad first = load.truncated(1);
-  CurvePlot plot = { "higher_harmonics",
-                     "What the harmonics beyond the first add to the load, relative to its mean a_0.",
-                     { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) },
-                     { "(λ - λ_1) / a_0" },
-                     {},
-                     "set xtics 90; set xzeroaxis lt 8\n" };
+  CurvePlot plot = {
+    "higher_harmonics",
+    "What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.",
+    { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) },
+    { "(λ - λ_1) / a_0" },
+    {},
+    "set xtics 90; set xzeroaxis lt 8\n"
+  };
   for (const unsigned int n : shown_truncations(load))
     if (n > 1)
     {
-      Curve curve = { truncation_name(n, load.n_harmonics()), degrees, {} };
+      Curve curve = { truncation_title(n, load.n_harmonics()), degrees, {} };
       curve.line_type = n == load.n_harmonics() ? 1 : n + 1;
       for (const double theta : azimuths())
         curve.y.push_back((load.truncated(n)(theta) - first(theta)) / load.a(0));

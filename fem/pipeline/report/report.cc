@@ -19,7 +19,7 @@ void write_report(const Report &report, const fs::path &folder)
   for (const ReportSection &section : report.sections)
     figures.insert(figures.end(), section.figures.begin(), section.figures.end());
   const std::string notice = draw_figures(figures, folder);
-  if (!notice.empty())
+  if (!notice.empty() && notice != missing_plotter())
     std::cerr << "stemware: " << notice << std::endl;
 
   std::map<std::string, std::string> pictures;

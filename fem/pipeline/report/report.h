@@ -7,7 +7,7 @@
 namespace stemware::pipeline
 {
 
-/// A table of a report. Columns of numbers are aligned to the right.
+/// A table of a report. Columns of numbers are aligned to the right; a header of empty cells is left out.
 struct ReportTable
 {
   std::string caption;
@@ -36,7 +36,7 @@ struct ReportFile
 /// is left out.
 struct ReportSection
 {
-  std::string heading, text;
+  std::string heading, text = "";
   std::vector<ReportFigure> figures = {};
   std::vector<ReportTable> tables = {};
   std::vector<ReportFile> files = {};
@@ -59,8 +59,9 @@ std::string missing_plotter();
 /// Writes report.html, one page that needs nothing else (CSS and SVG inside, no address outside), and
 /// figures/ with the pictures as SVG and PDF, their gnuplot scripts and data, into @p folder.
 ///
-/// Equal reports give equal files, byte for byte. Pictures that gnuplot does not draw are left out; the page
-/// says why, and so does a line on stderr. Throws OutputFailure. One rank only.
+/// Equal reports give equal files, byte for byte. What gnuplot does not draw is left out, and the page says
+/// why: results are not lost for want of a picture. Where gnuplot fails, stderr says so too; that it is
+/// missing, missing_plotter() has told in advance. Throws OutputFailure. One rank only.
 void write_report(const Report &report, const std::filesystem::path &folder);
 
 } // namespace stemware::pipeline

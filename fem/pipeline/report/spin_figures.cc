@@ -1,4 +1,4 @@
-#include "fem/pipeline/report/figures.h"
+#include "fem/pipeline/report/figure_script.h"
 
 #include <cmath>
 
@@ -10,11 +10,6 @@ namespace
 
 /// Relative changes below this say nothing.
 constexpr double rounding = 1e-12;
-
-std::string up_to(unsigned int harmonics)
-{
-  return harmonics == 1 ? "first harmonic alone" : "harmonics 1 to " + std::to_string(harmonics);
-}
 
 std::vector<double> in_milli(const std::vector<double> &values)
 {
@@ -29,7 +24,8 @@ std::vector<double> in_milli(const std::vector<double> &values)
 ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations)
 {
   CurvePlot plot = { "torque",
-                     "Torque of friction against the spin; the glass spins up to where it vanishes (points).",
+                     "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
+                     "vanishes (points).",
                      { "spin ω (rad/s)", false, std::pair(curve.omega.front(), curve.omega.back()) },
                      { "torque τ_z (mN m)" },
                      {},
@@ -37,9 +33,10 @@ ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<Truncatio
   std::vector<double> torques;
   for (const ring::Wrench &friction : curve.friction)
     torques.push_back(1e3 * friction.torque);
-  plot.curves.push_back({ "all harmonics", curve.omega, torques, CurveStyle::line, {}, 1 });
+  const unsigned int n_all = truncations.back().harmonics;
+  plot.curves.push_back({ truncation_title(n_all, n_all), curve.omega, torques, CurveStyle::line, {}, 1 });
   for (std::size_t i = 0; i < curve.harmonics.size() && curve.harmonics[i] <= 3; ++i)
-    plot.curves.push_back({ up_to(curve.harmonics[i]),
+    plot.curves.push_back({ truncation_title(curve.harmonics[i], n_all),
                             curve.omega,
                             in_milli(curve.truncations[i]),
                             CurveStyle::line,
@@ -82,6 +79,8 @@ ReportFigure truncation_figure(const std::vector<TruncationRow> &truncations)
                      { "harmonics kept" },
                      { "|Δω / ω|", true },
                      { change } };
+  if (!change.x.empty() && change.x.back() <= 8)
+    plot.commands = "set xtics 1\n";
   return curve_figure(plot);
 }
 

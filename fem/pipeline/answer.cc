@@ -1,0 +1,145 @@
+#include "fem/pipeline/answer.h"
+
+#include "fem/pipeline/text_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+const ClosureRow &row_of(const std::vector<ClosureRow> &rows, ring::Closure closure)
+{
+  return *std::find_if(rows.begin(), rows.end(),
+                       [=](const ClosureRow &row) { return row.closure == closure; });
+}
+
+std::optional<double> relative_change(const std::optional<double> &from, const std::optional<double> &to)
+{
+  if (!from || !to || *from == 0)
+    return std::nullopt;
+  return *to / *from - 1;
+}
+
+/// "2.5 % faster", "0.81 % slower".
+std::string faster_or_slower(double change)
+{
+  return formatted("%.3g %% %s", 100 * std::abs(change), change > 0 ? "faster" : "slower");
+}
+
+/// Without a moment the terminal spin is rounding.
+bool spins_up(const StudyResult &result)
+{
+  return result.yaw.truncations.front().relative_change.has_value();
+}
+
+std::string terminal_spin(const StudyResult &result, const std::optional<double> &band)
+{
+  if (!spins_up(result))
+    return "The glass does not spin up.";
+  const double omega = result.yaw.terminal.omega;
+  return "The glass spins up to " +
+         (band && *band > 0 ? with_band(omega, *band) : formatted("%#.6g", omega)) + " rad/s.";
+}
+
+std::string harmonic_sentence(const SpinComparison &spins, const StudyResult &result)
+{
+  const auto change = spins.harmonic_effect();
+  if (!change || result.load.at_rest.n_harmonics() < 2)
+    return "";
+  if (std::abs(*change) < 1e-9)
+    return " The harmonics of the load beyond the first do not change that.";
+  return " The harmonics of the load beyond the first make it " + faster_or_slower(*change) +
+         formatted(" than the first alone would (%#.6g rad/s).", spins.first_harmonic);
+}
+
+std::string closure_sentence(const SpinComparison &spins)
+{
+  const auto change = spins.closure_effect();
+  if (!change)
+    return "";
+  return formatted(
+    " For comparison: with a first-harmonic load, what the paper's balance of moments leaves out makes the "
+    "glass %s (%#.6g instead of %#.6g rad/s%s).",
+    faster_or_slower(*change).c_str(), *spins.complete_closure, *spins.paper_closure,
+    spins.is_formal ? ", formally: such a load would have to pull on the table" : "");
+}
+
+std::string lift_off(const RingLoad &load)
+{
+  if (load.moment_ratio <= 1)
+    return "";
+  return formatted("The moment ratio is %.4g, above 1: a first-harmonic load would have to pull; %.1f %% of "
+                   "the rim carries load.",
+                   load.moment_ratio, 100 * load.contact_fraction);
+}
+
+/// Says when the contact is narrower than what its nodes can show.
+std::string narrow_contact(const Study &study, const std::optional<ContactFigures> &contact)
+{
+  if (!contact || contact->result.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return "";
+  return formatted(
+    "Contact is narrow, at most %u of its nodes side by side: %s.", contact->result.solution.n_nodes_across,
+    study.table.kind == TableKind::rigid
+      ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
+      : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
+}
+
+} // namespace
+
+std::optional<double> SpinComparison::harmonic_effect() const
+{
+  return relative_change(first_harmonic, all_harmonics);
+}
+
+std::optional<double> SpinComparison::closure_effect() const
+{
+  return relative_change(paper_closure, complete_closure);
+}
+
+SpinComparison compare_spins(const Study &study, const StudyResult &result)
+{
+  const ClosureRow &paper = row_of(result.closures, ring::Closure::paper);
+  const ClosureRow &full = row_of(result.closures, ring::Closure::full);
+  const ClosureRow &own = row_of(result.closures, study.motion.closure);
+  const bool in_balance = study.load.source == LoadSource::contact && !study.load.is_static() &&
+                          study.load.coupling != LoadCoupling::frozen;
+  SpinComparison spins;
+  if (spins_up(result))
+  {
+    spins.all_harmonics = result.yaw.terminal.omega;
+    spins.first_harmonic =
+      in_balance && own.omega_terminal ? *own.omega_terminal : result.yaw.truncations.front().omega_terminal;
+  }
+  spins.paper_closure = paper.omega_terminal;
+  spins.complete_closure = full.omega_terminal;
+  spins.is_formal = paper.is_formal() || full.is_formal();
+  return spins;
+}
+
+std::string answer(const Study &study, const StudyResult &result, const std::optional<double> &band)
+{
+  const SpinComparison spins = compare_spins(study, result);
+  return terminal_spin(result, band) + harmonic_sentence(spins, result) + closure_sentence(spins);
+}
+
+std::string remarks(const Study &study, const StudyResult &result)
+{
+  const std::string first = lift_off(result.load), second = narrow_contact(study, result.contact);
+  return first + (first.empty() || second.empty() ? "" : " ") + second;
+}
+
+std::string with_band(double value, double band)
+{
+  // Two digits of the band, rounded up so that it does not become narrower.
+  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
+  const double unit = std::pow(10, last);
+  const int decimals = std::max(0, -last);
+  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "fem/pipeline/study_result.h"
+
+#include <optional>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// The terminal spin of the study's glass beside those of simpler models of the same glass [rad/s].
+struct SpinComparison
+{
+  double all_harmonics = 0;               ///< the study's own
+  double first_harmonic = 0;              ///< of the first harmonic alone, in the same balance of moments
+  std::optional<double> paper_closure;    ///< first harmonic, the paper's balance of moments
+  std::optional<double> complete_closure; ///< first harmonic, closure `full`
+  bool is_formal = false; ///< whether the last two, or one of them, would have to pull on the table
+
+  /// What the harmonics beyond the first add to the spin, relative to the first alone; nothing where that
+  /// does not spin.
+  std::optional<double> harmonic_effect() const;
+  /// What the closure `full` adds to the spin, relative to the closure `paper`.
+  std::optional<double> closure_effect() const;
+};
+
+/// For a load in balance with friction at every spin, the first harmonic is in such a balance too; for a
+/// frozen load it is the first harmonic of that load.
+SpinComparison compare_spins(const Study &study, const StudyResult &result);
+
+/// The answer in sentences: the terminal spin, what the harmonics beyond the first do to it, and what the
+/// paper's balance of moments leaves out does to it. @p band is the half-width of the spin's error band
+/// [rad/s], where one is known.
+std::string answer(const Study &study, const StudyResult &result,
+                   const std::optional<double> &band = std::nullopt);
+
+/// What to know about the load besides: that it has left part of the rim, that its contact is narrower than
+/// what the nodes can show. Empty where there is nothing.
+std::string remarks(const Study &study, const StudyResult &result);
+
+/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
+std::string with_band(double value, double band);
+
+} // namespace stemware::pipeline
