@@ -68,27 +68,6 @@ std::string closure_sentence(const SpinComparison &spins)
     spins.is_formal ? ", formally: such a load would have to pull on the table" : "");
 }
 
-std::string lift_off(const RingLoad &load)
-{
-  if (load.moment_ratio <= 1)
-    return "";
-  return formatted("The moment ratio is %.4g, above 1: a first-harmonic load would have to pull; %.1f %% of "
-                   "the rim carries load.",
-                   load.moment_ratio, 100 * load.contact_fraction);
-}
-
-/// Says when the contact is narrower than what its nodes can show.
-std::string narrow_contact(const Study &study, const std::optional<ContactFigures> &contact)
-{
-  if (!contact || contact->result.solution.outcome != fem::ContactOutcome::narrow_contact)
-    return "";
-  return formatted(
-    "Contact is narrow, at most %u of its nodes side by side: %s.", contact->result.solution.n_nodes_across,
-    study.table.kind == TableKind::rigid
-      ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
-      : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
-}
-
 } // namespace
 
 std::optional<double> SpinComparison::harmonic_effect() const
@@ -127,10 +106,24 @@ std::string answer(const Study &study, const StudyResult &result, const std::opt
   return terminal_spin(result, band) + harmonic_sentence(spins, result) + closure_sentence(spins);
 }
 
-std::string remarks(const Study &study, const StudyResult &result)
+std::string lift_off_remark(const RingLoad &load)
 {
-  const std::string first = lift_off(result.load), second = narrow_contact(study, result.contact);
-  return first + (first.empty() || second.empty() ? "" : " ") + second;
+  if (load.moment_ratio <= 1)
+    return "";
+  return formatted("The moment ratio is %.4g, above 1: a first-harmonic load would have to pull; %.1f %% of "
+                   "the rim carries load.",
+                   load.moment_ratio, 100 * load.contact_fraction);
+}
+
+std::string narrow_contact_remark(const Study &study, const std::optional<ContactFigures> &contact)
+{
+  if (!contact || contact->result.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return "";
+  return formatted(
+    "Contact is narrow, at most %u of its nodes side by side: %s.", contact->result.solution.n_nodes_across,
+    study.table.kind == TableKind::rigid
+      ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
+      : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
 }
 
 std::string with_band(double value, double band)

@@ -34,9 +34,12 @@ SpinComparison compare_spins(const Study &study, const StudyResult &result);
 std::string answer(const Study &study, const StudyResult &result,
                    const std::optional<double> &band = std::nullopt);
 
-/// What to know about the load besides: that it has left part of the rim, that its contact is narrower than
-/// what the nodes can show. Empty where there is nothing.
-std::string remarks(const Study &study, const StudyResult &result);
+/// Says that the load has left part of the rim, so that its first harmonic would have to pull; empty where it
+/// has not.
+std::string lift_off_remark(const RingLoad &load);
+
+/// Says that the contact is narrower than what its nodes can show; empty where it is not.
+std::string narrow_contact_remark(const Study &study, const std::optional<ContactFigures> &contact);
 
 /// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
 std::string with_band(double value, double band);

@@ -23,6 +23,8 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   mpirun -n 4 stemware run my_glass.prm --set "Contact/Azimuthal cells=192"
 
 The folder of results appears when all of it is there; older results of the same name are replaced.
+  report.html        the answer, its figures and what is behind it, for a browser
+  figures/           the figures as SVG and PDF, with gnuplot scripts and data
   summary.json       load harmonics, torque, terminal spin, truncations, closures, the parameters
   parameters.prm     the study as it was run
   load.dat           lambda(theta)

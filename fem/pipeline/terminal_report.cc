@@ -88,7 +88,9 @@ void print_balance(std::size_t n_states)
 void print_answer(const Study &study, const StudyResult &result)
 {
   console() << '\n'
-            << wrapped(answer(study, result) + " " + remarks(study, result)) << "\n\n"
+            << wrapped(answer(study, result) + " " + lift_off_remark(result.load) + " " +
+                       narrow_contact_remark(study, result.contact))
+            << "\n\n"
             << truncation_text(result.yaw.truncations) << std::endl;
 }
 

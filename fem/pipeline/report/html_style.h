@@ -48,13 +48,14 @@ footer { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: .6rem
 }
 @media print {
   :root { color-scheme: light; --ink: #000000; --soft: #444444; --ground: #ffffff; --panel: #ffffff; --line: #999999; --accent: #000000; }
-  body { max-width: none; padding: 0; font-size: 10pt; }
+  html { font-size: 9.5pt; }
+  body { max-width: none; padding: 0; }
   figure, tr { break-inside: avoid; }
   h2, caption { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; }
   .wide { overflow: visible; }
   .answer { border: 1px solid var(--line); }
-  details::details-content { content-visibility: visible; display: block; block-size: auto; }
+  details:not([open]), .files { display: none; }
 }
 @page { margin: 18mm 16mm; }
 )css";

@@ -69,10 +69,10 @@ constexpr char view_from_above[] = R"gp(data = "figures/load.dat"
 x(theta, load) = (1 + load / 2) * cos(theta) # the rim has radius 1, the mean load half of that
 y(theta, load) = (1 + load / 2) * sin(theta)
 set size ratio -1
-set lmargin at screen 0.02; set rmargin at screen 0.68; set tmargin at screen 0.97; set bmargin at screen 0.03
+set lmargin at screen 0.02; set rmargin at screen 0.65; set tmargin at screen 0.97; set bmargin at screen 0.03
 unset border; unset tics; unset grid
 set offsets 0.1, 0.1, 0.1, 0.1
-set key at screen 0.7, screen 0.72 left top vertical
+set key at screen 0.67, screen 0.72 left top vertical
 set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
 set label 1 "v" at 0.46,0 left
 set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(pi * i / 2),0.78 * sin(pi * i / 2) center font ",12"

@@ -90,7 +90,7 @@ ReportTable harmonics_table(const ring::AngularLoad &load)
   return table;
 }
 
-ReportSection load_section(const Study &study, const StudyResult &result)
+ReportSection load_section(const StudyResult &result)
 {
   const RingLoad &load = result.load;
   const ring::AngularLoad &series = load.at_rest;
@@ -103,8 +103,7 @@ ReportSection load_section(const Study &study, const StudyResult &result)
       "pull, at "
       "2 the glass tips. %.1f %% of the rim carries load; the least load is %.4g N/rad. The ring that stands "
       "for the foot has a radius of %.6g m.",
-      load.moment_ratio, 100 * load.contact_fraction, load.minimum, series.radius()) +
-    "\n\n" + remarks(study, result);
+      load.moment_ratio, 100 * load.contact_fraction, load.minimum, series.radius());
   ReportSection section = {
     "The load on the table", text, { load_figure(series, {}) }, { harmonics_table(series) }
   };
@@ -203,7 +202,7 @@ ReportSection closure_section(const StudyResult &result)
            { table } };
 }
 
-ReportSection contact_section(const ContactFigures &contact)
+ReportSection contact_section(const Study &study, const ContactFigures &contact)
 {
   const fem::ContactSolution &solution = contact.result.solution;
   ReportTable table = { "", { "", "" }, {} };
@@ -224,7 +223,7 @@ ReportSection contact_section(const ContactFigures &contact)
   add("imbalance of the body's forces", formatted("%.1e", solution.equilibrium_residual));
   add("table moved by q_0 (m)", formatted("%.6g", solution.motion(0)));
   add("table tilted by q_1, q_2", formatted("%.6g, %.6g", solution.motion(1), solution.motion(2)));
-  return { "The contact at rest", "", {}, { table } };
+  return { "The contact at rest", narrow_contact_remark(study, contact), {}, { table } };
 }
 
 ReportSection file_section(const StudyResult &result, const std::filesystem::path &folder)
@@ -253,12 +252,12 @@ Report run_report(const Study &study, const StudyResult &result, const std::file
   Report report = { title(study), answer(study, result), {} };
   ReportSection models = { "What changes the spin" };
   models.tables = { model_table(study, result) };
-  report.sections = { models, load_section(study, result), spin_section(study, result) };
+  report.sections = { models, load_section(result), spin_section(study, result) };
   if (result.load.at_rest.n_harmonics() > 1)
     report.sections.push_back(truncation_section(result));
   report.sections.push_back(closure_section(result));
   if (result.contact)
-    report.sections.push_back(contact_section(*result.contact));
+    report.sections.push_back(contact_section(study, *result.contact));
   for (const ReportSection &section : study_sections(study))
     report.sections.push_back(section);
   report.sections.push_back(file_section(result, folder));
