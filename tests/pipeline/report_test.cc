@@ -77,8 +77,8 @@ TEST(Report, HasFiguresInEveryFormAndOnePage)
     names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{ "figures/first.dat", "figures/first.gp", "figures/first.pdf",
                                            "figures/first.svg", "figures/second.dat", "figures/second.gp",
-                                           "figures/second.pdf", "figures/second.svg", "figures/style.gp",
-                                           "report.html" }));
+                                           "figures/second.pdf", "figures/second.svg",
+                                           "figures/style.gnuplot", "report.html" }));
   EXPECT_EQ(read_text(scratch / "figures/first.pdf").substr(0, 5), "%PDF-");
 }
 

@@ -198,10 +198,10 @@ TEST(FirstHarmonicReport, IsWrittenWithoutGnuplot)
   for (const std::string &link : all_between(html, "<a href=\"", "\""))
     EXPECT_TRUE(fs::exists(scratch / "results" / link)) << link;
   // What is missing can be drawn later.
-  const Ended drawn =
-    RunningProgram({ "/bin/sh", "-c", "gnuplot figures/load.gp" }, scratch / "results").end();
+  const Ended drawn = RunningProgram({ "/bin/sh", "-c", "gnuplot figures/*.gp" }, scratch / "results").end();
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-  EXPECT_TRUE(fs::exists(scratch / "results/figures/load.svg"));
+  for (const char *name : { "load", "torque", "spin_up" })
+    EXPECT_TRUE(fs::exists(scratch / "results/figures" / (name + std::string(".svg")))) << name;
 }
 
 TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)

@@ -34,7 +34,7 @@ struct Curve
   std::vector<double> x, y;
   CurveStyle style = CurveStyle::line;
   std::vector<double> band = {}; ///< half-width of the error of each y; empty: none
-  unsigned int line_type = 0;    ///< of figures/style.gp; 0: the next one
+  unsigned int line_type = 0;    ///< of figures/style.gnuplot; 0: the next one
 };
 
 /// Curves over one axis.

@@ -41,7 +41,7 @@ std::string script_of(const ReportFigure &figure)
   script << as_comment(figure.caption) << "# Drawn again, as SVG or as PDF, in the folder of the results:\n"
          << "#   gnuplot " << file << "\n#   gnuplot -e 'format = \"pdf\"' " << file << "\n"
          << "name = \"" << figure.name << "\"; width = " << figure.width << "; height = " << figure.height
-         << "\nload \"figures/style.gp\"\n\n"
+         << "\nload \"figures/style.gnuplot\"\n\n"
          << figure.script << (figure.script.empty() || figure.script.back() != '\n' ? "\n" : "");
   return script.str();
 }
@@ -49,7 +49,7 @@ std::string script_of(const ReportFigure &figure)
 void write_scripts(const std::vector<ReportFigure> &figures, const fs::path &folder)
 {
   fs::create_directories(folder / "figures");
-  write_text_file(folder / "figures/style.gp", gnuplot_style);
+  write_text_file(folder / "figures/style.gnuplot", gnuplot_style);
   for (const ReportFigure &figure : figures)
   {
     write_text_file(folder / figure_file(figure, "gp"), script_of(figure));

@@ -9,8 +9,8 @@
 namespace stemware::pipeline
 {
 
-/// Writes figures/style.gp and the scripts and data of @p figures into @p folder, then lets gnuplot draw all
-/// of them, SVG and PDF side by side. A figure that fails costs the others nothing. Returns one or more
+/// Writes figures/style.gnuplot and the scripts and data of @p figures into @p folder, then lets gnuplot draw
+/// all of them, SVG and PDF side by side. A figure that fails costs the others nothing. Returns one or more
 /// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
 std::string draw_figures(const std::vector<ReportFigure> &figures, const std::filesystem::path &folder);
 
