@@ -1,6 +1,6 @@
 # deal.II 9.4.1, wrapped once: its own set-up macro leaks flags into dependants, wants plain-signature links and knows only two build types.
 find_package(deal.II 9.4.1 REQUIRED QUIET) # quiet: it lists every macro file that it includes
-foreach(feature IN ITEMS MPI P4EST TRILINOS UMFPACK)
+foreach(feature IN ITEMS MPI P4EST TRILINOS)
   if(NOT DEAL_II_WITH_${feature})
     message(FATAL_ERROR "This deal.II was built without ${feature}; install Debian's libdeal.ii-dev.")
   endif()

@@ -5,6 +5,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -40,44 +41,60 @@ double MeridianSpace::contact_radius(unsigned int i) const
   return points[contact_nodes[i][vertical]][0];
 }
 
-MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmonic)
-    : constraints(space.make_constraints(harmonic))
+SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
+                                        const AffineConstraints<double> &constraints) const
 {
-  DynamicSparsityPattern dynamic_pattern(space.dofs.n_dofs());
-  DoFTools::make_sparsity_pattern(space.dofs, dynamic_pattern, constraints, false);
+  DynamicSparsityPattern dynamic_pattern(dofs.n_dofs());
+  DoFTools::make_sparsity_pattern(dofs, dynamic_pattern, constraints, false);
   SparsityPattern pattern;
   pattern.copy_from(dynamic_pattern);
   SparseMatrix<double> matrix(pattern);
-  space.stiffness->assemble(harmonic, constraints, matrix);
-  factors.factorize(matrix);
+  stiffness->assemble(harmonic, constraints, matrix);
+  return SparseCholesky(matrix);
+}
+
+MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmonic)
+    : constraints(space.make_constraints(harmonic))
+    , factors(space.factorise(harmonic, constraints))
+{
+}
+
+Eigen::MatrixXd MeridianSpace::Factors::solve(const Eigen::MatrixXd &forces) const
+{
+  Eigen::MatrixXd displacements = factors.solve(forces);
+  Vector<double> displacement(static_cast<unsigned int>(forces.rows()));
+  for (auto column : displacements.colwise())
+  {
+    std::copy(column.begin(), column.end(), displacement.begin());
+    constraints.distribute(displacement);
+    std::copy(displacement.begin(), displacement.end(), column.begin());
+  }
+  return displacements;
 }
 
 void MeridianSpace::Factors::solve(Vector<double> &forces) const
 {
-  factors.solve(forces);
-  constraints.distribute(forces);
+  Eigen::Map<Eigen::VectorXd> values(forces.begin(), forces.size());
+  values = solve(Eigen::MatrixXd(values));
 }
 
 HarmonicCompliance MeridianSpace::compliance(unsigned int harmonic) const
 {
-  const Factors factors(*this, harmonic);
   const unsigned int n_nodes = n_contact_nodes();
+  Eigen::MatrixXd unit_forces = Eigen::MatrixXd::Zero(n_dofs(), n_nodes);
+  for (unsigned int j = 0; j < n_nodes; ++j)
+    unit_forces(contact_nodes[j][vertical], j) = 1;
+  const Eigen::MatrixXd displacements = Factors(*this, harmonic).solve(unit_forces);
   HarmonicCompliance result;
   for (Eigen::MatrixXd *part : { &result.normal, &result.radial, &result.azimuthal })
     part->resize(n_nodes, n_nodes);
-  Vector<double> displacement(dofs.n_dofs());
   for (unsigned int j = 0; j < n_nodes; ++j)
-  {
-    displacement = 0;
-    displacement(contact_nodes[j][vertical]) = 1;
-    factors.solve(displacement);
     for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      result.normal(i, j) = displacement(contact_nodes[i][vertical]);
-      result.radial(j, i) = displacement(contact_nodes[i][radial]);
-      result.azimuthal(j, i) = displacement(contact_nodes[i][azimuthal]);
+      result.normal(i, j) = displacements(contact_nodes[i][vertical], j);
+      result.radial(j, i) = displacements(contact_nodes[i][radial], j);
+      result.azimuthal(j, i) = displacements(contact_nodes[i][azimuthal], j);
     }
-  }
   result.normal = (result.normal + result.normal.transpose()).eval() / 2;
   return result;
 }

@@ -3,13 +3,13 @@
 #include "fem/contact_compliance.h"
 #include "fem/elastic_material.h"
 #include "fem/meridian_stiffness.h"
+#include "fem/sparse_cholesky.h"
 
 #include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/vector.h>
 
 #include <array>
@@ -40,17 +40,20 @@ public:
   const dealii::DoFHandler<2> &dof_handler() const { return dofs; }
   const dealii::Mapping<2> &mapping() const { return dealii::StaticMappingQ1<2>::mapping; }
 
-  /// K_n of one harmonic, factorised (UMFPACK) under the clamp and its own conditions on the axis.
+  /// K_n of one harmonic, factorised under the clamp and its own conditions on the axis.
   class Factors
   {
   public:
     Factors(const MeridianSpace &space, unsigned int harmonic);
-    /// Forces per radian on the free dofs [N/rad] become displacements times int (mode)^2 dtheta [m rad].
+    /// Displacements times int (mode)^2 dtheta [m rad] under forces per radian on the free dofs [N/rad], a
+    /// column each.
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &forces) const;
+    /// The same in place.
     void solve(dealii::Vector<double> &forces) const;
 
   private:
     const dealii::AffineConstraints<double> constraints;
-    dealii::SparseDirectUMFPACK factors;
+    const SparseCholesky factors;
   };
 
   /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
@@ -64,6 +67,7 @@ private:
   /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
   /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
+  SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
 
   const dealii::FESystem<2> element;
   dealii::DoFHandler<2> dofs;
