@@ -109,7 +109,7 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   double cells = 0; // of the finest size, from the contact radius to the border of the land
   for (unsigned int i = 0; i < resolution.land_cells / 2; ++i)
     cells += std::pow(resolution.land_grading, i);
-  const double size = profile.land_width / 2 / cells / std::pow(2., resolution.refinements);
+  const double size = profile.land_width / 2 / cells;
   resolved.resolution.focus_levels =
     static_cast<unsigned int>(std::max(0., std::ceil(std::log2(size / wanted))));
   return resolved;

@@ -126,7 +126,6 @@ double relative_distance(const Triangulation<2>::active_cell_iterator &cell, con
 void refine(const MeridianResolution &resolution, const GlassProfile &profile,
             Triangulation<2> &triangulation)
 {
-  triangulation.refine_global(resolution.refinements);
   const Point<2> focus(resolution.focus_radius > 0 ? resolution.focus_radius : profile.contact_radius, 0);
   for (unsigned int level = 0; level < resolution.focus_levels; ++level)
   {
@@ -135,6 +134,8 @@ void refine(const MeridianResolution &resolution, const GlassProfile &profile,
         cell->set_refine_flag();
     triangulation.execute_coarsening_and_refinement();
   }
+  // Last, so that meshes with more halvings are nested in those with fewer.
+  triangulation.refine_global(resolution.refinements);
 }
 
 } // namespace

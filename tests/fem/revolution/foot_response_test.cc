@@ -5,6 +5,8 @@
 #include "ring_model/closures.h"
 #include "ring_model/self_consistent_ring.h"
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <gtest/gtest.h>
 
 using namespace stemware::revolution_tests;
@@ -103,6 +105,35 @@ TEST(RigidTable, FlatLandLiftsOff)
   EXPECT_NEAR(load.a[2] / load.a[0], 0.1705, 2e-3);
   EXPECT_NEAR(load.a[3] / load.a[0], -0.2852, 2e-3);
   EXPECT_NEAR(load.mean_radius, 0.02903, 1e-5);
+}
+
+TEST(RigidTable, ConvergesWherePenaltiesLeaveMoreRoundingThanTheTolerance)
+{
+  RevolutionSetup setup;
+  setup.support = TableSupport::rigid;
+  setup.meridian.n_harmonics = 8;
+  FootResponse foot(setup.resolved_for(weight));
+  const LoadHarmonics load = foot.press(load_at(1.3));
+  EXPECT_LT(foot.solution().force_residual, 1e-9);
+  EXPECT_LT(foot.solution().moment_residual, 1e-9);
+  EXPECT_NEAR(load.normal_force / weight, 1, 1e-9);
+}
+
+TEST(HardwoodTable, HalvingsSplitEveryCellTheFinestToo)
+{
+  RevolutionSetup setup;
+  setup.support = TableSupport::elastic;
+  const RevolutionSetup coarse = setup.resolved_for(weight);
+  setup.resolution.refinements = 1;
+  const RevolutionSetup fine = setup.resolved_for(weight);
+  dealii::Triangulation<2> coarse_mesh;
+  dealii::Triangulation<2> fine_mesh;
+  make_meridian_mesh(coarse.profile, coarse.resolution, coarse_mesh);
+  make_meridian_mesh(fine.profile, fine.resolution, fine_mesh);
+  EXPECT_EQ(fine_mesh.n_active_cells(), 4 * coarse_mesh.n_active_cells());
+  EXPECT_NEAR(dealii::GridTools::minimal_cell_diameter(fine_mesh) /
+                dealii::GridTools::minimal_cell_diameter(coarse_mesh),
+              0.5, 1e-9);
 }
 
 TEST(CoupledSpin, TerminalSpinOfTheElasticGlass)
