@@ -98,11 +98,13 @@ LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics)
 {
   LoadHarmonics load = harmonics_of(law.point_forces(solution.approach), n_harmonics);
-  const std::vector<double> density = law.angular_density(solution.approach);
-  load.minimum = *std::min_element(density.begin(), density.end());
-  const auto n_loaded =
-    std::count_if(density.begin(), density.end(), [](double lambda) { return lambda > 0; });
-  load.contact_fraction = static_cast<double>(n_loaded) / static_cast<double>(density.size());
+  load.pointwise = law.angular_density(solution.approach);
+  const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
+  { return one.density < other.density; };
+  load.minimum = std::min_element(load.pointwise.begin(), load.pointwise.end(), less)->density;
+  const auto n_loaded = std::count_if(load.pointwise.begin(), load.pointwise.end(),
+                                      [](const AzimuthLoad &place) { return place.density > 0; });
+  load.contact_fraction = static_cast<double>(n_loaded) / static_cast<double>(load.pointwise.size());
   return load;
 }
 

@@ -22,6 +22,7 @@ struct LoadHarmonics
   double mean_radius = 0;      ///< sum f r / sum f [m]
   double contact_fraction = 0; ///< share of azimuth lines that carry load
   double minimum = 0;          ///< smallest pointwise load [N/rad]
+  std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stands for
 };
 
 /// Harmonics 0 ... @p n_harmonics of a contact solution, a_n = sum f_i cos(n theta_i) / pi over the law's own
@@ -29,8 +30,8 @@ struct LoadHarmonics
 /// load.
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics);
 
-/// Sums over point forces; the part of extract_load() that needs no law. Leaves contact_fraction and minimum
-/// at 0.
+/// Sums over point forces; the part of extract_load() that needs no law. Leaves contact_fraction, minimum and
+/// pointwise empty.
 LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics);
 
 /// Coulomb friction of the pressure as it lies in the plane, not gathered on a ring.

@@ -70,6 +70,8 @@ LoadHarmonics turned(LoadHarmonics load, double angle)
     load.a[n] = a * std::cos(n * angle) - b * std::sin(n * angle);
     load.b[n] = a * std::sin(n * angle) + b * std::cos(n * angle);
   }
+  for (AzimuthLoad &place : load.pointwise)
+    place.azimuth += angle;
   const double x = load.moment_x;
   const double y = load.moment_y;
   load.moment_x = x * std::cos(angle) - y * std::sin(angle);

@@ -28,6 +28,10 @@ unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
+  // A quadratic lies below its control points; most lines of a contact zone are far from contact.
+  const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
+  if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
+    return;
   const double c0 = samples(1);
   const double c1 = (samples(2) - samples(0)) / 2;
   const double c2 = (samples(2) + samples(0)) / 2 - samples(1);

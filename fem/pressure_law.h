@@ -2,7 +2,6 @@
 
 #include "fem/line_integral.h"
 #include "fem/line_pattern.h"
-#include "fem/sector_density.h"
 #include "fem/table_law.h"
 
 namespace stemware::fem
@@ -53,7 +52,7 @@ public:
     return forces;
   }
 
-  std::vector<double> angular_density(const Eigen::VectorXd &approach) const override
+  std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const override
   {
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
@@ -67,6 +66,11 @@ public:
       line_forces.push_back(force);
     }
     return density_of_lines(surface, line_forces);
+  }
+
+  Footprint footprint(const Eigen::VectorXd &approach) const override
+  {
+    return footprint_of_lines(surface, approach, [this](double depth) { return law.pressure(depth); });
   }
 
   Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override

@@ -1,5 +1,4 @@
 // The rigid table: complementarity at the contact nodes by an augmented Lagrangian.
-#include "fem/sector_density.h"
 #include "fem/table_law.h"
 
 #include <cmath>
@@ -50,9 +49,14 @@ public:
     return result;
   }
 
-  std::vector<double> angular_density(const Eigen::VectorXd &approach) const override
+  std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const override
   {
     return density_of_nodes(surface, forces(approach));
+  }
+
+  Footprint footprint(const Eigen::VectorXd &approach) const override
+  {
+    return footprint_of_nodes(surface, nodal_pressure(approach));
   }
 
   Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override

@@ -25,52 +25,60 @@ unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
 /// Azimuths closer than this belong to one cut; the lines of one cut differ by rounding only.
 constexpr double azimuth_tolerance = 1e-7;
 
-std::vector<double> density_of_cuts(const ContactSurface &surface, const std::vector<double> &line_forces)
+std::vector<AzimuthLoad> density_of_cuts(const ContactSurface &surface,
+                                         const std::vector<double> &line_forces)
 {
   std::vector<unsigned int> order(line_forces.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](unsigned int i, unsigned int j)
             { return surface.lines[i].azimuth < surface.lines[j].azimuth; });
-  std::vector<double> density;
-  double cut_azimuth = -two_pi;
+  std::vector<AzimuthLoad> density;
   for (const unsigned int i : order)
   {
     const ContactLine &line = surface.lines[i];
-    if (density.empty() || line.azimuth - cut_azimuth > azimuth_tolerance)
-    {
-      density.push_back(0);
-      cut_azimuth = line.azimuth;
-    }
-    density.back() += line_forces[i] / line.azimuth_width;
+    if (density.empty() || line.azimuth - density.back().azimuth > azimuth_tolerance)
+      density.push_back({ line.azimuth, 0 });
+    density.back().density += line_forces[i] / line.azimuth_width;
   }
   return density;
 }
 } // namespace
 
-std::vector<double> density_of_lines(const ContactSurface &surface, const std::vector<double> &line_forces)
+std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
+                                          const std::vector<double> &line_forces)
 {
   if (surface.lines_are_radial)
     return density_of_cuts(surface, line_forces);
-  std::vector<double> density(surface.n_sectors, 0);
+  std::vector<AzimuthLoad> density(surface.n_sectors);
+  for (unsigned int s = 0; s < surface.n_sectors; ++s)
+    density[s].azimuth = two_pi * (s + 0.5) / surface.n_sectors;
   for (unsigned int i = 0; i < line_forces.size(); ++i)
-    density[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=
+    density[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)].density +=
       line_forces[i] * surface.n_sectors / two_pi;
   return density;
 }
 
-std::vector<double> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
+std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
 {
   // A quarter of a sector before a node: neither corner nor mid-side nodes then lie on a border between
   // sectors.
   const double first = std::atan2(surface.node_position(0, 1), surface.node_position(0, 0));
   const double begin = first - two_pi / (4 * surface.n_sectors);
-  std::vector<double> density(surface.n_sectors, 0);
+  std::vector<AzimuthLoad> density(surface.n_sectors);
+  std::vector<unsigned int> n_nodes(surface.n_sectors, 0);
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)
   {
     const double azimuth = std::atan2(surface.node_position(i, 1), surface.node_position(i, 0));
-    density[sector_of(azimuth, begin, surface.n_sectors)] += node_forces(i) * surface.n_sectors / two_pi;
+    const unsigned int sector = sector_of(azimuth, begin, surface.n_sectors);
+    density[sector].density += node_forces(i) * surface.n_sectors / two_pi;
+    const double turns = (azimuth - begin) / two_pi;
+    density[sector].azimuth += (turns - std::floor(turns)) * two_pi; // from `begin`, summed
+    ++n_nodes[sector];
   }
+  for (unsigned int s = 0; s < surface.n_sectors; ++s)
+    density[s].azimuth =
+      begin + (n_nodes[s] > 0 ? density[s].azimuth / n_nodes[s] : two_pi * (s + 0.5) / surface.n_sectors);
   return density;
 }
 

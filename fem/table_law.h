@@ -1,6 +1,8 @@
 #pragma once
 
 #include "fem/contact_surface.h"
+#include "fem/footprint.h"
+#include "fem/sector_density.h"
 
 #include <Eigen/SparseCore>
 
@@ -43,9 +45,12 @@ public:
   /// forces where there is no pressure.
   virtual std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const = 0;
 
-  /// Load per radian at the azimuth of each line [N/rad], sorted by azimuth; sectors' means where the lines
-  /// are not radial.
-  virtual std::vector<double> angular_density(const Eigen::VectorXd &approach) const = 0;
+  /// Load per radian at the azimuth of each line, sorted by azimuth; sectors' means where the lines are not
+  /// radial.
+  virtual std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const = 0;
+
+  /// Where the foot presses, for pictures.
+  virtual Footprint footprint(const Eigen::VectorXd &approach) const = 0;
 
   /// Nodal pressure [Pa] for pictures.
   virtual Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const = 0;

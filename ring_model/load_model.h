@@ -39,6 +39,9 @@ public:
   /// Moment ratios up to which (not including it) load() has an answer.
   virtual double moment_ratio_limit() const { return 2.; }
 
+  /// Relative accuracy of load() where that is not rounding: a balance is not asked to be better.
+  virtual double accuracy() const { return 0.; }
+
   /// Whether load() follows the moment it is given; a frozen load does not.
   virtual bool follows_moment() const { return true; }
 };

@@ -39,72 +39,108 @@ void check_harmonics(const AngularLoad &load, std::size_t index, bool without_mo
             "coupling); solve the contact at every state instead");
 }
 
-/// Interpolant through (m_i, y_i) and their mirror images (-m_i, parity y_i); m_0 = 0.
-boost::math::barycentric_rational<double>
-mirrored_interpolant(const std::vector<double> &ratios, const std::vector<double> &values, double parity)
+/// What all samples of a curve have in common.
+struct Rules
 {
-  std::vector<double> x, y;
-  for (std::size_t i = ratios.size() - 1; i > 0; --i)
+  double nominal_radius;
+  double normal_force;
+  double tolerance;         ///< on the symmetry of a sample
+  unsigned int n_harmonics; ///< of the curve
+};
+
+/// Moment ratios and shapes of one piece of a curve.
+struct Nodes
+{
+  std::vector<double> ratios;
+  std::vector<std::vector<double>> shapes; ///< ring radius and a_n / a_0 for n = 2, 3, ...
+};
+
+/// Adds sample number @p index of the curve; the very first has no moment.
+void add_node(const AngularLoad &sample, std::size_t index, const Rules &rules, Nodes &nodes)
+{
+  const double ratio = ratio_of(sample, rules.nominal_radius);
+  require(index > 0 || ratio < rules.tolerance, "the response curve starts at the moment ratio ", ratio,
+          ", but must start with a load without moment");
+  if (!nodes.ratios.empty())
+    require(ratio > nodes.ratios.back(), "sample ", index, " has the moment ratio ", ratio, " after ",
+            nodes.ratios.back(), ", but the ratios must increase");
+  require(std::abs(sample.normal_force() - rules.normal_force) <= 1e-9 * rules.normal_force, "sample ", index,
+          " has the normal force ", sample.normal_force(), " N, but the first has ", rules.normal_force,
+          " N: a curve over the moment ratio needs one normal force");
+  // Without moment a body of revolution has no harmonics, and no direction to turn the load to.
+  const AngularLoad turned = index > 0 ? aligned(sample) : sample;
+  check_harmonics(turned, index, index == 0, rules.tolerance);
+  nodes.ratios.push_back(index > 0 ? ratio : 0.);
+  nodes.shapes.emplace_back(1, sample.radius());
+  for (unsigned int n = 2; n <= rules.n_harmonics; ++n)
+    nodes.shapes.back().push_back(index > 0 ? turned.a(n) / turned.a(0) : 0.);
+}
+
+/// The same with the mirror images (-m, radius, (-1)^n a_n / a_0) of all nodes but m = 0, which is the first.
+Nodes mirrored(const Nodes &nodes)
+{
+  Nodes both;
+  for (std::size_t i = nodes.ratios.size() - 1; i > 0; --i)
   {
-    x.push_back(-ratios[i]);
-    y.push_back(parity * values[i]);
+    both.ratios.push_back(-nodes.ratios[i]);
+    both.shapes.push_back(nodes.shapes[i]);
+    for (std::size_t k = 2; k < both.shapes.back().size(); k += 2) // n = k + 1 is odd
+      both.shapes.back()[k] = -both.shapes.back()[k];
   }
-  x.insert(x.end(), ratios.begin(), ratios.end());
-  y.insert(y.end(), values.begin(), values.end());
-  const std::size_t order = std::min<std::size_t>(5, x.size() - 1);
-  return { std::move(x), std::move(y), order };
+  both.ratios.insert(both.ratios.end(), nodes.ratios.begin(), nodes.ratios.end());
+  both.shapes.insert(both.shapes.end(), nodes.shapes.begin(), nodes.shapes.end());
+  return both;
 }
 } // namespace
 
 ResponseCurve::ResponseCurve(const std::vector<AngularLoad> &samples, double nominal_radius,
                              double lift_off_ratio, double tolerance)
+    : ResponseCurve(std::vector<std::vector<AngularLoad>>{ samples }, nominal_radius, lift_off_ratio,
+                    tolerance)
+{
+}
+
+ResponseCurve::ResponseCurve(const std::vector<std::vector<AngularLoad>> &pieces, double nominal_radius,
+                             double lift_off_ratio, double tolerance, bool chebyshev_nodes)
     : nominal(nominal_radius)
     , onset(lift_off_ratio)
     , force(0.)
-    , last_ratio(0.)
+    , shape_size(0)
 {
   require_positive(nominal_radius, "the nominal radius", "m");
   require(lift_off_ratio > 0., "the lift-off ratio is ", lift_off_ratio, ", but must be positive");
-  require(samples.size() >= 2, "the response curve has ", samples.size(), " samples, but needs at least two");
-  force = samples.front().normal_force();
+  for (const std::vector<AngularLoad> &samples : pieces)
+    require(samples.size() >= 2, "the response curve has ", samples.size(),
+            " samples, but needs at least two in every piece");
+  require(!pieces.empty(), "the response curve has no samples, but needs at least two");
+  force = pieces[0][0].normal_force();
+  Rules rules = { nominal, force, tolerance, 1 };
+  for (const std::vector<AngularLoad> &samples : pieces)
+    for (const AngularLoad &sample : samples)
+      rules.n_harmonics = std::max(rules.n_harmonics, sample.n_harmonics());
+  shape_size = rules.n_harmonics;
 
-  // Without moment a body of revolution has no harmonics, and no direction to turn the load to.
-  require(ratio_of(samples[0], nominal) < tolerance, "the response curve starts at the moment ratio ",
-          ratio_of(samples[0], nominal), ", but must start with a load without moment");
-  check_harmonics(samples[0], 0, true, tolerance);
-  std::vector<double> ratios{ 0. }, radii{ samples[0].radius() };
-  std::vector<AngularLoad> shapes{ samples[0].truncated(0) };
-  unsigned int n_max = 1;
-  for (std::size_t i = 1; i < samples.size(); ++i)
+  std::size_t index = 0; // of the sample, counted over all pieces
+  for (const std::vector<AngularLoad> &samples : pieces)
   {
-    const double ratio = ratio_of(samples[i], nominal);
-    require(ratio > ratios.back(), "sample ", i, " has the moment ratio ", ratio, " after ", ratios.back(),
-            ", but the ratios must increase");
-    require(std::abs(samples[i].normal_force() - force) <= 1e-9 * force, "sample ", i,
-            " has the normal force ", samples[i].normal_force(), " N, but the first has ", force,
-            " N: a curve over the moment ratio needs one normal force");
-    shapes.push_back(aligned(samples[i]));
-    check_harmonics(shapes.back(), i, false, tolerance);
-    ratios.push_back(ratio);
-    radii.push_back(samples[i].radius());
-    n_max = std::max(n_max, samples[i].n_harmonics());
+    Nodes nodes;
+    for (const AngularLoad &sample : samples)
+      add_node(sample, index++, rules, nodes);
+    const double first = nodes.ratios.front(), last = nodes.ratios.back();
+    require(curve.empty() || first == curve.rbegin()->first,
+            "a piece of the response curve begins at the moment ratio ", first,
+            ", but the piece before ends at another one");
+    if (curve.empty() && !chebyshev_nodes)
+      nodes = mirrored(nodes);
+    const std::size_t highest = nodes.ratios.size() - 1;
+    const std::size_t order = chebyshev_nodes ? highest : std::min<std::size_t>(5, highest);
+    curve.emplace(last, Interpolant(std::move(nodes.ratios), std::move(nodes.shapes), order));
   }
-  last_ratio = ratios.back();
-
-  for (unsigned int n = 2; n <= n_max; ++n)
-  {
-    std::vector<double> values;
-    values.reserve(shapes.size());
-    for (const AngularLoad &shape : shapes)
-      values.push_back(shape.a(n) / shape.a(0));
-    harmonics.push_back(mirrored_interpolant(ratios, values, n % 2 == 0 ? 1. : -1.));
-  }
-  ring_radius.push_back(mirrored_interpolant(ratios, radii, 1.));
 }
 
 double ResponseCurve::moment_ratio_limit() const
 {
-  return std::min(2., std::nextafter(last_ratio, 2.));
+  return std::min(2., std::nextafter(curve.rbegin()->first, 2.));
 }
 
 AngularLoad ResponseCurve::load(double normal_force, const Eigen::Vector2d &moment) const
@@ -113,15 +149,20 @@ AngularLoad ResponseCurve::load(double normal_force, const Eigen::Vector2d &mome
           " N, but the response curve was computed for ", force, " N");
   require(moment.allFinite(), "the moment is (", moment.x(), ", ", moment.y(), ") N m, but must be finite");
   const double ratio = moment.norm() / (0.5 * normal_force * nominal);
+  const double last_ratio = curve.rbegin()->first;
   if (ratio >= 2.)
     throw Tipping(sentence("the moment ratio is ", ratio, ", but a ring that cannot pull tips at 2"));
   if (ratio > last_ratio * (1. + 1e-14))
     throw std::out_of_range(sentence("the moment ratio is ", ratio, ", but the response curve ends at ",
                                      last_ratio, ": add contact solutions up to there"));
-  const double a0 = normal_force / (2. * pi), ring = ring_radius[0](ratio);
+  const auto piece = curve.lower_bound(ratio);
+  Shape shape(shape_size);
+  (piece == curve.end() ? curve.rbegin()->second : piece->second)(shape, ratio);
+
+  const double a0 = normal_force / (2. * pi), ring = shape[0];
   std::vector<double> a{ a0, moment.norm() / (pi * ring) };
-  for (const auto &harmonic : harmonics)
-    a.push_back(a0 * harmonic(ratio));
+  for (std::size_t k = 1; k < shape_size; ++k)
+    a.push_back(a0 * shape[k]);
   std::vector<double> b(a.size(), 0.);
   return AngularLoad(std::move(a), std::move(b), ring).rotated(std::atan2(moment.x(), -moment.y()));
 }

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,14 @@ struct SelfConsistentRing::Trial
   AngularLoad load;
   Wrench friction;
   Eigen::Vector2d residual;
+};
+
+struct SelfConsistentRing::Search
+{
+  Trial trial;          ///< the last one
+  BalanceStart balance; ///< its moment, and the Jacobian learnt on the way
+  unsigned int n_evaluations;
+  bool converged;
 };
 
 std::string to_string(ContactState state)
@@ -44,9 +53,14 @@ SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion,
   require(this->model != nullptr, "the ring has no load model");
 }
 
+double SelfConsistentRing::moment_scale() const
+{
+  return motion.normal_force() * model->radius();
+}
+
 double SelfConsistentRing::moment_ratio(const Eigen::Vector2d &moment) const
 {
-  return moment.norm() / (0.5 * motion.normal_force() * model->radius());
+  return moment.norm() / (0.5 * moment_scale());
 }
 
 SelfConsistentRing::Trial SelfConsistentRing::attempt(double omega, const Eigen::Vector2d &moment) const
@@ -74,15 +88,16 @@ Eigen::Vector2d SelfConsistentRing::within_limits(const Eigen::Vector2d &from,
   return from + 0.9 * inside * (moment - from);
 }
 
-Eigen::Matrix2d SelfConsistentRing::first_harmonic_jacobian(double omega) const
+BalanceStart SelfConsistentRing::first_harmonic_start(double omega) const
 {
   // The residual G(M) - M of a first harmonic: G_x depends on M_y through T_y, G_y on M_x through T_x.
   const FrictionKernels kernels(omega * model->radius(), motion.orbit_speed, 1);
   const double coupling = motion.friction_coefficient * friction_arm(closure, motion) /
                           (boost::math::constants::pi<double>() * model->radius());
-  Eigen::Matrix2d jacobian;
-  jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;
-  return jacobian;
+  BalanceStart start;
+  start.moment = FirstHarmonicRing(closure, motion, model->radius()).load(omega).moment();
+  start.jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;
+  return start;
 }
 
 void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
@@ -90,9 +105,9 @@ void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
 {
   const double ratio = moment_ratio(moment), limit = model->moment_ratio_limit();
   if (ratio <= 0.99 * limit)
-    throw std::runtime_error(sentence(
-      "no equilibrium at omega = ", omega, " rad/s: the iteration stopped at m = ", ratio,
-      " with moments that differ by ", residual.norm() / (motion.normal_force() * model->radius()), " N R"));
+    throw std::runtime_error(
+      sentence("no equilibrium at omega = ", omega, " rad/s: the iteration stopped at m = ", ratio,
+               " with moments that differ by ", residual.norm() / moment_scale(), " N R"));
   const std::string demand =
     sentence("at omega = ", omega, " rad/s the closure ", to_string(closure), " demands the moment ratio ",
              moment_ratio(moment + residual), " where the ring carries ", ratio);
@@ -101,42 +116,60 @@ void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
   throw Tipping(demand + ": the glass tips; lower the hand's force, the friction or the speed");
 }
 
-RingEquilibrium SelfConsistentRing::at(double omega) const
+SelfConsistentRing::Search SelfConsistentRing::search(double omega, const BalanceStart &start) const
 {
-  const double scale = motion.normal_force() * model->radius(), tolerance = 4e-15 * scale;
-  Eigen::Vector2d moment = within_limits(
-    Eigen::Vector2d::Zero(), FirstHarmonicRing(closure, motion, model->radius()).load(omega).moment());
-  Trial trial = attempt(omega, moment);
+  const double tolerance = std::max(4e-15, model->accuracy()) * moment_scale();
+  const double allowed = std::max(1e-12, 10. * model->accuracy()) * moment_scale();
+  // Shorter steps say more about rounding than about the slope.
+  const double shortest_informative = 1e3 * tolerance;
+  BalanceStart point = { within_limits(Eigen::Vector2d::Zero(), start.moment), start.jacobian };
+  Trial trial = attempt(omega, point.moment);
   unsigned int n_evaluations = 1;
-  bool converged = trial.residual.norm() <= tolerance || !model->follows_moment();
-  Eigen::Matrix2d jacobian = converged ? Eigen::Matrix2d() : first_harmonic_jacobian(omega);
-  while (!converged && n_evaluations < 60)
+  bool ended = trial.residual.norm() <= tolerance || !model->follows_moment();
+  while (!ended && n_evaluations < 60)
   {
-    const Eigen::Vector2d next = within_limits(moment, moment - jacobian.inverse() * trial.residual);
-    const Eigen::Vector2d step = next - moment;
+    const Eigen::Vector2d next =
+      within_limits(point.moment, point.moment - point.jacobian.inverse() * trial.residual);
+    const Eigen::Vector2d step = next - point.moment;
     Trial attempted = attempt(omega, next);
     ++n_evaluations;
-    converged = attempted.residual.norm() <= tolerance || step.norm() <= tolerance;
-    if (step.squaredNorm() > 0.)
-      jacobian +=
-        (attempted.residual - trial.residual - jacobian * step) * step.transpose() / step.squaredNorm();
-    moment = next;
+    const double residual = attempted.residual.norm();
+    const bool stagnates =
+      residual <= allowed && residual > 0.5 * trial.residual.norm(); // at the model's noise
+    ended = residual <= tolerance || step.norm() <= tolerance || stagnates;
+    if (step.norm() > shortest_informative)
+      point.jacobian +=
+        (attempted.residual - trial.residual - point.jacobian * step) * step.transpose() / step.squaredNorm();
+    point.moment = next;
     trial = std::move(attempted);
   }
-  const double residual = trial.residual.norm() / scale;
   // A step too short to matter also ends the loop at the limit of what the model can carry.
-  if (model->follows_moment() && (!converged || residual > 1e-12))
-    refuse(omega, moment, trial.residual);
+  const bool converged = ended && (trial.residual.norm() <= allowed || !model->follows_moment());
+  return { std::move(trial), point, n_evaluations, converged };
+}
+
+RingEquilibrium SelfConsistentRing::at(double omega, const BalanceStart *start) const
+{
+  Search found = search(omega, start ? *start : first_harmonic_start(omega));
+  if (start && !found.converged)
+    found = search(omega, first_harmonic_start(omega));
+  Trial &trial = found.trial;
+  if (!found.converged)
+    refuse(omega, found.balance.moment, trial.residual);
 
   const double ratio = moment_ratio(trial.load.moment());
   const ContactState contact = ratio >= 2.                       ? ContactState::tipping
                                : ratio > model->lift_off_ratio() ? ContactState::lift_off
                                                                  : ContactState::full_contact;
   const Eigen::Vector2d friction(trial.friction.force_x, trial.friction.force_y);
-  return {
-    std::move(trial.load), trial.friction, ring::hand_force(motion, friction), ratio, residual, contact,
-    n_evaluations
-  };
+  return { std::move(trial.load),
+           trial.friction,
+           ring::hand_force(motion, friction),
+           ratio,
+           trial.residual.norm() / moment_scale(),
+           contact,
+           found.n_evaluations,
+           found.balance };
 }
 
 TerminalSpin SelfConsistentRing::terminal_spin() const

@@ -23,6 +23,13 @@ enum class ContactState
 /// "full contact", "lift-off" or "tipping".
 std::string to_string(ContactState state);
 
+/// Where the search for a balance begins, and what it leaves for a balance nearby.
+struct BalanceStart
+{
+  Eigen::Vector2d moment;   ///< M_N [N m]
+  Eigen::Matrix2d jacobian; ///< of required minus carried moment with respect to M_N
+};
+
 /// All balances at one spin, in the slip frame.
 struct RingEquilibrium
 {
@@ -33,12 +40,14 @@ struct RingEquilibrium
   double moment_residual;     ///< |required - carried moment| / (N R); large only for a fixed load
   ContactState contact;       ///< from the moment ratio
   unsigned int n_evaluations; ///< loads computed on the way
+  BalanceStart balance;       ///< to start from at a spin nearby
 };
 
 /**
  * The ring whose load, friction and hand force satisfy all balances at once: T enters M_N, M_N enters lambda,
  * lambda enters T. Solved for M_N by Broyden's method, started from the closed form of the first harmonic and
- * its Jacobian, so that a first-harmonic load takes one step. docs/theory/closures.md.
+ * its Jacobian, so that a first-harmonic load takes one step, or from what is known of spins nearby.
+ * docs/theory/closures.md.
  */
 class SelfConsistentRing
 {
@@ -47,11 +56,15 @@ public:
   SelfConsistentRing(Closure closure, const Motion &motion, std::shared_ptr<const LoadModel> model);
 
   /**
-   * The equilibrium at the spin @p omega [rad/s].
+   * The equilibrium at the spin @p omega [rad/s], searched from @p start if given; where that fails, and
+   * without it, from first_harmonic_start(). Sought to rounding or to the load model's accuracy.
    * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
    * iteration does not converge, std::out_of_range where the load model has no data.
    */
-  RingEquilibrium at(double omega) const;
+  RingEquilibrium at(double omega, const BalanceStart *start = nullptr) const;
+
+  /// Moment and Jacobian of the first harmonic in balance at @p omega, in closed form.
+  BalanceStart first_harmonic_start(double omega) const;
 
   /// Yaw torque [N m] at the spin @p omega [rad/s]; throws as at().
   double torque(double omega) const { return at(omega).friction.torque; }
@@ -67,11 +80,15 @@ private:
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
 
+  /// Broyden's method.
+  struct Search;
+  Search search(double omega, const BalanceStart &start) const;
+
   /// @p moment, or as much of the way from @p from to it as the load model can carry.
   Eigen::Vector2d within_limits(const Eigen::Vector2d &from, const Eigen::Vector2d &moment) const;
 
-  /// Jacobian of the residual for a first-harmonic load.
-  Eigen::Matrix2d first_harmonic_jacobian(double omega) const;
+  /// The unit of moments, N R [N m].
+  double moment_scale() const;
 
   /// Throws what at() throws when the iteration ended at @p moment with @p residual.
   [[noreturn]] void refuse(double omega, const Eigen::Vector2d &moment,

@@ -47,28 +47,32 @@ TerminalSpin describe(const TorqueFunction &torque, double yaw_inertia, double o
 }
 } // namespace
 
-TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
-                           double initial_spin)
+double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin)
 {
-  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
   require_positive(spin_scale, "the spin scale v / R", "rad/s");
   require_finite(initial_spin, "the initial spin [rad/s]");
   double near = initial_spin, torque_near = torque(near);
   if (torque_near == 0.)
-    return describe(torque, yaw_inertia, near, spin_scale / 8.);
+    return near;
   for (unsigned int step = 1; step <= 32 * 64; ++step)
   {
     const double far = initial_spin + std::copysign(step * spin_scale / 32., torque_near);
     const double torque_far = torque(far);
     if (torque_far * torque_near <= 0.)
-      return describe(torque, yaw_inertia, bracketed_zero(torque, near, far, torque_near, torque_far),
-                      spin_scale / 8.);
+      return bracketed_zero(torque, near, far, torque_near, torque_far);
     near = far;
     torque_near = torque_far;
   }
   throw std::runtime_error(sentence("no terminal spin: from ", initial_spin,
                                     " rad/s the yaw torque keeps its sign up to ", near,
                                     " rad/s, where it is ", torque_near, " N m"));
+}
+
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
+                           double initial_spin)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  return describe(torque, yaw_inertia, terminal_omega(torque, spin_scale, initial_spin), spin_scale / 8.);
 }
 
 TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion)

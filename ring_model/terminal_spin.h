@@ -32,6 +32,9 @@ struct TerminalSpin
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
                            double initial_spin = 0.);
 
+/// The spin alone, without its slope and stability; otherwise as terminal_spin().
+double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin = 0.);
+
 /// terminal_spin() from rest under a load that does not react to the spin (a frozen load).
 TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion);
 

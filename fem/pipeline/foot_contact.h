@@ -3,6 +3,7 @@
 #include "fem/angular_load.h"
 #include "fem/contact_driver.h"
 #include "fem/foot_mesh.h"
+#include "fem/footprint.h"
 #include "fem/pipeline/study.h"
 
 #include <functional>
@@ -19,7 +20,6 @@ struct FootContactResult
 {
   fem::LoadHarmonics load;
   fem::ContactSolution solution;
-  std::vector<fem::PointForce> point_forces; ///< the same load where it lies in the plane
   std::vector<fem::ContactIteration> history;
 };
 
@@ -47,6 +47,14 @@ public:
   /// where that acts back on the pressure. Later loads start from the solution before. Throws ContactFailure.
   virtual FootContactResult solve(const fem::ContactLoad &load, double spin_per_speed,
                                   const Progress &progress) = 0;
+
+  /// Whether the load depends on |M_N| alone and turns with it, so that a curve over the moment ratio says
+  /// all.
+  virtual bool is_isotropic() const { return false; }
+
+  /// The latest solution's load where it lies in the plane, and its pressure for pictures; slip frame.
+  virtual std::vector<fem::PointForce> point_forces(const FootContactResult &result) const = 0;
+  virtual fem::Footprint footprint(const FootContactResult &result) const = 0;
 
   /// Writes <folder>/contact.vtu for the latest solution; false for a body that has no such fields.
   virtual bool write_fields(const std::string &folder, const FootContactResult &result) const = 0;

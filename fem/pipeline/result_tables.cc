@@ -1,6 +1,7 @@
 #include "fem/pipeline/result_tables.h"
 
 #include "fem/pipeline/load_file.h"
+#include "fem/pipeline/number_text.h"
 #include "fem/pipeline/text_file.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -37,6 +38,32 @@ std::string load_table(const ring::AngularLoad &load)
     one.values.push_back(first(theta.values.back()));
   }
   return data_table("Load on the table round the ring at rest", { theta, all, one });
+}
+
+std::string pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
+{
+  return data_table(
+    "Load on the table round the ring at rest, pointwise: at the azimuths of the contact's lines, 0 where "
+    "they carry none",
+    { column("theta", "rad", pointwise, [](const auto &place) { return place.azimuth; }),
+      column("lambda", "N/rad", pointwise, [](const auto &place) { return place.density; }) });
+}
+
+/// One block of rows a cut, blank lines between them: what gnuplot takes for a grid.
+std::string footprint_table(const fem::Footprint &footprint)
+{
+  std::string text =
+    std::string("# Pressure of the foot on the table at rest, where there is some: ") +
+    (footprint.is_grid ? "a grid, one block for each azimuth" : "points, one block for each contact line") +
+    "\n# 1: r (m)\n# 2: theta (rad)\n# 3: pressure (Pa)\n";
+  for (const auto &cut : footprint.cuts)
+  {
+    for (const fem::FootprintPoint &point : cut)
+      text +=
+        to_text(point.radius) + ' ' + to_text(point.azimuth) + ' ' + to_short_text(point.pressure) + '\n';
+    text += '\n';
+  }
+  return text;
 }
 
 std::string torque_table(const TorqueCurve &curve)
@@ -101,8 +128,11 @@ void write_result_tables(const StudyResult &result, const std::filesystem::path 
   write_text_file(folder / "torque.dat", torque_table(result.torque));
   write_text_file(folder / "spin_up.dat", spin_up_table(result.spin_up));
   write_text_file(folder / "truncation.dat", truncation_table(result.yaw.truncations));
-  if (result.contact)
-    write_text_file(folder / "contact_history.dat", history_table(result.contact->result.history));
+  if (!result.contact)
+    return;
+  write_text_file(folder / "load_lines.dat", pointwise_table(result.load.pointwise));
+  write_text_file(folder / "footprint.dat", footprint_table(result.contact->footprint));
+  write_text_file(folder / "contact_history.dat", history_table(result.contact->result.history));
 }
 
 } // namespace stemware::pipeline

@@ -2,6 +2,7 @@
 #include "fem/pipeline/contact_demand.h"
 #include "fem/pipeline/failures.h"
 #include "fem/pipeline/foot_contact.h"
+#include "fem/pipeline/friction_coupling.h"
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/text_file.h"
 
@@ -41,7 +42,7 @@ fem::RevolutionSetup setup_of(const Study &study)
   setup.interface = study.table.roughness;
   setup.disc = study.table.disc;
   setup.disc_material = study.table.disc_material;
-  if (study.contact.friction_coupling == FrictionCoupling::elastic)
+  if (used_friction_coupling(study) == FrictionCoupling::elastic)
     setup.friction_coefficient = study.motion.orbit.friction_coefficient;
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
@@ -77,8 +78,18 @@ public:
     FootContactResult result;
     result.load = foot.press(load, {}, spin_per_speed);
     result.solution = foot.solution();
-    result.point_forces = turned(foot.law().point_forces(result.solution.approach), foot.direction());
     return result;
+  }
+
+  bool is_isotropic() const override { return foot.is_isotropic(); }
+
+  std::vector<fem::PointForce> point_forces(const FootContactResult &result) const override
+  {
+    return turned(foot.law().point_forces(result.solution.approach), foot.direction());
+  }
+  fem::Footprint footprint(const FootContactResult &result) const override
+  {
+    return foot.law().footprint(result.solution.approach).turned(foot.direction());
   }
 
   bool write_fields(const std::string &folder, const FootContactResult & /*result*/) const override

@@ -8,6 +8,9 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace stemware::pipeline
 {
 
@@ -22,6 +25,17 @@ double positive_share(const ring::AngularLoad &load)
   for (unsigned int i = 0; i < n_azimuths; ++i)
     n_loaded += load(boost::math::constants::two_pi<double>() * (i + 0.5) / n_azimuths) > 0 ? 1 : 0;
   return static_cast<double>(n_loaded) / n_azimuths;
+}
+
+/// The same with azimuths in [0, 2 pi), sorted.
+std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
+{
+  constexpr double turn = boost::math::constants::two_pi<double>();
+  for (fem::AzimuthLoad &place : pointwise)
+    place.azimuth -= turn * std::floor(place.azimuth / turn);
+  std::sort(pointwise.begin(), pointwise.end(),
+            [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });
+  return pointwise;
 }
 
 RingLoad load_of_thin_ring(const LoadAtSpin &at_spin)
@@ -50,6 +64,7 @@ RingLoad frozen_contact_load(const fem::LoadHarmonics &contact, double contact_r
   load.mean_radius = contact.mean_radius;
   load.contact_fraction = contact.contact_fraction;
   load.minimum = contact.minimum;
+  load.pointwise = by_azimuth(contact.pointwise);
   return load;
 }
 

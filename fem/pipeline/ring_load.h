@@ -6,8 +6,22 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
 namespace stemware::pipeline
 {
+
+/// How a load in balance with friction at every spin has been found, so far.
+struct CouplingFigures
+{
+  std::size_t n_balances = 0;                ///< spins at which contact and friction are in balance
+  std::size_t n_contact_solutions = 0;       ///< that those took
+  std::optional<double> response_error;      ///< of a curve over the moment ratio, see FootResponseCurve
+  std::optional<double> interpolation_error; ///< of loads interpolated in the spin, see for_many_spins()
+};
 
 /// lambda(theta) as it is handed to the ring, wherever it comes from, with the figures that summary.json
 /// reports about it.
@@ -21,6 +35,10 @@ struct RingLoad
   double mean_radius = 0;                           ///< sum f r / sum f [m]
   double contact_fraction = 0;                      ///< share of azimuths that carry load
   double minimum = 0;                               ///< smallest pointwise load [N/rad]
+  std::vector<fem::AzimuthLoad>
+    pointwise = {}; ///< lambda itself at rest by azimuth; empty unless from a contact
+  std::shared_ptr<CouplingFigures> coupling = {}; ///< nothing where the load is the same at every spin
+  bool is_costly = false;                         ///< whether at_spin solves contacts
 };
 
 /// The load of a contact solution, frozen.

@@ -36,7 +36,9 @@ StudyObserver make_observer(SharedFolder &folder, Stopwatch &stopwatch)
     write_fields(contact, result, folder);
     stopwatch.finish("fields");
   };
-  observer.balance_found = print_balance;
+  observer.balance_found = [progress = std::make_shared<BalanceProgress>()](std::size_t n_states)
+  { progress->add(n_states); };
+  observer.note = print_note;
   observer.stage_done = [&](const std::string &stage) { stopwatch.finish(stage); };
   return observer;
 }

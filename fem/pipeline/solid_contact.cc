@@ -108,8 +108,16 @@ public:
       fem::solve_contact(body, *law, load, contact_radius, control, motion ? &*motion : nullptr);
     motion = result.solution.motion;
     result.load = fem::extract_load(*law, result.solution, n_harmonics());
-    result.point_forces = law->point_forces(result.solution.approach);
     return result;
+  }
+
+  std::vector<fem::PointForce> point_forces(const FootContactResult &result) const override
+  {
+    return law->point_forces(result.solution.approach);
+  }
+  fem::Footprint footprint(const FootContactResult &result) const override
+  {
+    return law->footprint(result.solution.approach);
   }
 
   bool write_fields(const std::string &folder, const FootContactResult &result) const override

@@ -1,8 +1,11 @@
 #include "fem/pipeline/solve_study.h"
 
 #include "fem/pipeline/contact_demand.h"
-#include "fem/pipeline/coupled_load.h"
+#include "fem/pipeline/coupling/coupled_load.h"
+#include "fem/pipeline/friction_coupling.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -19,40 +22,53 @@ void tell(const Report &report, const What &...what)
     report(what...);
 }
 
-/// Contact of the glass that does not spin yet.
-ContactFigures solve_foot_contact(const fem::ContactLoad &demand, FootContact &contact,
-                                  const StudyObserver &observer)
+fem::ResolvedFriction friction_of(const FootContact &contact, const FootContactResult &result,
+                                  const ring::Motion &motion, double omega)
+{
+  return fem::resolved_friction(contact.point_forces(result), motion.friction_coefficient, omega,
+                                motion.orbit_speed);
+}
+
+/// Contact of the glass that does not spin yet; friction that deforms the foot is that of omega = 0.
+ContactFigures solve_foot_contact(const Study &study, FootContact &contact, const StudyObserver &observer)
 {
   ContactFigures figures;
   figures.body = contact.name();
+  figures.friction_coupling = to_string(used_friction_coupling(study));
   figures.n_cells = contact.n_cells();
   figures.n_unknowns = contact.n_unknowns();
   figures.n_contact_nodes = contact.n_contact_nodes();
   figures.mesh_report = contact.mesh_report();
-  figures.result = contact.solve(demand, 0, observer.newton_step);
+  figures.result = contact.solve(demanded_load(study), 0, observer.newton_step);
+  figures.footprint = contact.footprint(figures.result);
+  figures.friction_at_rest = friction_of(contact, figures.result, study.motion.orbit, 0);
   tell(observer.stage_done, "contact");
   tell(observer.contact_found, contact, figures.result);
   return figures;
 }
 
-/// Friction of the pressure where it lies, beside that of the ring.
-void resolve_friction(const Study &study, const RingLoad &load, double omega_terminal, FootContact &foot,
-                      ContactFigures &contact)
+/// Friction of the glass at its terminal spin, of the pressure where it lies.
+fem::ResolvedFriction friction_at_terminal(const Study &study, const RingLoad &load, double omega,
+                                           FootContact &foot, const FootContactResult &at_rest)
 {
   const ring::Motion &motion = study.motion.orbit;
-  const auto friction = [&](const std::vector<fem::PointForce> &forces, double omega)
-  { return fem::resolved_friction(forces, motion.friction_coefficient, omega, motion.orbit_speed); };
-  contact.friction_at_rest = friction(contact.result.point_forces, 0);
-  if (study.load.coupling == LoadCoupling::frozen)
-  {
-    contact.friction_at_terminal = friction(contact.result.point_forces, omega_terminal);
-    return;
-  }
-  const ring::AngularLoad terminal = load.at_spin(omega_terminal);
+  if (!load.coupling)
+    return friction_of(foot, at_rest, motion, omega);
+  const ring::AngularLoad terminal = load.at_spin(omega);
   const FootContactResult result =
     foot.solve({ terminal.normal_force(), terminal.moment().x(), terminal.moment().y() },
-               omega_terminal / motion.orbit_speed, {});
-  contact.friction_at_terminal = friction(result.point_forces, omega_terminal);
+               omega / motion.orbit_speed, {});
+  return friction_of(foot, result, motion, omega);
+}
+
+/// The load for the curves that are shown beside the spin-up: on their way from rest to the terminal spins.
+LoadAtSpin load_beside(const StudyResult &result)
+{
+  const double all = result.yaw.terminal.omega;
+  const double first = result.yaw.truncations.front().omega_terminal;
+  const double margin = 0.02 * std::max(std::abs(all), std::abs(first));
+  return for_many_spins(result.load, std::min({ 0., all - margin, first - margin }),
+                        std::max({ 0., all + margin, first + margin }));
 }
 
 StudyLoad find_contact_load(const Study &study, const StudyObserver &observer)
@@ -60,12 +76,10 @@ StudyLoad find_contact_load(const Study &study, const StudyObserver &observer)
   const std::shared_ptr<FootContact> foot = make_foot_contact(study);
   tell(observer.foot_made, *foot);
   tell(observer.stage_done, "mesh_and_stiffness");
-  const ContactFigures contact = solve_foot_contact(demanded_load(study), *foot, observer);
-  const fem::LoadHarmonics &at_rest = contact.result.load;
-  const RingLoad load = study.load.coupling == LoadCoupling::exact
-                          ? coupled_contact_load(study, foot, at_rest, observer.balance_found)
-                          : frozen_contact_load(at_rest, study.glass.profile.contact_radius);
-  return { load, foot, contact };
+  if (const std::string note = friction_note(study); !note.empty())
+    tell(observer.note, "Friction", note);
+  const ContactFigures contact = solve_foot_contact(study, *foot, observer);
+  return { contact_load(study, foot, contact.result.load, observer.balance_found), foot, contact };
 }
 
 } // namespace
@@ -93,10 +107,12 @@ StudyResult solve_study(const Study &study, const StudyObserver &observer)
                          std::move(found.contact),
                          study_yaw(load, motion),
                          torque_curve(load, motion),
-                         spin_up_curves(load, study.motion),
+                         {},
                          compare_closures(motion, study.glass.profile.contact_radius) };
+  result.spin_up = spin_up_curves(load, study.motion, load_beside(result));
   if (result.contact)
-    resolve_friction(study, result.load, result.yaw.terminal.omega, *found.foot, *result.contact);
+    result.contact->friction_at_terminal = friction_at_terminal(study, result.load, result.yaw.terminal.omega,
+                                                                *found.foot, result.contact->result);
   tell(observer.stage_done, "ring");
   return result;
 }

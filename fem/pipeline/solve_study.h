@@ -16,6 +16,8 @@ struct StudyObserver
   std::function<void(const FootContact &, const FootContactResult &)> contact_found; ///< at rest
   std::function<void(std::size_t n_states)> balance_found; ///< after each spin with contact in balance
   std::function<void(const std::string &stage)> stage_done;
+  /// Something that a reader of the terminal should know, with a word or two that name its subject.
+  std::function<void(const std::string &subject, const std::string &text)> note;
 };
 
 /// The load of a study, with the foot that carries it.

@@ -56,21 +56,22 @@ enum class BodyKind
 
 enum class FrictionCoupling
 {
-  none,   ///< friction tractions do not act back on the pressure
-  elastic ///< they do
+  automatic, ///< elastic for a body of revolution on a hard table, else none; see used_friction_coupling()
+  none,      ///< friction tractions do not act back on the pressure
+  elastic    ///< they do
 };
 
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection
 {
-  BodyKind body = BodyKind::solid;
+  BodyKind body = BodyKind::revolution;
   std::string mesh_file; ///< empty: the mesh is generated from the glass
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
   unsigned int harmonics = 16;      ///< of a body of revolution
   unsigned int azimuth_lines = 256; ///< on which a body of revolution meets a mat or a rough table
-  FrictionCoupling friction_coupling = FrictionCoupling::none;
+  FrictionCoupling friction_coupling = FrictionCoupling::automatic;
 };
 
 enum class LoadSource
@@ -92,6 +93,7 @@ struct LoadSection
 {
   LoadSource source = LoadSource::contact;
   LoadCoupling coupling = LoadCoupling::frozen;
+  double response_tolerance = 1e-6;     ///< of coupling = response, over a_0
   double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: the closure's
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file

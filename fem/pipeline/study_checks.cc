@@ -1,4 +1,5 @@
 #include "fem/pipeline/failures.h"
+#include "fem/pipeline/friction_coupling.h"
 #include "fem/pipeline/number_text.h"
 #include "fem/pipeline/study.h"
 
@@ -14,13 +15,6 @@ void require(bool condition, const std::string &sentence)
 {
   if (!condition)
     throw BadInput(sentence);
-}
-
-/// What the entries announce, but this version does not have.
-void require_available(const Study &study)
-{
-  require(study.load.coupling != LoadCoupling::response,
-          "Load/Coupling = response is not available in this version; use Load/Coupling = frozen or exact.");
 }
 
 /// What only one of the two bodies can do.
@@ -40,20 +34,42 @@ void require_able_body(const Study &study)
             "revolution.");
   require(study.table.kind != TableKind::elastic,
           "Table/Kind = elastic needs a body of revolution; set Contact/Body = revolution.");
-  require(contact.friction_coupling == FrictionCoupling::none,
+  require(contact.friction_coupling != FrictionCoupling::elastic,
           "Contact/Friction coupling = elastic needs a body of revolution; set Contact/Body = revolution.");
+}
+
+std::string name_of(LoadCoupling coupling)
+{
+  return coupling == LoadCoupling::frozen ? "frozen" : coupling == LoadCoupling::exact ? "exact" : "response";
 }
 
 /// A load in balance with the closure has no moment given beforehand.
 void require_one_moment(const LoadSection &load)
 {
+  const std::string coupling = "Load/Coupling = " + name_of(load.coupling);
+  require(load.coupling == LoadCoupling::frozen || !load.is_static(),
+          "Load/Moment ratio = " + to_text(load.moment_ratio) + " contradicts " + coupling +
+            ", where the closure sets the moment; leave Moment ratio at -1, or set Coupling = frozen.");
+  require(load.coupling == LoadCoupling::frozen || load.source != LoadSource::file,
+          coupling +
+            " contradicts Load/Source = file, whose load cannot follow the spin; set Coupling = frozen.");
+}
+
+/// A curve over the moment ratio holds where the load depends on nothing else.
+void require_one_parameter(const Study &study)
+{
+  if (study.load.coupling != LoadCoupling::response)
+    return;
+  require(study.contact.body == BodyKind::revolution,
+          "Load/Coupling = response needs a foot that answers a moment in all directions alike, which a mesh "
+          "of cells does not; set Contact/Body = revolution, or Coupling = exact.");
   require(
-    load.coupling == LoadCoupling::frozen || !load.is_static(),
-    "Load/Moment ratio = " + to_text(load.moment_ratio) +
-      " contradicts Load/Coupling = exact, where the closure sets the moment; leave Moment ratio at -1, or "
-      "set Coupling = frozen.");
-  require(load.coupling == LoadCoupling::frozen || load.source == LoadSource::contact,
-          "Load/Coupling = exact needs Load/Source = contact; change one of the two.");
+    used_friction_coupling(study) == FrictionCoupling::none,
+    "Load/Coupling = response needs a load that depends on the moment ratio alone, but Contact/Friction "
+    "coupling = " +
+      to_string(study.contact.friction_coupling) +
+      (study.contact.friction_coupling == FrictionCoupling::automatic ? " (elastic on this table)" : "") +
+      " makes it depend on the spin too; set Coupling = exact, or Friction coupling = none.");
 }
 
 void require_steps(const MotionSection &motion)
@@ -97,9 +113,9 @@ void require_readable(const std::string &entry, const std::string &file)
 
 void check_study(const Study &study)
 {
-  require_available(study);
   require_able_body(study);
   require_one_moment(study.load);
+  require_one_parameter(study);
   require_steps(study.motion);
   require_load_file(study.load);
   if (study.load.source == LoadSource::file)

@@ -208,10 +208,9 @@ void add_contact(EntryList &list, ContactSection &contact)
   using fem::LinearSolver;
   list.enter("Contact");
   list.add("Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
-           "solid: the foot in three-dimensional finite elements; revolution: displacement harmonics on a "
-           "meridional "
-           "mesh, for feet that are bodies of revolution: faster, and the way to friction coupling and "
-           "elastic tables");
+           "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of revolution: "
+           "fast, and the way to friction coupling and elastic tables; solid: the foot in three-dimensional "
+           "finite elements, for any mesh");
   list.add("Mesh file", contact.mesh_file,
            "Mesh of the foot (.msh, hexahedra, physical ids 1 = stem cut, 2 = contact zone), which then also "
            "gives its shape; "
@@ -237,9 +236,13 @@ void add_contact(EntryList &list, ContactSection &contact)
     "without effect on a solid body");
   list.add(
     "Friction coupling", contact.friction_coupling,
-    { { "none", FrictionCoupling::none }, { "elastic", FrictionCoupling::elastic } },
+    { { "automatic", FrictionCoupling::automatic },
+      { "none", FrictionCoupling::none },
+      { "elastic", FrictionCoupling::elastic } },
     "none: friction does not act back on the pressure; elastic: its tractions deform the foot (body of "
-    "revolution only)");
+    "revolution only); automatic: elastic for a body of revolution on a rigid or elastic table, where "
+    "friction "
+    "decides the second harmonic, else none");
 }
 
 void add_load(EntryList &list, LoadSection &load)
@@ -257,7 +260,10 @@ void add_load(EntryList &list, LoadSection &load)
              { "response", LoadCoupling::response },
              { "exact", LoadCoupling::exact } },
            "frozen: the load of the glass that does not spin yet, at every spin; exact: a contact in balance "
-           "with the friction at every spin. response is not available in this version");
+           "with the friction at every spin; response: the same from a curve of contact solutions over the "
+           "moment ratio (body of revolution, no friction coupling)");
+  list.add("Response tolerance", load.response_tolerance, positive, "",
+           "How far such a curve may miss a contact solution, over a_0; used with Coupling = response");
   list.add("Moment ratio", load.moment_ratio, not_tipping, "",
            "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's moment. "
            "The foot tips at 2");

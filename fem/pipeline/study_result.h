@@ -16,11 +16,13 @@ namespace stemware::pipeline
 struct ContactFigures
 {
   std::string body;                    ///< FootContact::name()
+  std::string friction_coupling;       ///< used_friction_coupling(), by name
   std::optional<unsigned int> n_cells; ///< of a three-dimensional mesh
   unsigned int n_unknowns = 0;
   unsigned int n_contact_nodes = 0;
   std::optional<fem::MeshReport> mesh_report; ///< of a mesh file
   FootContactResult result;
+  fem::Footprint footprint;                   ///< at rest
   fem::ResolvedFriction friction_at_rest;     ///< of the pressure where it lies, beside the ring's
   fem::ResolvedFriction friction_at_terminal; ///< the same at the ring's terminal spin
 };

@@ -48,6 +48,7 @@ Json contact_summary(const std::optional<ContactFigures> &contact)
     return nullptr;
   const fem::ContactSolution &solution = contact->result.solution;
   return { { "body", contact->body },
+           { "friction_coupling", contact->friction_coupling },
            { "outcome", fem::to_string(solution.outcome) },
            { "mesh", mesh_summary(*contact) },
            { "unknowns", contact->n_unknowns },
@@ -71,6 +72,16 @@ Json ring_summary(const Study &study, const StudyResult &result)
            { "time_constant", number_or_null(yaw.time_constant) },
            { "no_lift_off", result.load.moment_ratio <= 1 },
            { "moment_ratio_at_terminal", result.load.at_spin(yaw.terminal.omega).moment_ratio() } };
+}
+
+Json coupling_summary(const std::shared_ptr<CouplingFigures> &coupling)
+{
+  if (!coupling)
+    return nullptr;
+  return { { "balanced_spins", coupling->n_balances },
+           { "contact_solutions", coupling->n_contact_solutions },
+           { "response_error", number_or_null(coupling->response_error) },
+           { "interpolation_error", number_or_null(coupling->interpolation_error) } };
 }
 
 Json friction_summary(const fem::ResolvedFriction &resolved, const ring::Wrench &ring)
@@ -124,6 +135,7 @@ Findings run_findings(const Study &study, const StudyResult &result)
   findings.summary = { { "load", load_summary(result.load) },
                        { "contact", contact_summary(result.contact) },
                        { "ring", ring_summary(study, result) },
+                       { "coupling", coupling_summary(result.load.coupling) },
                        { "resolved", resolved_summary(result) },
                        { "truncation", truncation_summary(result.yaw.truncations) },
                        { "closures", closure_summary(result.closures) } };

@@ -79,10 +79,18 @@ void print_mesh(const FootContact &contact)
               << std::endl;
 }
 
-void print_balance(std::size_t n_states)
+void print_note(const std::string &subject, const std::string &text)
 {
-  if (n_states % 500 == 0)
-    console() << "  contact and friction in balance at " << n_states << " spins" << std::endl;
+  console() << formatted("%-9s ", subject.c_str()) << text << std::endl;
+}
+
+void BalanceProgress::add(std::size_t n_states)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_line < std::chrono::seconds(3))
+    return;
+  last_line = now;
+  console() << "  contact and friction in balance at " << n_states << " spins" << std::endl;
 }
 
 void print_answer(const Study &study, const StudyResult &result)

@@ -2,6 +2,10 @@
 
 #include "fem/pipeline/study_result.h"
 
+#include <chrono>
+#include <cstddef>
+#include <string>
+
 namespace stemware::pipeline
 {
 
@@ -21,8 +25,18 @@ void print_load_source(const Study &study);
 /// Size of the finite-element system, and what is special about a mesh file.
 void print_mesh(const FootContact &contact);
 
-/// A line for every 500 spins at which contact and friction have been brought into balance.
-void print_balance(std::size_t n_states);
+/// One line: what it is about, in the left column, and what there is to say.
+void print_note(const std::string &subject, const std::string &text);
+
+/// A line every few seconds on how many spins contact and friction have been brought into balance at.
+class BalanceProgress
+{
+public:
+  void add(std::size_t n_states);
+
+private:
+  std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
+};
 
 /// The answer in sentences, and the table of truncations.
 void print_answer(const Study &study, const StudyResult &result);

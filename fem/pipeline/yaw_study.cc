@@ -46,11 +46,10 @@ YawStudy study_yaw(const LoadAtSpin &load, const ring::Motion &motion)
   const ring::CoulombRing friction(motion.friction_coefficient);
   const ring::AngularLoad at_rest = load(0);
   const double scale = spin_scale(at_rest, motion);
-  const auto terminal_spin = [&](unsigned int n_harmonics)
-  { return ring::terminal_spin(torque_of(load, motion, n_harmonics), motion.yaw_inertia, scale); };
+  const unsigned int n_all = at_rest.n_harmonics();
 
   YawStudy study;
-  study.terminal = terminal_spin(at_rest.n_harmonics());
+  study.terminal = ring::terminal_spin(torque_of(load, motion, n_all), motion.yaw_inertia, scale);
   const double omega = study.terminal.omega;
   study.at_rest = friction.wrench(at_rest, 0, motion.orbit_speed);
   study.at_terminal = friction.wrench(load(omega), omega, motion.orbit_speed);
@@ -60,12 +59,12 @@ YawStudy study_yaw(const LoadAtSpin &load, const ring::Motion &motion)
   // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
   // related.
   const bool spins = std::abs(omega) > 1e-12 * scale;
-  for (const unsigned int n : truncation_orders(at_rest.n_harmonics()))
+  for (const unsigned int n : truncation_orders(n_all))
   {
     TruncationRow row;
     row.harmonics = n;
     row.tau_at_rest = friction.wrench(at_rest.truncated(n), 0, motion.orbit_speed).torque;
-    row.omega_terminal = terminal_spin(n).omega;
+    row.omega_terminal = n == n_all ? omega : ring::terminal_omega(torque_of(load, motion, n), scale);
     if (spins)
       row.relative_change = (row.omega_terminal - omega) / omega + 0.; // no -0
     row.bound = friction.truncation_bound(load(omega), n, omega, motion.orbit_speed);
@@ -102,7 +101,7 @@ TorqueCurve torque_curve(const LoadAtSpin &load, const ring::Motion &motion)
   return curve;
 }
 
-SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion)
+SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion, const LoadAtSpin &beside)
 {
   constexpr unsigned int n_intervals = 200;
   const ring::Motion &orbit = motion.orbit;
@@ -111,9 +110,10 @@ SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion)
   for (unsigned int i = 0; i <= n_intervals; ++i)
     curves.time.push_back(motion.end_time * i / n_intervals);
 
-  const auto adaptive = [&](unsigned int n_harmonics)
+  const LoadAtSpin &load_beside = beside ? beside : load;
+  const auto adaptive = [&](const LoadAtSpin &at_spin, unsigned int n_harmonics)
   {
-    const ring::TorqueFunction torque = torque_of(load, orbit, n_harmonics);
+    const ring::TorqueFunction torque = torque_of(at_spin, orbit, n_harmonics);
     std::vector<double> spins;
     for (const auto &sample :
          ring::spin_up([&](double, double omega) { return torque(omega); }, orbit.yaw_inertia, 0, curves.time,
@@ -121,15 +121,15 @@ SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion)
       spins.push_back(sample.omega);
     return spins;
   };
-  curves.adaptive = adaptive(at_rest.n_harmonics());
-  curves.first_harmonic = adaptive(1);
+  curves.adaptive = adaptive(load, at_rest.n_harmonics());
+  curves.first_harmonic = adaptive(load_beside, 1);
 
   const auto n_substeps =
     static_cast<unsigned int>(std::ceil(motion.end_time / n_intervals / motion.euler_step - 1e-9));
   const unsigned int stride = std::max(n_substeps, 1u);
   const unsigned int n_steps = stride * n_intervals;
-  const auto samples = ring::spin_up_euler(torque_of(load, orbit, at_rest.n_harmonics()), orbit.yaw_inertia,
-                                           0, motion.end_time / n_steps, n_steps);
+  const auto samples = ring::spin_up_euler(torque_of(load_beside, orbit, at_rest.n_harmonics()),
+                                           orbit.yaw_inertia, 0, motion.end_time / n_steps, n_steps);
   for (unsigned int i = 0; i <= n_intervals; ++i)
     curves.euler.push_back(samples[i * stride].omega);
   return curves;

@@ -62,6 +62,9 @@ struct SpinUpCurves
   std::vector<double> first_harmonic; ///< first harmonic alone, error control [rad/s]
 };
 
-SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion);
+/// @p beside is the load for the curves that are shown beside the first, thousands of values of which need
+/// not be exact; empty: @p load.
+SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion,
+                            const LoadAtSpin &beside = {});
 
 } // namespace stemware::pipeline

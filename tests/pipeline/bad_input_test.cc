@@ -91,6 +91,7 @@ struct BadSetting
 {
   std::string setting;
   std::string expected;
+  std::string body = "revolution";
 };
 
 std::ostream &operator<<(std::ostream &stream, const BadSetting &setting)
@@ -105,7 +106,8 @@ class BadOverride : public testing::TestWithParam<BadSetting>
 TEST_P(BadOverride, IsRefusedInOneSentence)
 {
   const ScratchFolder scratch;
-  const std::string file = scratch.write("study.prm", "# defaults\n");
+  const std::string file =
+    scratch.write("study.prm", "subsection Contact\n  set Body = " + GetParam().body + "\nend\n");
   expect_refused(scratch, { "run", file, "--set", GetParam().setting }, 1, GetParam().expected);
 }
 
@@ -128,19 +130,21 @@ INSTANTIATE_TEST_SUITE_P(
                   BadSetting{ "Motion/Force offset=0.3", "asks for a moment ratio of" },
                   BadSetting{ "Contact/Azimuthal cells=10", "multiple of 4" },
                   BadSetting{ "Contact/Radial cells=3", "even" },
-                  BadSetting{ "Contact/Degree=3", "give 1 or 2" },
+                  BadSetting{ "Contact/Degree=3", "give 1 or 2", "solid" },
                   BadSetting{ "Contact/Degree=5", "from 1 to 4" },
-                  BadSetting{ "Contact/Mesh file=nothing.msh", "nothing.msh does not exist" },
-                  BadSetting{ "Contact/Mesh file=study.prm", "is not a Gmsh .msh mesh" },
-                  BadSetting{ "Contact/Mesh file=.", "is not a file" },
+                  BadSetting{ "Contact/Mesh file=nothing.msh", "nothing.msh does not exist", "solid" },
+                  BadSetting{ "Contact/Mesh file=study.prm", "is not a Gmsh .msh mesh", "solid" },
+                  BadSetting{ "Contact/Mesh file=.", "is not a file", "solid" },
                   BadSetting{ "Load/File=nothing.dat", "Load/Source = file" },
                   BadSetting{ "Load/Source=file", "needs Load/File" },
-                  BadSetting{ "Table/Kind=elastic", "set Contact/Body = revolution" },
-                  BadSetting{ "Contact/Friction coupling=elastic", "set Contact/Body = revolution" },
+                  BadSetting{ "Table/Kind=elastic", "set Contact/Body = revolution", "solid" },
+                  BadSetting{ "Contact/Friction coupling=elastic", "set Contact/Body = revolution", "solid" },
                   BadSetting{ "Table/Decay length=0", "greater than 0" },
                   BadSetting{ "Contact/Azimuth lines=3", "from 16 to 100000" },
-                  BadSetting{ "Load/Coupling=response", "use Load/Coupling = frozen or exact" }),
-  [](const auto &info) { return as_name(info.param.setting); });
+                  BadSetting{ "Contact/Mesh file=study.prm", "is read by a solid body only" },
+                  BadSetting{ "Load/Coupling=response", "set Contact/Body = revolution", "solid" },
+                  BadSetting{ "Load/Response tolerance=0", "greater than 0" }),
+  [](const auto &info) { return as_name(info.param.setting + " " + info.param.body); });
 
 TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
 {
@@ -151,10 +155,20 @@ TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
     expect_refused(scratch, { "run", study, "--set", one, "--set", other }, 1, expected);
   };
   expect_contradiction("Load/Coupling=exact", "Load/Moment ratio=0.5", "contradicts Load/Coupling = exact");
-  expect_contradiction("Load/Coupling=exact", "Load/Source=first harmonic", "needs Load/Source = contact");
-  expect_contradiction("Contact/Body=revolution", "Contact/Mesh file=study.prm",
-                       "is read by a solid body only");
+  expect_contradiction("Load/Coupling=exact", "Load/Source=file", "contradicts Load/Source = file");
+  expect_contradiction("Load/Coupling=response", "Load/Moment ratio=0.5",
+                       "contradicts Load/Coupling = response");
   expect_contradiction("Contact/Body=revolution", "Contact/Azimuth lines=20", "lines");
+}
+
+TEST(BadInput, AResponseCurveKnowsTheMomentRatioOnly)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "# defaults\n");
+  for (const char *setting :
+       { "Contact/Friction coupling=elastic", "Table/Kind=elastic", "Table/Kind=rigid" })
+    expect_refused(scratch, { "run", study, "--set", "Load/Coupling=response", "--set", setting }, 1,
+                   "makes it depend on the spin too; set Coupling = exact");
 }
 
 TEST(BadInput, MissingStudyFileIsRefused)
@@ -186,7 +200,7 @@ TEST(BadInput, MeshWithoutContactZoneIsRefused)
                 "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
                 "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
                 "$EndElements\n");
-  const std::string file = scratch.write("study.prm", "# defaults\n");
+  const std::string file = scratch.write("study.prm", coarse_study());
   expect_refused(scratch, { "run", file, "--set", "Contact/Mesh file=cube.msh" }, 1, "has no contact zone");
 }
 

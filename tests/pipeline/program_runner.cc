@@ -179,7 +179,8 @@ std::vector<std::string> names_in(const fs::path &folder)
 
 std::string coarse_study(const std::string &further)
 {
-  return "subsection Contact\n  set Degree = 1\n  set Azimuthal cells = 16\n  set Radial cells = 2\n"
+  return "subsection Contact\n  set Body = solid\n  set Degree = 1\n  set Azimuthal cells = 16\n  set Radial "
+         "cells = 2\n"
          "  set Foot layers = 1\nend\n" +
          further;
 }

@@ -59,7 +59,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Table/Disc thickness", "0.05" },
     { "Table/Disc Young modulus", "1e10" },
     { "Table/Disc Poisson ratio", "0.3" },
-    { "Contact/Body", "solid" },
+    { "Contact/Body", "revolution" },
     { "Contact/Mesh file", "" },
     { "Contact/Degree", "2" },
     { "Contact/Azimuthal cells", "48" },
@@ -68,9 +68,10 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Linear solver", "automatic" },
     { "Contact/Harmonics", "16" },
     { "Contact/Azimuth lines", "256" },
-    { "Contact/Friction coupling", "none" },
+    { "Contact/Friction coupling", "automatic" },
     { "Load/Source", "contact" },
     { "Load/Coupling", "frozen" },
+    { "Load/Response tolerance", "1e-6" },
     { "Load/Moment ratio", "-1" },
     { "Load/Moment direction", "-1.5707963" },
     { "Load/File", "" },
@@ -146,7 +147,8 @@ TEST(StudyFile, PathsStartAtTheStudyFile)
   for (const char *folder : { "meshes", "studies", "results" })
     std::filesystem::create_directory(scratch / folder);
   const std::string mesh = scratch.write("meshes/foot.msh", "a mesh");
-  const std::string text = "subsection Contact\n  set Mesh file = ../meshes/foot.msh\nend\n";
+  const std::string text =
+    "subsection Contact\n  set Body = solid\n  set Mesh file = ../meshes/foot.msh\nend\n";
   const std::string file = scratch.write("studies/a.prm", text);
   const Study study = read_study(file);
   EXPECT_EQ(study.contact.mesh_file, mesh);

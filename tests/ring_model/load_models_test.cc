@@ -207,6 +207,45 @@ TEST(ResponseCurve, InterpolatesTheRingRadiusToo)
   EXPECT_LE((load.moment() - moment).norm(), 1e-16);
 }
 
+TEST(ResponseCurve, InPiecesMeetsAKink)
+{
+  // At m = 1.2 the rim lifts off. A node there does not help as long as one formula serves both sides.
+  const double force = 2.943;
+  std::vector<double> below, above;
+  for (unsigned int i = 0; i <= 12; ++i)
+  {
+    below.push_back(0.1 * i);
+    above.push_back(1.2 + 0.025 * i);
+  }
+  std::vector<double> all = below;
+  all.insert(all.end(), above.begin() + 1, above.end());
+  const ResponseCurve whole(torus_samples(all, force), 0.03, 1.2);
+  const ResponseCurve pieces({ torus_samples(below, force), torus_samples(above, force) }, 0.03, 1.2);
+  EXPECT_GE(pieces.moment_ratio_limit(), 1.5 * (1. - 1e-14));
+  const UnilateralFoundation foundation(0.03, 1.5, 12);
+  double worst_whole = 0., worst_pieces = 0.;
+  for (double m = 1.05; m < 1.3; m += 0.01)
+  {
+    const Eigen::Vector2d moment(0.5 * m * force * 0.03, 0.);
+    const AngularLoad exact = foundation.load(force, moment);
+    for (unsigned int n = 0; n <= 12; ++n)
+      for (const auto &[curve, worst] : { std::pair{ &whole, &worst_whole }, { &pieces, &worst_pieces } })
+        *worst = std::max(*worst, std::hypot(curve->load(force, moment).a(n) - exact.a(n),
+                                             curve->load(force, moment).b(n) - exact.b(n)) /
+                                    exact.a(0));
+  }
+  EXPECT_LE(worst_pieces, 4e-4);
+  EXPECT_GE(worst_whole, 5 * worst_pieces);
+  // The pieces meet, and each keeps its nodes.
+  for (const double m : { 0.6, 1.2, 1.3, 1.5 })
+  {
+    const Eigen::Vector2d moment(0., 0.5 * m * force * 0.03 * (1. - 1e-16));
+    for (unsigned int n = 0; n <= 12; ++n)
+      EXPECT_NEAR(pieces.load(force, moment).a(n), foundation.load(force, moment).a(n), 1e-13)
+        << m << " " << n;
+  }
+}
+
 TEST(ResponseCurve, RefusesToExtrapolateAndLoadsThatDependOnMore)
 {
   const double force = 2.;
@@ -232,6 +271,10 @@ TEST(ResponseCurve, RefusesToExtrapolateAndLoadsThatDependOnMore)
   refused({ samples[0] }, "at least two");
   refused({ samples[1], samples[2] }, "start with a load without moment");
   refused({ samples[0], samples[2], samples[1] }, "must increase");
+  EXPECT_THROW(ResponseCurve({ { samples[0], samples[1] }, { samples[2], samples[2] } }, 0.03, 1.2),
+               std::invalid_argument);
+  EXPECT_THROW(ResponseCurve({ { samples[0], samples[1] }, torus_samples({ 0.6, 0.8 }, force) }, 0.03, 1.2),
+               std::invalid_argument);
   refused({ samples[0], torus_samples({ 0.5 }, 1.5)[0] }, "one normal force");
   // A second harmonic that stands across the first: a foot out of round, or friction coupling.
   const double a0 = force / (2. * pi);

@@ -62,6 +62,51 @@ TEST(SelfConsistentRing, FirstHarmonicNeedsNoIteration)
   }
 }
 
+TEST(SelfConsistentRing, StartsFromABalanceNearby)
+{
+  const SelfConsistentRing ring(Closure::full, Motion(), std::make_shared<UnilateralFoundation>(0.03, 1.5));
+  const RingEquilibrium nearby = ring.at(-3.6499), from_nothing = ring.at(-3.65);
+  const RingEquilibrium from_nearby = ring.at(-3.65, &nearby.balance);
+  EXPECT_NEAR(from_nearby.friction.torque, from_nothing.friction.torque, 1e-16);
+  EXPECT_LT(from_nearby.n_evaluations, from_nothing.n_evaluations);
+  // From its own result only the proof is left.
+  EXPECT_EQ(ring.at(-3.65, &from_nothing.balance).n_evaluations, 1u);
+}
+
+TEST(SelfConsistentRing, ABadStartDoesNotMatter)
+{
+  const SelfConsistentRing ring(Closure::full, Motion(), std::make_shared<UnilateralFoundation>(0.03, 1.5));
+  const RingEquilibrium expected = ring.at(-3.65);
+  BalanceStart useless = expected.balance;
+  useless.moment *= -1.2;
+  useless.jacobian << 1e-3, 0., 0., -1e-3;
+  EXPECT_NEAR(ring.at(-3.65, &useless).friction.torque, expected.friction.torque, 1e-16);
+}
+
+TEST(SelfConsistentRing, AsksNoMoreThanTheModelsAccuracy)
+{
+  /// Loads that are wrong by 1e-9, differently each time.
+  class Noisy : public UnilateralFoundation
+  {
+  public:
+    using UnilateralFoundation::UnilateralFoundation;
+    AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override
+    {
+      sign = -sign;
+      return UnilateralFoundation::load(normal_force, (1. + sign * 1e-9) * moment);
+    }
+    double accuracy() const override { return 1e-9; }
+
+  private:
+    mutable double sign = 1.;
+  };
+  const SelfConsistentRing noisy(Closure::full, Motion(), std::make_shared<Noisy>(0.03, 1.5));
+  const SelfConsistentRing exact(Closure::full, Motion(), std::make_shared<UnilateralFoundation>(0.03, 1.5));
+  const RingEquilibrium state = noisy.at(-3.65);
+  EXPECT_LE(state.n_evaluations, 8u);
+  EXPECT_NEAR(state.friction.torque, exact.at(-3.65).friction.torque, 1e-8 * 2.943 * 0.03);
+}
+
 TEST(SelfConsistentRing, BalancesEverythingForAnyModelInBothSenses)
 {
   std::vector<AngularLoad> samples;

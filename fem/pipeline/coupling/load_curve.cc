@@ -1,0 +1,143 @@
+#include "fem/pipeline/coupling/load_curve.h"
+
+#include "fem/pipeline/number_text.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/interpolators/vector_barycentric_rational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Radius and coefficients one after the other.
+std::vector<double> as_row(const ring::AngularLoad &load, unsigned int n_harmonics)
+{
+  std::vector<double> row = { load.radius() };
+  for (unsigned int n = 0; n <= n_harmonics; ++n)
+    row.insert(row.end(), { load.a(n), load.b(n) });
+  return row;
+}
+
+ring::AngularLoad from_row(const std::vector<double> &row)
+{
+  std::vector<double> a, b;
+  for (std::size_t i = 1; i < row.size(); i += 2)
+  {
+    a.push_back(row[i]);
+    b.push_back(row[i + 1]);
+  }
+  return { std::move(a), std::move(b), row[0] };
+}
+
+/// The polynomial through all samples.
+LoadFunction polynomial(const LoadSamples &samples)
+{
+  unsigned int n_harmonics = 0;
+  for (const auto &[place, load] : samples)
+    n_harmonics = std::max(n_harmonics, load.n_harmonics());
+  std::vector<double> x;
+  std::vector<std::vector<double>> rows;
+  for (const auto &[place, load] : samples)
+  {
+    x.push_back(place);
+    rows.push_back(as_row(load, n_harmonics));
+  }
+  const std::size_t width = rows.front().size();
+  const std::size_t order = x.size() - 1;
+  const boost::math::vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>> curve(
+    std::move(x), std::move(rows), order);
+  return [curve, width](double place)
+  {
+    std::vector<double> row(width);
+    curve(row, place);
+    return from_row(row);
+  };
+}
+
+/// Chebyshev nodes of [lower, upper], ends included; every second one makes the coarser set.
+std::vector<double> chebyshev_nodes(double lower, double upper)
+{
+  constexpr unsigned int n_intervals = 16;
+  std::vector<double> nodes = { lower };
+  for (unsigned int i = 1; i < n_intervals; ++i)
+    nodes.push_back((lower + upper) / 2 -
+                    (upper - lower) / 2 * std::cos(boost::math::constants::pi<double>() * i / n_intervals));
+  nodes.push_back(upper);
+  return nodes;
+}
+
+} // namespace
+
+double load_difference(const ring::AngularLoad &one, const ring::AngularLoad &other)
+{
+  double difference = std::abs(one.radius() / other.radius() - 1);
+  for (unsigned int n = 0; n <= std::max(one.n_harmonics(), other.n_harmonics()); ++n)
+    difference = std::max({ difference, std::abs(one.a(n) - other.a(n)) / other.a(0),
+                            std::abs(one.b(n) - other.b(n)) / other.a(0) });
+  return difference;
+}
+
+LoadFunction LoadCurve::interpolate() const
+{
+  std::map<double, LoadFunction> curves; // by the end of the piece
+  for (const LoadSamples &piece : pieces)
+    curves.emplace(piece.rbegin()->first, polynomial(piece));
+  return [curves](double x)
+  {
+    const auto piece = curves.lower_bound(x);
+    return piece == curves.end() ? curves.rbegin()->second(x) : piece->second(x);
+  };
+}
+
+LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,
+                            std::size_t most_samples)
+{
+  LoadCurve curve;
+  LoadSamples known;
+  const auto sample = [&](double x)
+  {
+    const auto found = known.find(x);
+    return found != known.end() ? found->second : known.emplace(x, exact(x)).first->second;
+  };
+  std::vector<std::pair<double, double>> open = { { lower, upper } }; // the last is the leftmost
+  while (!open.empty())
+  {
+    const auto [begin, end] = open.back();
+    open.pop_back();
+    const std::vector<double> nodes = chebyshev_nodes(begin, end);
+    LoadSamples every_second, all;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      all.emplace(nodes[i], sample(nodes[i]));
+      if (i % 2 == 0)
+        every_second.emplace(nodes[i], all.at(nodes[i]));
+    }
+    const LoadFunction coarse = polynomial(every_second);
+    double difference = 0;
+    for (std::size_t i = 1; i < nodes.size(); i += 2)
+      difference = std::max(difference, load_difference(coarse(nodes[i]), all.at(nodes[i])));
+    if (difference <= tolerance)
+    {
+      curve.error = std::max(curve.error, difference);
+      curve.pieces.push_back(std::move(all));
+      continue;
+    }
+    if (known.size() >= most_samples)
+      throw ToleranceMissed("an interpolated curve through " + std::to_string(known.size()) +
+                            " loads still misses the load by " + to_short_text(difference) +
+                            " of a_0, where " + to_short_text(tolerance) + " is asked for");
+    open.emplace_back((begin + end) / 2, end);
+    open.emplace_back(begin, (begin + end) / 2);
+  }
+  curve.n_samples = known.size();
+  return curve;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ring_model/angular_load.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A load that depends on one number, such as the spin or the moment ratio.
+using LoadFunction = std::function<ring::AngularLoad(double x)>;
+
+/// Loads at some x.
+using LoadSamples = std::map<double, ring::AngularLoad>;
+
+/// Samples from which a load can be interpolated, piece by piece: at the ends of one piece the next one
+/// begins.
+struct LoadCurve
+{
+  std::vector<LoadSamples> pieces;
+  double error = 0; ///< bound on the interpolation's error that checks have confirmed, see load_difference()
+  std::size_t n_samples = 0; ///< loads that were computed
+
+  /// The load between the samples, one polynomial for each piece; from the first sample to the last.
+  LoadFunction interpolate() const;
+};
+
+/// Thrown when a curve does not reach its tolerance; what() says what it reached, without a full stop.
+class ToleranceMissed : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Largest difference of a coefficient over a_0, or of the ring radius over the radius.
+double load_difference(const ring::AngularLoad &one, const ring::AngularLoad &other);
+
+/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes
+/// is checked at the 8 between them; where it differs by more than @p tolerance the piece is halved, else its
+/// curve goes through all 17, and is better than the error that it has shown.
+///
+/// Throws ToleranceMissed when @p most_samples do not do.
+LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,
+                            std::size_t most_samples);
+
+} // namespace stemware::pipeline
