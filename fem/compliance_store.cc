@@ -39,7 +39,13 @@ std::string key_of(const dealii::Triangulation<2> &triangulation, const ElasticM
       append(key, cell->vertex(v)[1]);
     }
     for (const unsigned int f : cell->face_indices())
+    {
+      // Edges may be curved.
+      const dealii::Point<2> middle = cell->face(f)->center(true);
+      append(key, middle[0]);
+      append(key, middle[1]);
       append(key, cell->face(f)->boundary_id());
+    }
   }
   return key;
 }

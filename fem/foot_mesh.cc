@@ -1,11 +1,14 @@
 #include "fem/foot_mesh.h"
 
+#include "fem/profile_chart.h"
+
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -18,7 +21,9 @@ using namespace dealii;
 namespace
 {
 
-constexpr types::manifold_id cylinder_id = 1;
+/// Of what runs round the axis, and of what lies about it (attached in a GlassShape::foot only).
+constexpr types::manifold_id ring_id = 1;
+constexpr types::manifold_id core_id = 2;
 
 /// Largest radial extent of a cell, as a share of the contact radius, and how fast cells grow away from the
 /// land.
@@ -54,12 +59,12 @@ struct PlanCell
 class Plan
 {
 public:
-  Plan(double stem_radius, unsigned int n_core_sectors)
+  Plan(double core_radius, unsigned int n_core_sectors)
       : n_sectors(n_core_sectors)
   {
-    const std::vector<unsigned int> core = add_core(0.62 * stem_radius);
+    const std::vector<unsigned int> core = add_core(0.62 * core_radius);
     loop = core;
-    add_ring(0, stem_radius);
+    add_ring(0, core_radius);
   }
 
   void add_ring(double inner_radius, double outer_radius)
@@ -162,12 +167,18 @@ private:
   std::vector<unsigned int> loop; ///< outer border so far, counter-clockwise from -45 degrees
 };
 
+/// Radius of the plan's core with the ring round it: the stem's, where it meets the foot.
+double core_radius(const GlassProfile &profile)
+{
+  return profile.fillet().middle_radius;
+}
+
 Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
 {
   const double land_cell = profile.land_width / resolution.radial_cells;
   const double limit = largest_cell * profile.contact_radius;
-  std::vector<double> radii =
-    graded_radii(profile.land_inner_radius(), profile.stem_radius, 2 * land_cell, limit);
+  const double fillet_end = profile.fillet().end_radius;
+  std::vector<double> radii = graded_radii(profile.land_inner_radius(), fillet_end, 2 * land_cell, limit);
   std::reverse(radii.begin(), radii.end());
   for (unsigned int i = 1; i <= resolution.radial_cells; ++i)
     radii.push_back(profile.land_inner_radius() + i * land_cell);
@@ -176,7 +187,9 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   radii.insert(radii.end(), edge.begin() + 1, edge.end());
 
   const bool tripled = resolution.azimuthal_cells % 12 == 0 && resolution.azimuthal_cells >= 24;
-  Plan plan(profile.stem_radius, resolution.azimuthal_cells / (tripled ? 3 : 1));
+  Plan plan(core_radius(profile), resolution.azimuthal_cells / (tripled ? 3 : 1));
+  if (fillet_end > core_radius(profile))
+    plan.add_ring(core_radius(profile), fillet_end);
   for (unsigned int i = 0; i + 1 < radii.size(); ++i)
     if (i == 0 && tripled)
       plan.add_tripling_ring(radii[i], radii[i + 1]);
@@ -185,7 +198,8 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   return plan;
 }
 
-/// A slab of the foot: cells of the plan between two heights that lie within two radii.
+/// A slab of the foot: cells of the plan between two heights that lie within two radii. The heights of a
+/// GlassShape::foot are levels of its ProfileChart.
 struct Slab
 {
   double bottom = 0;
@@ -194,27 +208,50 @@ struct Slab
   double outer_radius = 0;
 };
 
-std::vector<Slab> make_slabs(const GlassProfile &profile, const FootResolution &resolution)
+/// Appends @p n slabs that end @p height above @p bottom.
+void stack(double bottom, double height, unsigned int n, double inner, double outer, std::vector<Slab> &slabs)
+{
+  for (unsigned int i = 0; i < n; ++i)
+    slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
+}
+
+/// Cells of a stem are two and a half times as high as those of the foot.
+unsigned int n_stem_layers(double height, double foot_layer)
+{
+  return static_cast<unsigned int>(std::max(1., std::ceil(height / (2.5 * foot_layer) - 0.25)));
+}
+
+std::vector<Slab> step_slabs(const GlassProfile &profile, const FootResolution &resolution)
 {
   std::vector<Slab> slabs;
-  const auto stack = [&](double bottom, double height, unsigned int n, double inner, double outer)
-  {
-    for (unsigned int i = 0; i < n; ++i)
-      slabs.push_back({ bottom + height * i / n, bottom + height * (i + 1) / n, inner, outer });
-  };
-  const double foot_top = profile.land_height + profile.foot_thickness;
   const double layer = profile.foot_thickness / resolution.foot_layers;
   const auto n_land_layers = static_cast<unsigned int>(std::ceil(profile.land_height / layer - 0.5));
-  const auto n_stem_layers = static_cast<unsigned int>(std::ceil(profile.stem_height / (2.5 * layer) - 0.25));
   stack(0, profile.land_height, std::max(1u, n_land_layers), profile.land_inner_radius(),
-        profile.land_outer_radius());
-  stack(profile.land_height, profile.foot_thickness, resolution.foot_layers, 0, profile.foot_radius);
-  stack(foot_top, profile.stem_height, std::max(2u, n_stem_layers), 0, profile.stem_radius);
+        profile.land_outer_radius(), slabs);
+  stack(profile.land_height, profile.foot_thickness, resolution.foot_layers, 0, profile.foot_radius, slabs);
+  stack(profile.foot_top(), profile.stem_height, std::max(2u, n_stem_layers(profile.stem_height, layer)), 0,
+        profile.stem_radius, slabs);
   return slabs;
 }
 
-/// Stacks the plan's cells into hexahedra.
-void extrude(const Plan &plan, const std::vector<Slab> &slabs, Triangulation<3> &triangulation)
+std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &resolution)
+{
+  std::vector<Slab> slabs;
+  stack(0, 1, resolution.foot_layers, 0, profile.foot_radius, slabs);
+  const double layer = profile.foot_thickness / resolution.foot_layers;
+  const Fillet fillet = profile.fillet();
+  const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
+  if (fillet_top > 1)
+    stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
+          fillet.middle_radius, slabs);
+  stack(fillet_top, 2 - fillet_top, n_stem_layers(profile.height() - fillet.centre_height, layer), 0,
+        fillet.middle_radius, slabs);
+  return slabs;
+}
+
+/// Stacks the plan's cells into hexahedra, their vertices at @p place.
+void extrude(const Plan &plan, const std::vector<Slab> &slabs,
+             const std::function<Point<3>(const Point<3> &)> &place, Triangulation<3> &triangulation)
 {
   std::vector<Point<3>> vertices;
   std::vector<CellData<3>> cells;
@@ -223,7 +260,7 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs, Triangulation<3> 
   {
     const auto [entry, is_new] = index.emplace(std::make_pair(plan_vertex, level), vertices.size());
     if (is_new)
-      vertices.emplace_back(plan.vertices[plan_vertex][0], plan.vertices[plan_vertex][1], z);
+      vertices.push_back(place({ plan.vertices[plan_vertex][0], plan.vertices[plan_vertex][1], z }));
     return entry->second;
   };
   for (unsigned int level = 0; level < slabs.size(); ++level)
@@ -249,40 +286,79 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs, Triangulation<3> 
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Everything at or outside the stem's surface follows the cylinder; the core and the ring round it stay
-/// straight inside.
-void attach_cylinder(double stem_radius, Triangulation<3> &triangulation)
+/// Everything at or outside the core's border runs round the axis; the core and the ring round it stay
+/// straight inside. @p radius of a vertex, in the plan.
+void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
+                Triangulation<3> &triangulation)
 {
-  const double limit = stem_radius * (1 - 1e-9);
+  const double limit = core_radius * (1 - 1e-9);
   const auto lies_outside = [&](const auto &object, unsigned int n_vertices)
   {
     for (unsigned int v = 0; v < n_vertices; ++v)
-      if (std::hypot(object->vertex(v)[0], object->vertex(v)[1]) < limit)
+      if (radius(object->vertex(v)) < limit)
         return false;
     return true;
   };
   for (const auto &cell : triangulation.active_cell_iterators())
     if (lies_outside(cell, 8))
-      cell->set_all_manifold_ids(cylinder_id);
+      cell->set_all_manifold_ids(ring_id);
     else
       for (const unsigned int f : cell->face_indices())
         if (lies_outside(cell->face(f), 4))
-          cell->face(f)->set_all_manifold_ids(cylinder_id);
-  triangulation.set_manifold(cylinder_id, CylindricalManifold<3>(2));
+          cell->face(f)->set_all_manifold_ids(ring_id);
 }
 
-void mark_boundaries(double height, Triangulation<3> &triangulation)
+void make_step(const GlassProfile &profile, const FootResolution &resolution, Triangulation<3> &triangulation)
 {
-  const double tolerance = 1e-9 * height;
+  extrude(
+    make_plan(profile, resolution), step_slabs(profile, resolution),
+    [](const Point<3> &point) { return point; }, triangulation);
+  mark_rings(
+    core_radius(profile), [](const Point<3> &point) { return std::hypot(point[0], point[1]); },
+    triangulation);
+  triangulation.set_manifold(ring_id, CylindricalManifold<3>(2));
+}
+
+/// The plan in the coordinates of the ProfileChart, bent.
+void make_foot(const GlassProfile &profile, const FootResolution &resolution, Triangulation<3> &triangulation)
+{
+  const ProfileChart chart(profile);
+  const auto bend = [&](const Point<3> &straight) -> Point<3>
+  {
+    const double radius = std::hypot(straight[0], straight[1]);
+    const SectionPoint point = chart.push_forward({ radius, straight[2] });
+    const double stretch = radius > 0 ? point.radius / radius : 1;
+    return { stretch * straight[0], stretch * straight[1], point.height };
+  };
+  const auto straight_radius = [&](const Point<3> &point) {
+    return chart.pull_back({ std::hypot(point[0], point[1]), point[2] }).radius;
+  };
+  extrude(make_plan(profile, resolution), foot_slabs(profile, resolution), bend, triangulation);
+  triangulation.set_all_manifold_ids(core_id);
+  mark_rings(core_radius(profile), straight_radius, triangulation);
+  triangulation.set_manifold(core_id, *make_core_manifold(profile));
+  triangulation.set_manifold(ring_id, *make_ring_manifold(profile));
+}
+
+/// The contact zone are the faces at z = 0 whose vertices lie on the land, the stem cut those at its height.
+void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulation)
+{
+  const double tolerance = 1e-9 * profile.height();
+  const auto is_on_land = [&](const Point<3> &vertex)
+  {
+    const double radius = std::hypot(vertex[0], vertex[1]);
+    return std::abs(vertex[2]) < tolerance && radius > profile.land_inner_radius() - tolerance &&
+           radius < profile.land_outer_radius() + tolerance;
+  };
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
     {
       if (!face->at_boundary())
         continue;
-      const double z = face->center()[2];
-      if (std::abs(z) < tolerance)
+      if (is_on_land(face->vertex(0)) && is_on_land(face->vertex(1)) && is_on_land(face->vertex(2)) &&
+          is_on_land(face->vertex(3)))
         face->set_boundary_id(static_cast<types::boundary_id>(FootBoundary::contact_zone));
-      else if (std::abs(z - height) < tolerance)
+      else if (std::abs(face->center()[2] - profile.height()) < tolerance)
         face->set_boundary_id(static_cast<types::boundary_id>(FootBoundary::stem_cut));
     }
 }
@@ -293,12 +369,13 @@ void FootResolution::validate() const
 {
   std::ostringstream message;
   if (azimuthal_cells < 8 || azimuthal_cells % 4 != 0)
-    message << "Azimuthal cells = " << azimuthal_cells
+    message << "Contact/Azimuthal cells = " << azimuthal_cells
             << " is not allowed; give a multiple of 4, at least 8.";
   else if (radial_cells < 2 || radial_cells % 2 != 0)
-    message << "Radial cells = " << radial_cells << " is not allowed; give an even number, at least 2.";
+    message << "Contact/Radial cells = " << radial_cells
+            << " is not allowed; give an even number, at least 2.";
   else if (foot_layers < 1)
-    message << "Foot layers = " << foot_layers << " is not allowed; give at least 1.";
+    message << "Contact/Foot layers = " << foot_layers << " is not allowed; give at least 1.";
   if (!message.str().empty())
     throw std::invalid_argument(message.str());
 }
@@ -308,9 +385,11 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
 {
   profile.validate();
   resolution.validate();
-  extrude(make_plan(profile, resolution), make_slabs(profile, resolution), triangulation);
-  attach_cylinder(profile.stem_radius, triangulation);
-  mark_boundaries(profile.height(), triangulation);
+  if (profile.shape == GlassShape::step)
+    make_step(profile, resolution, triangulation);
+  else
+    make_foot(profile, resolution, triangulation);
+  mark_boundaries(profile, triangulation);
 }
 
 } // namespace stemware::fem

@@ -3,39 +3,90 @@
 namespace stemware::fem
 {
 
-/// The foot of the glass as a step profile of revolution, SI units (m).
+/// Kind of section that a GlassProfile describes.
+enum class GlassShape
+{
+  step, ///< three cylinders: land, foot, stem; every corner is sharp
+  foot  ///< the foot of a wine glass: concave below, tapering to its edge, rounded into the stem
+};
+
+/// Rounding between the top of a foot and its stem: an arc of the fillet's radius whose centre lies outside
+/// the glass. Lengths in m.
+struct Fillet
+{
+  double radius = 0;
+  double centre_radius = 0; ///< of the arc's centre, distance from the axis
+  double centre_height = 0; ///< of the arc's centre above the land; there the arc meets the stem
+  double middle_radius = 0; ///< of the point half-way along the arc
+  double middle_height = 0;
+  double end_radius = 0; ///< where the arc meets the top of the foot
+};
+
+/// The foot of the glass as a profile of revolution, SI units (m); formulas in docs/method/profile.md.
 ///
-/// Land: r within contact_radius -/+ land_width/2, 0 <= z <= land_height. Foot: r <= foot_radius,
-/// foot_thickness above the land. Stem: r <= stem_radius, stem_height above the foot; its upper end is the
-/// stem cut. The land's lower face carries the crown only as a gap (see gap()), not as geometry: a crown of 3
-/// mm rises 0.7 mm at the border of a 4 mm land, where contact never comes.
+/// Land, in every shape: r within contact_radius -/+ land_width/2, its lower face at z = 0. It carries the
+/// crown only as a gap (see gap()), not as geometry: a crown of 3 mm rises 0.7 mm at the border of a 4 mm
+/// land, where contact never comes.
+///
+/// GlassShape::step: the land is land_height high, the foot (r <= foot_radius) lies foot_thickness thick upon
+/// it, the stem (r <= stem_radius) stands on that.
+///
+/// GlassShape::foot: the underside leaves the land tangentially, rises to underside_rise at the axis and to
+/// land_height at the outer edge. The top is a cone from foot_thickness above the underside at r =
+/// stem_radius to edge_thickness above it at r = foot_radius, rounded into the stem with fillet_radius.
+///
+/// In both the stem ends stem_height above the top of the foot, at the stem cut.
 struct GlassProfile
 {
+  GlassShape shape = GlassShape::step;
   double contact_radius = 0.030;
   double foot_radius = 0.034;
-  double foot_thickness = 0.004;
+  double foot_thickness = 0.004; ///< of a foot: at the stem's surface, before rounding
   double land_width = 0.004;
-  double land_height = 0.001;
+  double land_height = 0.001;  ///< of a foot: height of the underside at the outer edge
   double crown_radius = 0.003; ///< radius of the rim's rounding; 0 means a flat land
   double stem_radius = 0.005;
   double stem_height = 0.010; ///< from the top of the foot to the cut
+
+  double underside_rise = 0.003;  ///< of a foot: height of the underside on the axis
+  double edge_thickness = 0.0015; ///< of a foot: thickness at the outer edge
+  double fillet_radius = 0.005;   ///< of a foot: rounding between its top and the stem; 0: a sharp corner
 
   /// Inner border of the land [m].
   double land_inner_radius() const { return contact_radius - land_width / 2; }
   /// Outer border of the land [m].
   double land_outer_radius() const { return contact_radius + land_width / 2; }
+  /// Height of the foot's top at the stem's surface, before rounding [m].
+  double foot_top() const;
   /// Height of the stem cut above the land [m].
-  double height() const { return land_height + foot_thickness + stem_height; }
+  double height() const { return foot_top() + stem_height; }
+
+  /// Height of the lower surface at @p radius <= foot_radius [m]. A step jumps at the borders of the land,
+  /// which count as land.
+  double underside(double radius) const;
+  /// Height of the upper surface at @p radius <= foot_radius [m]; above the stem (r < stem_radius) the stem
+  /// cut's.
+  double topside(double radius) const;
+  /// Where a foot is rounded into the stem; a point (the corner) where fillet_radius is 0 and in a step.
+  Fillet fillet() const;
+  /// Radius of the stem at @p height [m], from the middle of the fillet up to the cut.
+  double stem_surface(double height) const;
 
   /// Distance of the unloaded rim from a plane table [m]: (r - contact_radius)^2 / (2 crown_radius), 0 for a
   /// flat land (docs/method.md, "The gap"). A parabola on purpose: along r the penetration of a quadratic
   /// element stays a polynomial.
   double gap(double radius) const;
 
-  /// Throws std::invalid_argument with one sentence when a length is not positive and finite (land, crown: as
-  /// noted above) or when the parts do not fit: stem_radius < land_inner_radius() and land_outer_radius() <
-  /// foot_radius.
+  /// Throws std::invalid_argument with one sentence, which calls lengths by their entries in a study file,
+  /// when a length is not positive and finite (crown, rise and fillet may be 0) or when the parts do not fit:
+  /// stem_radius < land_inner_radius(), land_outer_radius() < foot_radius; in a foot also a fillet that ends
+  /// between stem and land and below the cut, and glass between underside and top everywhere.
   void validate() const;
+
+private:
+  double cone_slope() const;
+  double cone(double radius) const;
+  void validate_foot() const;
 };
 
 } // namespace stemware::fem

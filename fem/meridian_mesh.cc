@@ -1,8 +1,11 @@
 #include "fem/meridian_mesh.h"
 
 #include "fem/foot_mesh.h"
+#include "fem/profile_chart.h"
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 
 #include <cmath>
@@ -29,9 +32,11 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of about @p size up to @p end.
+/// Appends equal cells of about @p size up to @p end, none if the lines end there.
 void append_sized(GridLines &lines, double end, double size)
 {
+  if (lines.back() == end)
+    return;
   append_equal(lines, end,
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));
 }
@@ -138,15 +143,82 @@ void refine(const MeridianResolution &resolution, const GlassProfile &profile,
   triangulation.refine_global(resolution.refinements);
 }
 
+/// Largest cell of the foot: a little longer than the foot is thick. Bending is smooth, two quadratic cells
+/// through the thickness carry it.
+double largest_cell(const GlassProfile &profile)
+{
+  return 1.25 * profile.foot_thickness;
+}
+
+void make_step(const GlassProfile &profile, const MeridianResolution &resolution,
+               Triangulation<2> &triangulation)
+{
+  const double size = largest_cell(profile);
+  GridLines radii = { 0 };
+  append_sized(radii, profile.stem_radius, size);
+  append_sized(radii, profile.land_inner_radius(), size);
+  const GridLines land = land_lines(profile, resolution);
+  radii.insert(radii.end(), land.begin() + 1, land.end());
+  append_sized(radii, profile.foot_radius, size);
+
+  GridLines heights = { 0, profile.land_height };
+  append_equal(heights, profile.foot_top(), 2);
+  append_sized(heights, profile.height(), size);
+
+  const auto is_inside = [&](double radius, double height)
+  {
+    if (height < profile.land_height)
+      return radius > profile.land_inner_radius() && radius < profile.land_outer_radius();
+    return height < profile.foot_top() || radius < profile.stem_radius;
+  };
+  make_grid(radii, heights, is_inside, triangulation);
+}
+
+/// The grid of the straightened section (ProfileChart), bent.
+void make_foot(const GlassProfile &profile, const MeridianResolution &resolution,
+               Triangulation<2> &triangulation)
+{
+  const double size = largest_cell(profile);
+  const ProfileChart chart(profile);
+  const Fillet fillet = profile.fillet();
+  GridLines radii = { 0 };
+  append_sized(radii, fillet.middle_radius, size);
+  append_sized(radii, fillet.end_radius, size);
+  append_sized(radii, profile.land_inner_radius(), size);
+  const GridLines land = land_lines(profile, resolution);
+  radii.insert(radii.end(), land.begin() + 1, land.end());
+  append_sized(radii, profile.foot_radius, size);
+
+  const double stem_length = profile.height() - fillet.middle_height;
+  GridLines levels = { 0, 0.3, 1 };
+  append_sized(levels, chart.pull_back({ 0, fillet.centre_height }).level, size / stem_length);
+  append_sized(levels, 2, size / stem_length);
+
+  make_grid(
+    radii, levels, [&](double radius, double level) { return level < 1 || radius < fillet.middle_radius; },
+    triangulation);
+  GridTools::transform(
+    [&](const Point<2> &straight) -> Point<2>
+    {
+      const SectionPoint point = chart.push_forward({ straight[0], straight[1] });
+      return { point.radius, point.height };
+    },
+    triangulation);
+  constexpr types::manifold_id profile_id = 1;
+  triangulation.set_all_manifold_ids(profile_id);
+  triangulation.set_manifold(profile_id, *make_section_manifold(profile));
+}
+
 } // namespace
 
 void TableDisc::validate(const GlassProfile &profile) const
 {
   std::ostringstream message;
   if (!(std::isfinite(thickness) && thickness > 0))
-    message << "Table thickness = " << thickness << " m is not allowed; give a finite number greater than 0.";
+    message << "Table/Disc thickness = " << thickness
+            << " m is not allowed; give a finite number greater than 0.";
   else if (!(std::isfinite(radius) && radius > profile.land_outer_radius()))
-    message << "Table radius = " << radius
+    message << "Table/Disc radius = " << radius
             << " m is not allowed; it must be larger than the outer radius of the land, "
             << profile.land_outer_radius() << " m.";
   if (!message.str().empty())
@@ -157,7 +229,7 @@ void MeridianResolution::validate() const
 {
   std::ostringstream message;
   if (land_cells < 2 || land_cells % 2 != 0)
-    message << "Radial cells = " << land_cells
+    message << "Contact/Radial cells = " << land_cells
             << " is not allowed for a body of revolution; give an even number of at least 2.";
   else if (!(land_grading >= 1 && land_grading <= 10))
     message << "The grading of the land, " << land_grading << ", must lie between 1 (equal cells) and 10.";
@@ -176,28 +248,10 @@ void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &r
 {
   profile.validate();
   resolution.validate();
-  // Cells a little longer than the foot is thick: bending of the foot is smooth, two quadratic cells through
-  // the thickness carry it.
-  const double size = 1.25 * profile.foot_thickness;
-  GridLines radii = { 0 };
-  append_sized(radii, profile.stem_radius, size);
-  append_sized(radii, profile.land_inner_radius(), size);
-  const GridLines land = land_lines(profile, resolution);
-  radii.insert(radii.end(), land.begin() + 1, land.end());
-  append_sized(radii, profile.foot_radius, size);
-
-  const double foot_top = profile.land_height + profile.foot_thickness;
-  GridLines heights = { 0, profile.land_height };
-  append_equal(heights, foot_top, 2);
-  append_sized(heights, profile.height(), size);
-
-  const auto is_inside = [&](double radius, double height)
-  {
-    if (height < profile.land_height)
-      return radius > profile.land_inner_radius() && radius < profile.land_outer_radius();
-    return height < foot_top || radius < profile.stem_radius;
-  };
-  make_grid(radii, heights, is_inside, triangulation);
+  if (profile.shape == GlassShape::step)
+    make_step(profile, resolution, triangulation);
+  else
+    make_foot(profile, resolution, triangulation);
   refine(resolution, profile, triangulation);
   mark_boundary(profile.height(), profile, triangulation);
 }

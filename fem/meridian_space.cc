@@ -27,11 +27,12 @@ constexpr unsigned int vertical = 2;
 
 MeridianSpace::MeridianSpace(const Triangulation<2> &triangulation, const ElasticMaterial &material,
                              unsigned int degree)
-    : element(FE_Q<2>(degree), 3)
+    : curves(degree)
+    , element(FE_Q<2>(degree), 3)
     , dofs(triangulation)
 {
   dofs.distribute_dofs(element);
-  stiffness = std::make_unique<MeridianStiffness>(dofs, material);
+  stiffness = std::make_unique<MeridianStiffness>(curves, dofs, material);
   find_contact_nodes();
   find_axis();
 }

@@ -8,7 +8,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/vector.h>
 
@@ -38,7 +38,8 @@ public:
   double contact_radius(unsigned int i) const;
   const NodeDofs &contact_dofs(unsigned int i) const { return contact_nodes[i]; }
   const dealii::DoFHandler<2> &dof_handler() const { return dofs; }
-  const dealii::Mapping<2> &mapping() const { return dealii::StaticMappingQ1<2>::mapping; }
+  /// Of the elements' degree: curved cells follow the profile.
+  const dealii::Mapping<2> &mapping() const { return curves; }
 
   /// K_n of one harmonic, factorised under the clamp and its own conditions on the axis.
   class Factors
@@ -69,6 +70,7 @@ private:
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
   SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
 
+  const dealii::MappingQ<2> curves;
   const dealii::FESystem<2> element;
   dealii::DoFHandler<2> dofs;
   std::unique_ptr<MeridianStiffness> stiffness;

@@ -59,13 +59,14 @@ double energy(const Strain &a, const Strain &b, double lambda, double shear)
 
 } // namespace
 
-MeridianStiffness::MeridianStiffness(const DoFHandler<2> &dof_handler, const ElasticMaterial &material)
+MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler<2> &dof_handler,
+                                     const ElasticMaterial &material)
 {
   const FiniteElement<2> &element = dof_handler.get_fe();
   const unsigned int n_dofs = element.n_dofs_per_cell();
   const double lambda = material.lame_lambda();
   const double shear = material.shear_modulus();
-  FEValues<2> fe_values(element, QGauss<2>(element.degree + 1),
+  FEValues<2> fe_values(mapping, element, QGauss<2>(element.degree + 1),
                         update_values | update_gradients | update_JxW_values | update_quadrature_points);
   std::vector<ShapeStrain> strains(n_dofs);
   for (const auto &cell : dof_handler.active_cell_iterators())

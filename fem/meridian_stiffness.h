@@ -3,6 +3,7 @@
 #include "fem/elastic_material.h"
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -20,9 +21,9 @@ namespace stemware::fem
 class MeridianStiffness
 {
 public:
-  /// Integrates the three parts of K_n = K_0 + n K_1 + n^2 K_2 over every cell; keeps a reference to @p
-  /// dof_handler.
-  MeridianStiffness(const dealii::DoFHandler<2> &dof_handler, const ElasticMaterial &material);
+  /// Integrates the three parts of K_n = K_0 + n K_1 + n^2 K_2 over every cell, whose shape @p mapping gives.
+  MeridianStiffness(const dealii::Mapping<2> &mapping, const dealii::DoFHandler<2> &dof_handler,
+                    const ElasticMaterial &material);
 
   /// K_n with @p constraints eliminated symmetrically. @p matrix comes with its sparsity and is overwritten.
   void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,

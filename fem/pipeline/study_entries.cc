@@ -157,20 +157,34 @@ void add_motion(EntryList &list, MotionSection &motion)
 
 void add_glass(EntryList &list, GlassSection &glass)
 {
+  using fem::GlassShape;
   fem::GlassProfile &profile = glass.profile;
   list.enter("Glass");
+  list.add("Shape", profile.shape, { { "step", GlassShape::step }, { "foot", GlassShape::foot } },
+           "Section of the glass near the table. step: a plate on a ring (the land) under a cylinder (the "
+           "stem); foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the "
+           "stem");
   list.add("Contact radius", profile.contact_radius, positive, "m",
            "Radius R of the rim that stands on the table");
   list.add("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot");
-  list.add("Foot thickness", profile.foot_thickness, positive, "m", "Thickness of the foot above the land");
+  list.add("Foot thickness", profile.foot_thickness, positive, "m",
+           "Thickness of a step above the land, of a foot where its top meets the stem");
   list.add("Land width", profile.land_width, positive, "m",
            "Width of the zone that may touch the table, half of it on either side of the contact radius");
-  list.add("Land height", profile.land_height, positive, "m", "How far the land stands out below the foot");
+  list.add("Land height", profile.land_height, positive, "m",
+           "How far the land stands out below a step, or below the outer edge of a foot");
   list.add("Crown radius", profile.crown_radius, not_negative, "m",
            "Radius of the rim's rounding, seen in a cut through the axis; 0 means a flat land");
+  list.add("Underside rise", profile.underside_rise, not_negative, "m",
+           "Height of the underside of a foot on the axis, above the land; without effect on a step");
+  list.add("Edge thickness", profile.edge_thickness, positive, "m",
+           "Thickness of a foot at its outer edge; without effect on a step");
+  list.add("Fillet radius", profile.fillet_radius, not_negative, "m",
+           "Radius of the rounding between the top of a foot and the stem, 0 for a sharp corner; without "
+           "effect on a step");
   list.add("Stem radius", profile.stem_radius, positive, "m", "Radius of the stem");
   list.add("Stem height", profile.stem_height, positive, "m",
-           "From the top of the foot to the cut through the stem");
+           "From the top of the foot, where it meets the stem, to the cut through the stem");
   list.add("Young modulus", glass.material.young_modulus, positive, "Pa", "Young's modulus of the glass");
   list.add("Poisson ratio", glass.material.poisson_ratio, between(-1, 0.5), "",
            "Poisson's ratio of the glass");

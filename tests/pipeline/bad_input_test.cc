@@ -123,7 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                   BadSetting{ "Motion/Euler step=1e-12", "use longer steps" },
                   BadSetting{ "Glass/Poisson ratio=0.5", "is not allowed" },
                   BadSetting{ "Glass/Crown radius=-1", "not less than 0" },
-                  BadSetting{ "Glass/Stem radius=0.029", "does not fit the foot" },
+                  BadSetting{ "Glass/Stem radius=0.029", "Glass/Stem radius = 0.029 m does not fit the foot" },
+                  BadSetting{ "Glass/Shape=round", "give one of step or foot" },
+                  BadSetting{ "Glass/Edge thickness=0", "greater than 0" },
+                  BadSetting{ "Glass/Underside rise=-1e-3", "not less than 0" },
                   BadSetting{ "Table/Foundation modulus=nan", "is not allowed" },
                   BadSetting{ "Load/Moment ratio=2", "less than 2, where the foot tips" },
                   BadSetting{ "Load/Moment ratio=nan", "is not allowed" },
@@ -159,6 +162,9 @@ TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
   expect_contradiction("Load/Coupling=response", "Load/Moment ratio=0.5",
                        "contradicts Load/Coupling = response");
   expect_contradiction("Contact/Body=revolution", "Contact/Azimuth lines=20", "lines");
+  expect_contradiction("Glass/Shape=foot", "Glass/Fillet radius=0.02",
+                       "Glass/Fillet radius = 0.02 m does not fit between stem and land");
+  expect_contradiction("Glass/Shape=foot", "Glass/Stem height=0.003", "a longer stem");
 }
 
 TEST(BadInput, AResponseCurveKnowsTheMomentRatioOnly)

@@ -1,10 +1,18 @@
+#include "../profile_oracle.h"
 #include "fem/foot_mesh.h"
 #include "revolution_case.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 using namespace stemware::revolution_tests;
+using namespace stemware::fem_tests;
 
 namespace
 {
@@ -49,9 +57,71 @@ TEST(MeridianMesh, FillsTheStepProfile)
   }
 }
 
-TEST(MeridianMesh, FootAndDiscShareTheirContactCells)
+TEST(MeridianMesh, OfAFootLiesOnTheProfile)
 {
-  const GlassProfile profile;
+  const GlassProfile profile = foot_profile();
+  for (const unsigned int levels : { 0u, 6u })
+  {
+    MeridianResolution resolution;
+    resolution.refinements = 3;
+    resolution.focus_levels = levels;
+    dealii::Triangulation<2> triangulation;
+    make_meridian_mesh(profile, resolution, triangulation);
+    for (const unsigned int degree : { 1u, 2u, 3u, 4u })
+    {
+      // The points through which the mapping of that degree draws the edges; the ends are the vertices.
+      const dealii::MappingQ<2> mapping(degree);
+      const dealii::QGaussLobatto<1> edge_points(degree + 1);
+      dealii::FE_Nothing<2> nothing;
+      dealii::FEFaceValues<2> values(mapping, nothing, edge_points, dealii::update_quadrature_points);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f))
+            continue;
+          values.reinit(cell, f);
+          for (const dealii::Point<2> &point : values.get_quadrature_points())
+            ASSERT_LT(distance_from_profile(profile, point[0], point[1]), 1e-15)
+              << "degree " << degree << " at " << point;
+        }
+    }
+  }
+}
+
+/// Curves drawn through the Gauss-Lobatto points of degree p enclose an area that is right to order 2 p.
+TEST(MeridianMesh, AreaOfAFootConvergesAtTwiceTheGeometrysOrder)
+{
+  const GlassProfile profile = foot_profile();
+  const double exact = integral_over_section(profile, [](double) { return 1.; });
+  for (const unsigned int degree : { 1u, 2u, 3u })
+  {
+    double before = 0;
+    for (const unsigned int refinements : { 2u, 3u })
+    {
+      dealii::Triangulation<2> triangulation;
+      make_meridian_mesh(profile, graded_cells(refinements), triangulation);
+      const double error =
+        std::abs(1 - dealii::GridTools::volume(triangulation, dealii::MappingQ<2>(degree)) / exact);
+      if (before > 0)
+      {
+        EXPECT_NEAR(std::log2(before / error), 2 * degree, 0.1 * degree) << "degree " << degree;
+      }
+      before = error;
+    }
+  }
+}
+
+class MeridianMeshOfShape : public testing::TestWithParam<GlassShape>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, MeridianMeshOfShape, testing::Values(GlassShape::step, GlassShape::foot),
+                         [](const auto &info) { return info.param == GlassShape::step ? "step" : "foot"; });
+
+TEST_P(MeridianMeshOfShape, FootAndDiscShareTheirContactCells)
+{
+  GlassProfile profile;
+  profile.shape = GetParam();
   MeridianResolution resolution;
   resolution.focus_levels = 5;
   resolution.refinements = 1;
