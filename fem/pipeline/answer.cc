@@ -82,18 +82,24 @@ std::optional<double> SpinComparison::closure_effect() const
 
 SpinComparison compare_spins(const Study &study, const StudyResult &result)
 {
-  const ClosureRow &paper = row_of(result.closures, ring::Closure::paper);
-  const ClosureRow &full = row_of(result.closures, ring::Closure::full);
-  const ClosureRow &own = row_of(result.closures, study.motion.closure);
+  SpinComparison spins = compare_spins(study, result.closures, result.yaw.terminal.omega,
+                                       result.yaw.truncations.front().omega_terminal);
+  if (!spins_up(result))
+    spins.all_harmonics = spins.first_harmonic = 0;
+  return spins;
+}
+
+SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &closures,
+                             double all_harmonics, double truncated)
+{
+  const ClosureRow &paper = row_of(closures, ring::Closure::paper);
+  const ClosureRow &full = row_of(closures, ring::Closure::full);
+  const ClosureRow &own = row_of(closures, study.motion.closure);
   const bool in_balance = study.load.source == LoadSource::contact && !study.load.is_static() &&
                           study.load.coupling != LoadCoupling::frozen;
   SpinComparison spins;
-  if (spins_up(result))
-  {
-    spins.all_harmonics = result.yaw.terminal.omega;
-    spins.first_harmonic =
-      in_balance && own.omega_terminal ? *own.omega_terminal : result.yaw.truncations.front().omega_terminal;
-  }
+  spins.all_harmonics = all_harmonics;
+  spins.first_harmonic = in_balance && own.omega_terminal ? *own.omega_terminal : truncated;
   spins.paper_closure = paper.omega_terminal;
   spins.complete_closure = full.omega_terminal;
   spins.is_formal = paper.is_formal() || full.is_formal();

@@ -28,6 +28,11 @@ struct SpinComparison
 /// frozen load it is the first harmonic of that load.
 SpinComparison compare_spins(const Study &study, const StudyResult &result);
 
+/// The same from its parts: the closures' own spins, and the terminal spin under all harmonics and under the
+/// load cut off after the first.
+SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &closures,
+                             double all_harmonics, double truncated);
+
 /// The answer in sentences: the terminal spin, what the harmonics beyond the first do to it, and what the
 /// paper's balance of moments leaves out does to it. @p band is the half-width of the spin's error band
 /// [rad/s], where one is known.

@@ -24,34 +24,15 @@ std::string on_one_line(const std::string &text)
 namespace
 {
 
-void print(const std::string &sentence)
+struct Failure
 {
-  const std::string line = on_one_line(sentence);
-  const bool closed = !line.empty() && (line.back() == '.' || line.back() == '?' || line.back() == ')');
-  std::cout << std::flush;
-  std::cerr << "stemware: " << line << (closed ? "" : ".") << std::endl;
-}
+  std::string sentence;
+  ExitCode code = ExitCode::numerical_failure;
+  bool is_everywhere = false; ///< all ranks have met it; others would wait for this one for ever
+};
 
-/// A failure that all ranks have met.
-ExitCode everywhere(const std::string &sentence, ExitCode code)
-{
-  if (is_first_rank())
-    print(sentence);
-  return code;
-}
-
-/// A failure that the other ranks may not know of: they would wait for this one for ever.
-ExitCode perhaps_here_only(const std::string &sentence)
-{
-  print(sentence);
-  if (n_ranks() > 1)
-    abort_all_ranks(static_cast<int>(ExitCode::numerical_failure));
-  return ExitCode::numerical_failure;
-}
-
-} // namespace
-
-ExitCode report_failure()
+/// The exception that is being handled.
+Failure present_failure()
 {
   try
   {
@@ -59,32 +40,57 @@ ExitCode report_failure()
   }
   catch (const BadInput &failure)
   {
-    return everywhere(failure.what(), ExitCode::bad_input);
+    return { failure.what(), ExitCode::bad_input, true };
   }
   catch (const OutputFailure &failure)
   {
-    return everywhere(failure.what(), ExitCode::output_failure);
+    return { failure.what(), ExitCode::output_failure, true };
   }
   catch (const fem::ContactFailure &failure)
   {
-    return everywhere(std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure);
+    return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
   }
   catch (const std::bad_alloc &)
   {
-    return perhaps_here_only(
-      "The study does not fit into this machine's memory; use fewer cells or Contact/Degree = 1.");
+    return { "The study does not fit into this machine's memory; use fewer cells or Contact/Degree = 1." };
   }
   catch (const dealii::ExceptionBase &failure)
   {
     std::ostringstream information;
     failure.print_info(information);
-    return perhaps_here_only("deal.II stopped: " + std::string(failure.get_exc_name()) + " " +
-                             information.str());
+    return { "deal.II stopped: " + std::string(failure.get_exc_name()) + " " + information.str() };
   }
   catch (const std::exception &failure)
   {
-    return perhaps_here_only(failure.what());
+    return { failure.what() };
   }
+}
+
+std::string closed(const std::string &sentence)
+{
+  const std::string line = on_one_line(sentence);
+  const bool is_closed = !line.empty() && (line.back() == '.' || line.back() == '?' || line.back() == ')');
+  return is_closed ? line : line + ".";
+}
+
+} // namespace
+
+std::string failure_sentence()
+{
+  return closed(present_failure().sentence);
+}
+
+ExitCode report_failure()
+{
+  const Failure failure = present_failure();
+  if (is_first_rank() || !failure.is_everywhere)
+  {
+    std::cout << std::flush;
+    std::cerr << "stemware: " << closed(failure.sentence) << std::endl;
+  }
+  if (n_ranks() > 1 && !failure.is_everywhere)
+    abort_all_ranks(static_cast<int>(failure.code));
+  return failure.code;
 }
 
 } // namespace stemware::pipeline

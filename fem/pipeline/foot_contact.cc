@@ -5,14 +5,14 @@
 namespace stemware::pipeline
 {
 
-std::unique_ptr<FootContact> make_foot_contact(const Study &study)
+std::unique_ptr<FootContact> make_foot_contact(const Study &study, fem::ComplianceStore &store)
 {
   switch (study.contact.body)
   {
   case BodyKind::solid:
     return make_solid_contact(study);
   case BodyKind::revolution:
-    return make_revolution_contact(study);
+    return make_revolution_contact(study, store);
   }
   throw std::logic_error("a body without a contact");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/angular_load.h"
+#include "fem/compliance_store.h"
 #include "fem/contact_driver.h"
 #include "fem/foot_mesh.h"
 #include "fem/footprint.h"
@@ -64,10 +65,11 @@ public:
 /// used.
 std::unique_ptr<FootContact> make_solid_contact(const Study &study);
 
-/// Contact/Body = revolution: displacement harmonics. Throws BadInput for a setup that is not allowed.
-std::unique_ptr<FootContact> make_revolution_contact(const Study &study);
+/// Contact/Body = revolution: displacement harmonics, its compliances from @p store. Throws BadInput for a
+/// setup that is not allowed.
+std::unique_ptr<FootContact> make_revolution_contact(const Study &study, fem::ComplianceStore &store);
 
-/// The body that the study asks for.
-std::unique_ptr<FootContact> make_foot_contact(const Study &study);
+/// The body that the study asks for; feet that are to share what they can are given the same store.
+std::unique_ptr<FootContact> make_foot_contact(const Study &study, fem::ComplianceStore &store);
 
 } // namespace stemware::pipeline

@@ -23,6 +23,7 @@ struct Watch
 {
   std::mutex mutex;
   std::function<void()> clean_up;
+  std::function<std::string()> sentence;
   std::set<pid_t> children;
   bool first_rank = true; ///< asked in advance: MPI may be busy, or over, when the signal comes
 };
@@ -71,9 +72,10 @@ extern "C" void wake_up(int)
   // time to tidy up.
   if (!watch().first_rank)
     std::this_thread::sleep_for(std::chrono::seconds(1));
-  constexpr char message[] = "\nstemware: interrupted; no results were written.\n";
+  const std::string usual = "interrupted; no results were written.";
+  const std::string message = "\nstemware: " + (watch().sentence ? watch().sentence() : usual) + "\n";
   if (watch().first_rank) [[maybe_unused]]
-    const auto n_written = ::write(STDERR_FILENO, message, sizeof(message) - 1);
+    const auto n_written = ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
@@ -110,6 +112,11 @@ std::unique_lock<std::mutex> postpone_interruption()
 void clean_up_on_interruption(std::function<void()> clean_up)
 {
   watch().clean_up = std::move(clean_up);
+}
+
+void say_on_interruption(std::function<std::string()> sentence)
+{
+  watch().sentence = std::move(sentence);
 }
 
 void kill_on_interruption(pid_t child)

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <mutex>
+#include <string>
 #include <sys/types.h>
 
 namespace stemware::pipeline
@@ -21,6 +22,10 @@ std::unique_lock<std::mutex> postpone_interruption();
 /// What to do before the program ends; replaces the earlier one. The clean-up must not wait for the thread
 /// that works. The caller holds the lock of postpone_interruption().
 void clean_up_on_interruption(std::function<void()> clean_up);
+
+/// What the program says when it is interrupted, instead of "interrupted; no results were written". Asked by
+/// the thread that does the clean-up. The caller holds the lock.
+void say_on_interruption(std::function<std::string()> sentence);
 
 /// A child process that is killed on interruption, before the clean-up, until it is spared. The caller holds
 /// the lock.

@@ -58,6 +58,15 @@ std::string to_short_text(double value)
                                            std::chars_format::general, 6));
 }
 
+double rounded(double value, int n_digits)
+{
+  std::array<char, 32> buffer;
+  const auto digits = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    std::chars_format::scientific, n_digits - 1);
+  std::from_chars(buffer.data(), digits.ptr, value);
+  return value;
+}
+
 std::optional<double> parse_number(const std::string &text)
 {
   const auto value = parse_whole<double>(text);

@@ -12,6 +12,9 @@ std::string to_text(double value);
 /// At most six significant digits, for messages.
 std::string to_short_text(double value);
 
+/// The finite number @p value to @p n_digits significant digits: 0.3 for the 0.30000000000000004 of a sum.
+double rounded(double value, int n_digits);
+
 /// The finite number that makes up the whole of @p text (a leading + and surrounding blanks are allowed), or
 /// nothing.
 std::optional<double> parse_number(const std::string &text);

@@ -106,6 +106,14 @@ std::pair<int, std::string> outcome_of(const std::function<std::string()> &work)
   }
 }
 
+void throw_unless_done(const std::pair<int, std::string> &outcome)
+{
+  if (outcome.first == static_cast<int>(Outcome::output_failure))
+    throw OutputFailure(outcome.second);
+  if (outcome.first == static_cast<int>(Outcome::other_failure))
+    throw std::runtime_error(outcome.second);
+}
+
 } // namespace
 
 std::string on_first_rank(const std::function<std::string()> &work)
@@ -115,11 +123,27 @@ std::string on_first_rank(const std::function<std::string()> &work)
     outcome = outcome_of(work);
   if (n_ranks() > 1)
     outcome = mpi::broadcast(MPI_COMM_WORLD, outcome);
-  if (outcome.first == static_cast<int>(Outcome::output_failure))
-    throw OutputFailure(outcome.second);
-  if (outcome.first == static_cast<int>(Outcome::other_failure))
-    throw std::runtime_error(outcome.second);
+  throw_unless_done(outcome);
   return outcome.second;
+}
+
+void on_every_rank(const std::function<void()> &work)
+{
+  const auto outcome = outcome_of(
+    [&]
+    {
+      work();
+      return std::string();
+    });
+  if (n_ranks() == 1)
+    return throw_unless_done(outcome);
+  for (const auto &of_one : mpi::all_gather(MPI_COMM_WORLD, outcome))
+    throw_unless_done(of_one);
+}
+
+unsigned int this_rank()
+{
+  return running_session ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
 }
 
 void abort_all_ranks(int exit_status)

@@ -31,6 +31,14 @@ unsigned int n_ranks();
 /// does: OutputFailure for trouble with files, std::runtime_error with the same message for everything else.
 std::string on_first_rank(const std::function<std::string()> &work);
 
+/// Runs @p work on every rank, and waits for all of them. When it throws on some, every rank does, with the
+/// message of the first of those: OutputFailure for trouble with files, std::runtime_error for everything
+/// else.
+void on_every_rank(const std::function<void()> &work);
+
+/// Position of this process among n_ranks().
+unsigned int this_rank();
+
 /// Ends all processes at once; for failures that the other ranks do not know of.
 [[noreturn]] void abort_all_ranks(int exit_status);
 

@@ -63,8 +63,8 @@ std::vector<fem::PointForce> turned(std::vector<fem::PointForce> points, double 
 class RevolutionContact : public FootContact
 {
 public:
-  explicit RevolutionContact(const Study &study)
-      : foot(setup_of(study))
+  RevolutionContact(const Study &study, fem::ComplianceStore &store)
+      : foot(setup_of(study), store)
   {
   }
 
@@ -111,11 +111,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<FootContact> make_revolution_contact(const Study &study)
+std::unique_ptr<FootContact> make_revolution_contact(const Study &study, fem::ComplianceStore &store)
 {
   try
   {
-    return std::make_unique<RevolutionContact>(study);
+    return std::make_unique<RevolutionContact>(study, store);
   }
   catch (const std::invalid_argument &error)
   {

@@ -71,9 +71,9 @@ LoadAtSpin load_beside(const StudyResult &result)
                         std::max({ 0., all + margin, first + margin }));
 }
 
-StudyLoad find_contact_load(const Study &study, const StudyObserver &observer)
+StudyLoad find_contact_load(const Study &study, fem::ComplianceStore &store, const StudyObserver &observer)
 {
-  const std::shared_ptr<FootContact> foot = make_foot_contact(study);
+  const std::shared_ptr<FootContact> foot = make_foot_contact(study, store);
   tell(observer.foot_made, *foot);
   tell(observer.stage_done, "mesh_and_stiffness");
   if (const std::string note = friction_note(study); !note.empty())
@@ -86,10 +86,16 @@ StudyLoad find_contact_load(const Study &study, const StudyObserver &observer)
 
 StudyLoad find_load(const Study &study, const StudyObserver &observer)
 {
+  fem::ComplianceStore store;
+  return find_load(study, store, observer);
+}
+
+StudyLoad find_load(const Study &study, fem::ComplianceStore &store, const StudyObserver &observer)
+{
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return find_contact_load(study, observer);
+    return find_contact_load(study, store, observer);
   case LoadSource::first_harmonic:
     return { first_harmonic_load(study), nullptr, std::nullopt };
   case LoadSource::file:

@@ -32,6 +32,10 @@ struct StudyLoad
 /// collective over all ranks. Throws BadInput, ContactFailure.
 StudyLoad find_load(const Study &study, const StudyObserver &observer = {});
 
+/// The same for one of many studies, whose feet share what they can in @p store. Bodies of revolution are not
+/// collective, and several threads may be at it.
+StudyLoad find_load(const Study &study, fem::ComplianceStore &store, const StudyObserver &observer = {});
+
 /// The whole study: the load, and what follows from it for torque, spin, truncations and closures. Writes
 /// nothing. Throws as find_load, and std::runtime_error where a balance or a terminal spin is not found.
 StudyResult solve_study(const Study &study, const StudyObserver &observer = {});

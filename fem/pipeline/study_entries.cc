@@ -47,6 +47,8 @@ public:
       return number && range.contains(*number) ? number : std::nullopt;
     };
     append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, parse, to_text);
+    if (!unit.empty())
+      entries.back().unit = unit;
   }
 
   /// A number of things, from @p least to @p most.
@@ -109,6 +111,8 @@ private:
     entry.name = name;
     entry.allowed = allowed;
     entry.help = help;
+    entry.unit = std::is_arithmetic_v<Value> ? "1" : "";
+    entry.is_quantity = std::is_floating_point_v<Value>;
     entry.text = [&value, print] { return print(value); };
     if constexpr (std::is_arithmetic_v<Value>)
       entry.json = [&value] { return nlohmann::ordered_json(value); };

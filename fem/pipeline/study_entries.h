@@ -18,6 +18,8 @@ struct StudyEntry
   std::string name;
   std::string allowed;                          ///< as part of a sentence: "a number greater than 0 (m)"
   std::string help;                             ///< sentences, units included
+  std::string unit;                             ///< "1" for pure numbers, empty for words and paths
+  bool is_quantity = false;                     ///< takes any number, not only whole ones
   std::function<std::string()> text;            ///< the present value as a study file writes it
   std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
   std::function<bool(const std::string &)> is_allowed; ///< whether assign() takes this text

@@ -177,16 +177,23 @@ std::string contents(const std::string &file)
   return all;
 }
 
-/// Sets one entry from the command line or from a JSON file.
-void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
-            const std::string &value)
+const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
+                           const std::string &path)
 {
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
   require(entry != entries.end(),
           origin + ": there is no entry \"" + path + "\"" + suggestion(entries, path));
-  require(entry->is_allowed(value), origin + ": " + not_allowed(entry->path(), value, entry->allowed));
-  entry->assign(value);
+  return *entry;
+}
+
+/// Sets one entry from the command line or from a JSON file.
+void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
+            const std::string &value)
+{
+  const StudyEntry &entry = entry_at(entries, origin, path);
+  require(entry.is_allowed(value), origin + ": " + not_allowed(entry.path(), value, entry.allowed));
+  entry.assign(value);
 }
 
 /// Sets the entries of one section of a JSON file.
@@ -256,6 +263,32 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
     apply(override_text, entries);
   check_study(study);
   return study;
+}
+
+Study with_values(Study study, const std::string &option,
+                  const std::vector<std::pair<std::string, std::string>> &values)
+{
+  const std::vector<StudyEntry> entries = study_entries(study);
+  for (const auto &[path, value] : values)
+    assign(entries, option, path, value);
+  check_study(study);
+  return study;
+}
+
+StudyEntry find_entry(const std::string &option, const std::string &path)
+{
+  Study study;
+  return entry_at(study_entries(study), option, path);
+}
+
+std::vector<std::string> files_of(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> files;
+  for (const std::string *path : paths_of(copy))
+    if (!path->empty())
+      files.push_back(*path);
+  return files;
 }
 
 Study with_paths_from(const std::filesystem::path &folder, Study study)

@@ -23,6 +23,9 @@ void describe_program(CLI::App &program);
 /// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
 void add_run_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware sweep`: a study many times, with other values each time.
+void add_sweep_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware defaults`: a commented study file of all defaults on standard output.
 void add_defaults_verb(CLI::App &program, Verb &chosen);
 

@@ -41,6 +41,13 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all)
 
 } // namespace
 
+ring::TerminalSpin truncated_terminal_spin(const LoadAtSpin &load, const ring::Motion &motion,
+                                           unsigned int n_harmonics)
+{
+  return ring::terminal_spin(torque_of(load, motion, n_harmonics), motion.yaw_inertia,
+                             spin_scale(load(0), motion));
+}
+
 YawStudy study_yaw(const LoadAtSpin &load, const ring::Motion &motion)
 {
   const ring::CoulombRing friction(motion.friction_coefficient);

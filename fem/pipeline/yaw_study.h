@@ -38,6 +38,11 @@ struct YawStudy
   std::vector<TruncationRow> truncations; ///< harmonics 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, ... and all
 };
 
+/// The terminal spin under the first @p n_harmonics of the load. Throws std::runtime_error when there is
+/// none.
+ring::TerminalSpin truncated_terminal_spin(const LoadAtSpin &load, const ring::Motion &motion,
+                                           unsigned int n_harmonics);
+
 /// Solves for the terminal spin of every truncation. Throws std::runtime_error when there is none.
 YawStudy study_yaw(const LoadAtSpin &load, const ring::Motion &motion);
 

@@ -27,6 +27,14 @@ TEST(NumberText, ShortTextHasSixDigits)
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");
 }
 
+TEST(NumberText, RoundsToSignificantDigits)
+{
+  EXPECT_EQ(rounded(0.1 + 0.2, 15), 0.3);
+  EXPECT_EQ(rounded(1e10 / 3, 12), 3333333333.33);
+  EXPECT_EQ(rounded(-2e300 / 3, 3), -6.67e299);
+  EXPECT_EQ(rounded(0, 5), 0);
+}
+
 TEST(NumberText, ReadsWholeFiniteNumbersOnly)
 {
   EXPECT_EQ(parse_number("0.0312345678901234"), 0.0312345678901234);

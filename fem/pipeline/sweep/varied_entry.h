@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// An entry of the study and the values that a sweep gives it, as a study file writes them.
+struct VariedEntry
+{
+  std::string path; ///< Section/Entry
+  std::vector<std::string> values;
+  bool by_factors = false; ///< a range by equal factors
+};
+
+/// Reads what --vary was given:
+///
+///   Load/Moment ratio=0.1:1.9:50                from 0.1 to 1.9 in equal steps, 50 values
+///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
+///   Motion/Closure=paper,hand,full              these
+///
+/// Values of a range are rounded to 15 digits, so that a third of the way from 0 to 0.9 is 0.3. Throws
+/// BadInput with one sentence for anything else; whether the entry exists and takes the values is not looked
+/// at.
+VariedEntry parse_varied_entry(const std::string &text);
+
+/// "Section/Entry=rest" in its two parts, without blanks around them. @p option is named in the BadInput that
+/// is thrown for texts without them.
+std::pair<std::string, std::string> split_assignment(const std::string &option, const std::string &text);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stemware::test
+{
+
+/// The fields of a table as RFC 4180 has them, line by line. Throws std::runtime_error for a text that does
+/// not end with a line end.
+inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
+{
+  std::vector<std::vector<std::string>> rows = { { "" } };
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    if (text[i] == '"' && is_quoted && text.compare(i, 2, "\"\"") == 0)
+      rows.back().back() += text[i++];
+    else if (text[i] == '"')
+      is_quoted = !is_quoted;
+    else if (is_quoted)
+      rows.back().back() += text[i];
+    else if (text[i] == ',')
+      rows.back().emplace_back();
+    else if (text.compare(i, 2, "\r\n") == 0 && ++i)
+      rows.push_back({ "" });
+    else
+      rows.back().back() += text[i];
+  }
+  if (rows.back() != std::vector<std::string>{ "" })
+    throw std::runtime_error("the last line of the table has no end");
+  rows.pop_back();
+  return rows;
+}
+
+/// A table whose columns are found by their titles.
+class CsvTable
+{
+public:
+  explicit CsvTable(const std::string &text)
+      : rows(parse_csv(text))
+  {
+  }
+
+  std::size_t n_rows() const { return rows.size() - 1; }
+
+  const std::string &text(std::size_t row, const std::string &title) const
+  {
+    const auto column = std::find(rows[0].begin(), rows[0].end(), title);
+    if (column == rows[0].end())
+      throw std::runtime_error("the table has no column " + title);
+    return rows.at(row + 1).at(static_cast<std::size_t>(column - rows[0].begin()));
+  }
+
+  double number(std::size_t row, const std::string &title) const { return std::stod(text(row, title)); }
+
+private:
+  const std::vector<std::vector<std::string>> rows;
+};
+
+} // namespace stemware::test
