@@ -12,6 +12,7 @@ namespace stemware::pipeline
 void describe_program(CLI::App &program)
 {
   program.require_subcommand(1);
+  program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
   program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
   program.footer(R"(Examples:
@@ -83,6 +84,8 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
 
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
+  for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
+    verb->group("Verbs");
   try
   {
     program.parse(argc, argv);

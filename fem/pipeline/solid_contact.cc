@@ -16,17 +16,6 @@ namespace
 
 using Mesh = dealii::parallel::distributed::Triangulation<3>;
 
-/// A mesh in other units than the study, or of another glass, would pass unnoticed: its rim is compared with
-/// the contact radius.
-void require_same_glass(const fem::MeshReport &report, const Study &study)
-{
-  const double radius = study.glass.profile.contact_radius;
-  if (std::abs(report.rim_radius - radius) > 0.1 * radius)
-    throw BadInput("The rim of Contact/Mesh file = " + study.contact.mesh_file + " has a radius of " +
-                   to_short_text(report.rim_radius) + " m, but Glass/Contact radius = " + to_text(radius) +
-                   " m; give the radius of the mesh, and the mesh in metres.");
-}
-
 /// Fills the triangulation; the report is that of a mesh file.
 std::optional<fem::MeshReport> make_mesh(const Study &study, Mesh &mesh)
 {
@@ -38,7 +27,7 @@ std::optional<fem::MeshReport> make_mesh(const Study &study, Mesh &mesh)
   try
   {
     const fem::MeshReport report = fem::read_foot_mesh(study.contact.mesh_file, mesh);
-    require_same_glass(report, study);
+    require_same_glass(report, study.contact.mesh_file, study);
     return report;
   }
   catch (const std::invalid_argument &error)
@@ -149,6 +138,15 @@ private:
 };
 
 } // namespace
+
+void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
+{
+  const double radius = study.glass.profile.contact_radius;
+  if (std::abs(report.rim_radius - radius) > 0.1 * radius)
+    throw BadInput("The rim of the mesh " + file + " has a radius of " + to_short_text(report.rim_radius) +
+                   " m, but Glass/Contact radius = " + to_text(radius) +
+                   " m; give the radius of the mesh, and the mesh in metres.");
+}
 
 std::unique_ptr<FootContact> make_solid_contact(const Study &study)
 {

@@ -26,9 +26,19 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                 "Folder of the results; default: results/<name of the study file>" +
                   std::string(options.verb == "run" ? "" : "-" + options.verb))
     ->type_name("DIR");
+  add_override_option(verb, options);
+  add_console_options(verb, options);
+}
+
+void add_override_option(CLI::App &verb, StudyOptions &options)
+{
   verb.add_option("--set", options.overrides, "Replaces one entry of the study file; may be repeated")
     ->type_name("\"Section/Entry=value\"")
     ->allow_extra_args(false);
+}
+
+void add_console_options(CLI::App &verb, StudyOptions &options)
+{
   verb.add_flag("--quiet", options.quiet, "Print nothing unless something is wrong");
   verb.add_flag("--json", options.json,
                 "Print one JSON object on standard output, with paths and key figures;\n"

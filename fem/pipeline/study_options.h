@@ -29,6 +29,12 @@ struct StudyOptions
 /// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
+/// Declares --set alone.
+void add_override_option(CLI::App &verb, StudyOptions &options);
+
+/// Declares --quiet and --json alone.
+void add_console_options(CLI::App &verb, StudyOptions &options);
+
 /// The folder of the results: --output, or results/<stem of the study> for `run` and
 /// results/<stem of the study>-<verb> for the others.
 std::filesystem::path results_place(const StudyOptions &options);

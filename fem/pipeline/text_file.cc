@@ -8,19 +8,49 @@
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <unistd.h>
 
 namespace stemware::pipeline
 {
 
-void write_text_file(const std::filesystem::path &file, const std::string &text)
+namespace
+{
+
+/// Whether every byte has been taken by the disk; errno says why not.
+bool write_all(const std::filesystem::path &file, const std::string &text)
 {
   errno = 0;
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream)
+  return static_cast<bool>(stream);
+}
+
+} // namespace
+
+void write_text_file(const std::filesystem::path &file, const std::string &text)
+{
+  if (!write_all(file, text))
     throw OutputFailure("The file " + file.filename().string() + " of the results cannot be written (" +
                         std::strerror(errno) + "); make room, or choose another folder with --output.");
+}
+
+void replace_text_file(const std::filesystem::path &file, const std::string &text)
+{
+  std::filesystem::path partial = file;
+  partial.replace_filename("." + file.filename().string() + ".partial-" + std::to_string(::getpid()));
+  const auto refuse = [&](const std::string &reason)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw OutputFailure("The file " + file.string() + " cannot be written (" + reason +
+                        "); choose another place.");
+  };
+  if (!write_all(partial, text))
+    refuse(std::strerror(errno));
+  std::error_code error;
+  if (std::filesystem::rename(partial, file, error); error)
+    refuse(error.message());
 }
 
 std::string data_table(const std::string &title, const std::vector<DataColumn> &columns)

@@ -11,6 +11,10 @@ namespace stemware::pipeline
 /// disk.
 void write_text_file(const std::filesystem::path &file, const std::string &text);
 
+/// Writes a whole file that stands alone, outside a folder of results: it appears under its name when it is
+/// complete, and replaces an older one. Throws OutputFailure with one sentence.
+void replace_text_file(const std::filesystem::path &file, const std::string &text);
+
 /// One column of numbers, all columns of a table being equally long.
 struct DataColumn
 {

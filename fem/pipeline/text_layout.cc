@@ -74,19 +74,20 @@ std::string in_percent(const std::optional<double> &share)
   return share ? formatted("%+.3g %%", 100 * *share) : "-";
 }
 
-std::string wrapped(const std::string &text)
+std::string wrapped(const std::string &text, const std::string &label)
 {
+  const std::size_t indent = width_of(label);
   std::istringstream words(text);
-  std::string lines;
-  std::size_t column = 0;
+  std::string lines = label;
+  std::size_t column = indent;
   for (std::string word; words >> word; column += width_of(word))
   {
-    if (column > 0 && column + 1 + width_of(word) > console_width)
+    if (column > indent && column + 1 + width_of(word) > console_width)
     {
-      lines += '\n';
-      column = 0;
+      lines += '\n' + std::string(indent, ' ');
+      column = indent;
     }
-    else if (column > 0)
+    else if (column > indent)
     {
       lines += ' ';
       ++column;

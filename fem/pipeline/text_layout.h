@@ -24,8 +24,9 @@ std::string formatted(const char *format, Values... values)
 /// A share with its sign in per cent to three digits, "+0.274 %"; "-" where there is none.
 std::string in_percent(const std::optional<double> &share);
 
-/// Breaks a text between words into lines that fit the console.
-std::string wrapped(const std::string &text);
+/// Breaks a text between words into lines that fit the console. @p label stands before the first line, and
+/// blanks as wide before the others.
+std::string wrapped(const std::string &text, const std::string &label = "");
 
 /// One column of a table on the console.
 struct TextColumn

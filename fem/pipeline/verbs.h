@@ -26,6 +26,9 @@ void add_run_verb(CLI::App &program, Verb &chosen);
 /// `stemware sweep`: a study many times, with other values each time.
 void add_sweep_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware mesh`: a foot mesh, written or looked at.
+void add_mesh_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware defaults`: a commented study file of all defaults on standard output.
 void add_defaults_verb(CLI::App &program, Verb &chosen);
 

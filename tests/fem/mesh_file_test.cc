@@ -1,10 +1,7 @@
 #include "foot_case.h"
+#include "temporary_file.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdio>
-#include <fstream>
-#include <unistd.h>
 
 using namespace stemware::fem;
 using namespace stemware::fem_tests;
@@ -43,19 +40,6 @@ std::string message_of(const std::string &file_name)
   }
   return "";
 }
-
-/// A file that lives as long as the test; its own in every process, for tests run side by side and on several
-/// ranks.
-struct TemporaryFile
-{
-  explicit TemporaryFile(const std::string &content)
-      : name(::testing::TempDir() + "stemware_mesh_file_test_" + std::to_string(getpid()) + ".msh")
-  {
-    std::ofstream(name) << content;
-  }
-  ~TemporaryFile() { std::remove(name.c_str()); }
-  const std::string name;
-};
 
 } // namespace
 

@@ -10,8 +10,11 @@ namespace
 TEST(Help, TeachesByExampleOnEveryVerb)
 {
   const ScratchFolder scratch;
-  for (const std::vector<std::string> &arguments :
-       { std::vector<std::string>{ "--help" }, { "run", "--help" }, { "defaults", "--help" } })
+  std::vector<std::vector<std::string>> commands = { { "--help" } };
+  for (const std::string &verb : all_verbs())
+    commands.push_back({ verb, "--help" });
+  EXPECT_GE(commands.size(), 4u);
+  for (const std::vector<std::string> &arguments : commands)
   {
     const Ended ended = stemware(scratch, arguments);
     EXPECT_EQ(ended.exit_code, 0);

@@ -125,6 +125,21 @@ Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arg
   return RunningProgram(command, scratch.path()).end();
 }
 
+std::vector<std::string> all_verbs()
+{
+  const ScratchFolder scratch;
+  std::istringstream lines(stemware(scratch, { "--help" }).out);
+  std::vector<std::string> verbs;
+  std::string line;
+  while (std::getline(lines, line) && line != "Verbs:")
+    ;
+  while (std::getline(lines, line) && !line.empty())
+    // "  run      Compute a study ..."; what a description needs of further lines is indented deeper.
+    if (line.compare(0, 3, "   ") != 0)
+      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return verbs;
+}
+
 std::string read_text(const fs::path &file)
 {
   std::ifstream stream(file, std::ios::binary);

@@ -62,6 +62,9 @@ private:
 /// Runs `stemware` with these arguments in the folder.
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
+/// The verbs that `stemware --help` lists.
+std::vector<std::string> all_verbs();
+
 std::string read_text(const std::filesystem::path &file);
 nlohmann::json read_summary(const std::filesystem::path &results);
 

@@ -87,7 +87,7 @@ TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
     scratch, { "run", scratch.write("study.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(bad_lines(ended.out + ended.err), "");
-  for (const char *verb : { "run", "defaults" })
+  for (const std::string &verb : all_verbs())
     EXPECT_EQ(bad_lines(stemware(scratch, { verb, "--help" }).out), "");
   EXPECT_EQ(bad_lines(stemware(scratch, { "--help" }).out), "");
 }

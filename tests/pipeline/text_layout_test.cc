@@ -43,6 +43,7 @@ TEST(TextLayout, WrapsAtTheConsolesWidth)
   const std::string word(49, 'x');
   EXPECT_EQ(wrapped(word + " " + word + "x  y"), word + " " + word + "x\ny"); // exactly 100 columns
   EXPECT_EQ(wrapped(word + " " + word + "xx"), word + "\n" + word + "xx");
+  EXPECT_EQ(wrapped(word + " " + word, "Remark  "), "Remark  " + word + "\n        " + word);
   EXPECT_EQ(wrapped(""), "");
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
+namespace stemware::fem
+{
+
+/// What a foot mesh is like, to be looked at before it is used. Lengths in m.
+struct MeshCheck
+{
+  unsigned int n_cells = 0;
+  unsigned int n_vertices = 0;
+  std::map<unsigned int, unsigned int> n_faces; ///< of the surface, by boundary id (FootBoundary)
+  std::array<double, 3> lower = {}, upper = {}; ///< box round all vertices
+
+  double inner_radius = 0, outer_radius = 0; ///< of the contact zone's vertices, from the axis
+  double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
+  double contact_area = 0;                   ///< of its faces, edges taken as straight [m^2]
+  double upward_share = 0;                   ///< share of that area that looks up, away from the table
+  std::array<double, 2> centre = {};         ///< its centre of area in (x, y); the axis should pass there
+
+  double least_jacobian = 1; ///< least scaled Jacobian of all cells
+  double mean_jacobian = 1;
+  std::array<double, 3> worst_place = {}; ///< centre of the cell with the least one
+  unsigned int n_inverted = 0;            ///< cells with a scaled Jacobian of 0 or less
+};
+
+/// Looks at a mesh with at least one cell and one face of contact zone.
+MeshCheck check_mesh(const dealii::Triangulation<3, 3> &triangulation);
+
+/// For each active cell the least of its eight corners' triple products of edges, divided by the edges'
+/// lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193): 1 for a brick, 0 or less where a corner is flat or
+/// inside out. Edges are taken as straight.
+std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangulation);
+
+} // namespace stemware::fem

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace stemware::fem_tests
+{
+
+/// A mesh file that lives as long as the test; its own in every process, for tests run side by side and on
+/// several ranks.
+struct TemporaryFile
+{
+  explicit TemporaryFile(const std::string &content)
+      : name(::testing::TempDir() + "stemware_mesh_file_test_" + std::to_string(getpid()) + ".msh")
+  {
+    std::ofstream(name) << content;
+  }
+  ~TemporaryFile() { std::remove(name.c_str()); }
+  TemporaryFile(const TemporaryFile &) = delete;
+  TemporaryFile &operator=(const TemporaryFile &) = delete;
+
+  const std::string name;
+};
+
+} // namespace stemware::fem_tests
