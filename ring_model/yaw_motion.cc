@@ -85,6 +85,23 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
   return motion_from({ 0., 0., initial_spin }, torque, yaw_inertia, times, accuracy, spin_scale);
 }
 
+std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
+                                        double initial_spin, double time_step, unsigned int n_steps)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  require_positive(time_step, "the time step", "s");
+  require_finite(initial_spin, "the initial spin [rad/s]");
+  std::vector<YawSample> samples{ { 0., 0., initial_spin } };
+  samples.reserve(n_steps + 1);
+  for (unsigned int i = 1; i <= n_steps; ++i)
+  {
+    const auto [time, angle, omega] = samples.back();
+    samples.push_back({ i * time_step, angle + omega * time_step,
+                        omega + torque(time, angle, omega) / yaw_inertia * time_step });
+  }
+  return samples;
+}
+
 LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                             double window, double accuracy, double spin_scale)
 {

@@ -31,6 +31,15 @@ struct YawSample
 std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                   const std::vector<double> &times, double accuracy, double spin_scale);
 
+/**
+ * The same by the paper's forward Euler, from t = 0 and psi = 0 in @p n_steps steps [s]; n_steps + 1 samples.
+ * First order in @p time_step.
+ *
+ * @throws std::invalid_argument if the inertia or the step is not positive.
+ */
+std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
+                                        double initial_spin, double time_step, unsigned int n_steps);
+
 /// Spin of a ring whose torque depends on the phase, once the start is forgotten.
 struct LongTimeSpin
 {

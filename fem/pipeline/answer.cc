@@ -142,4 +142,16 @@ std::string narrow_contact_remark(const Study &study, const std::optional<Contac
       : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
 }
 
+std::string waviness_remark(const Study &study, const std::optional<PhaseFigures> &phases)
+{
+  if (!phases)
+    return "";
+  const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
+  const std::string who = rim && table ? "Rim and table are" : rim ? "The rim is" : "The table is";
+  return who +
+         formatted(" out of flat: the terminal spin is the mean in the long run, about which the spin swings "
+                   "by %.3g rad/s, as the torque does by %.3g N m.",
+                   phases->spin_ripple, phases->torque_ripple);
+}
+
 } // namespace stemware::pipeline

@@ -46,4 +46,7 @@ std::string lift_off_remark(const RingLoad &load);
 /// Says that the contact is narrower than what its nodes can show; empty where it is not.
 std::string narrow_contact_remark(const Study &study, const std::optional<ContactFigures> &contact);
 
+/// Says what an out-of-flat rim or table does to the spin; empty for flat ones.
+std::string waviness_remark(const Study &study, const std::optional<PhaseFigures> &phases);
+
 } // namespace stemware::pipeline

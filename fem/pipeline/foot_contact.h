@@ -6,6 +6,7 @@
 #include "fem/foot_mesh.h"
 #include "fem/footprint.h"
 #include "fem/pipeline/study.h"
+#include "fem/rim_imperfection.h"
 
 #include <functional>
 #include <memory>
@@ -56,6 +57,10 @@ public:
   /// The latest solution's load where it lies in the plane, and its pressure for pictures; slip frame.
   virtual std::vector<fem::PointForce> point_forces(const FootContactResult &result) const = 0;
   virtual fem::Footprint footprint(const FootContactResult &result) const = 0;
+
+  /// Where the marks of glass and table stand in the contacts to come; at first where they are at t = 0. Only
+  /// a foot or a table that is out of flat knows them.
+  virtual void turn_to(const fem::FootPhase & /*phase*/) {}
 
   /// Writes <folder>/contact.vtu for the latest solution; false for a body that has no such fields.
   virtual bool write_fields(const std::string &folder, const FootContactResult &result) const = 0;

@@ -87,7 +87,18 @@ std::string spin_up_table(const SpinUpCurves &curves)
                     { { "time", "s", curves.time },
                       { "omega, adaptive", "rad/s", curves.adaptive },
                       { "omega, forward Euler", "rad/s", curves.euler },
-                      { "omega, first harmonic alone, adaptive", "rad/s", curves.first_harmonic } });
+                      { "omega, first harmonic alone, adaptive", "rad/s", curves.first_harmonic },
+                      { "yaw angle, adaptive", "rad", curves.yaw_angle } });
+}
+
+std::string phase_table(const PhaseFigures &phases)
+{
+  return data_table(
+    "Yaw torque over the phase: where the marks of glass and table stand in the slip frame",
+    { column("mark of the glass", "rad", phases.phases, [](const auto &phase) { return phase.glass; }),
+      column("mark of the table", "rad", phases.phases, [](const auto &phase) { return phase.table; }),
+      { "tau_z at rest", "N m", phases.torque_at_rest },
+      { "tau_z at the mean spin in the long run", "N m", phases.torque_at_terminal } });
 }
 
 std::string truncation_table(const std::vector<TruncationRow> &rows)
@@ -128,6 +139,8 @@ void write_result_tables(const StudyResult &result, const std::filesystem::path 
   write_text_file(folder / "torque.dat", torque_table(result.torque));
   write_text_file(folder / "spin_up.dat", spin_up_table(result.spin_up));
   write_text_file(folder / "truncation.dat", truncation_table(result.yaw.truncations));
+  if (result.phases)
+    write_text_file(folder / "phases.dat", phase_table(*result.phases));
   if (!result.contact)
     return;
   write_text_file(folder / "load_lines.dat", pointwise_table(result.load.pointwise));

@@ -3,6 +3,7 @@
 #include "fem/pipeline/failures.h"
 #include "fem/pipeline/foot_contact.h"
 #include "fem/pipeline/friction_coupling.h"
+#include "fem/pipeline/phase/marks.h"
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/text_file.h"
 
@@ -48,6 +49,7 @@ fem::RevolutionSetup setup_of(const Study &study)
   setup.meridian.n_harmonics = study.contact.harmonics;
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
   setup.n_lines = study.contact.azimuth_lines;
+  setup.imperfection = imperfection_of(study);
   return setup.resolved_for(demanded_load(study).normal_force);
 }
 
@@ -65,6 +67,7 @@ class RevolutionContact : public FootContact
 public:
   RevolutionContact(const Study &study, fem::ComplianceStore &store)
       : foot(setup_of(study), store)
+      , phase(phase_of_marks(study.motion.orbit, 0, 0))
   {
   }
 
@@ -76,7 +79,7 @@ public:
                           const Progress & /*progress*/) override
   {
     FootContactResult result;
-    result.load = foot.press(load, {}, spin_per_speed);
+    result.load = foot.press(load, phase, spin_per_speed);
     result.solution = foot.solution();
     return result;
   }
@@ -105,8 +108,11 @@ public:
     return true;
   }
 
+  void turn_to(const fem::FootPhase &marks) override { phase = marks; }
+
 private:
   fem::FootResponse foot;
+  fem::FootPhase phase; ///< of the contacts to come
 };
 
 } // namespace

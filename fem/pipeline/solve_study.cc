@@ -79,7 +79,24 @@ StudyLoad find_contact_load(const Study &study, fem::ComplianceStore &store, con
   if (const std::string note = friction_note(study); !note.empty())
     tell(observer.note, "Friction", note);
   const ContactFigures contact = solve_foot_contact(study, *foot, observer);
-  return { contact_load(study, foot, contact.result.load, observer.balance_found), foot, contact };
+  if (study.has_waviness())
+  {
+    const PhasedLoad phased = find_phased_load(study, foot, contact.result.load, observer.balance_found);
+    return { phased.load, foot, contact, phased };
+  }
+  return { contact_load(study, foot, contact.result.load, observer.balance_found), foot, contact,
+           std::nullopt };
+}
+
+/// Spin under a load that depends on the phase.
+void follow_phases(const Study &study, const PhasedLoad &load, FootContact &foot, StudyResult &result)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  PhaseFigures figures;
+  result.yaw = study_yaw(load, phase_periods(imperfection_of(study)), motion, figures);
+  result.spin_up = spin_up_curves(load, study.motion);
+  result.phases = figures;
+  foot.turn_to(phase_of_marks(motion, 0, 0));
 }
 
 } // namespace
@@ -115,7 +132,10 @@ StudyResult solve_study(const Study &study, const StudyObserver &observer)
                          torque_curve(load, motion),
                          {},
                          compare_closures(motion, study.glass.profile.contact_radius) };
-  result.spin_up = spin_up_curves(load, study.motion, load_beside(result));
+  if (found.phased)
+    follow_phases(study, *found.phased, *found.foot, result);
+  else
+    result.spin_up = spin_up_curves(load, study.motion, load_beside(result));
   if (result.contact)
     result.contact->friction_at_terminal = friction_at_terminal(study, result.load, result.yaw.terminal.omega,
                                                                 *found.foot, result.contact->result);

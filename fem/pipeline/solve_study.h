@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/phase/phase_contact.h"
 #include "fem/pipeline/study_result.h"
 
 #include <functional>
@@ -26,6 +27,8 @@ struct StudyLoad
   RingLoad load;
   std::shared_ptr<FootContact> foot;     ///< nothing where the load does not come from a contact
   std::optional<ContactFigures> contact; ///< at rest; without the resolved friction
+  std::optional<PhasedLoad>
+    phased = {}; ///< where rim or table are out of flat; `load` is its mean at every spin
 };
 
 /// The load on the ring, from wherever @p study wants it. MPI must have been started for a contact;

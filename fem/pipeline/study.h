@@ -4,6 +4,7 @@
 #include "fem/foot_mesh.h"
 #include "fem/glass_profile.h"
 #include "fem/meridian_mesh.h"
+#include "fem/pipeline/phase/waviness.h"
 #include "fem/solid_body.h"
 #include "fem/table_law.h"
 #include "ring_model/closures.h"
@@ -28,6 +29,7 @@ struct GlassSection
 {
   fem::GlassProfile profile;
   fem::ElasticMaterial material;
+  Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 };
 
 enum class TableKind
@@ -46,6 +48,7 @@ struct TableSection
   fem::RoughInterface roughness;    ///< of a rough table
   fem::TableDisc disc;              ///< an elastic table
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
+  Waviness waviness; ///< fixed to the ground: positive where the table is lower
 };
 
 enum class BodyKind
@@ -109,6 +112,9 @@ struct Study
   TableSection table;
   ContactSection contact;
   LoadSection load;
+
+  /// Whether rim or table are out of flat: the load then depends on where their marks stand.
+  bool has_waviness() const { return !glass.waviness.empty() || !table.waviness.empty(); }
 };
 
 /// Throws BadInput, with one sentence, for values that do not go together, that no physical system has, or

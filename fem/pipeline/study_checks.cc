@@ -109,11 +109,38 @@ void require_readable(const std::string &entry, const std::string &file)
           entry + " = " + file + " is not a file; give the path of a file.");
 }
 
+/// An out-of-flat rim or table needs a body whose gap can turn, a contact to feel it, and a response fine
+/// enough.
+void require_known_waviness(const Study &study)
+{
+  const auto check = [&](const std::string &entry, const Waviness &waviness)
+  {
+    if (waviness.empty())
+      return;
+    require(study.contact.body == BodyKind::revolution,
+            entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
+              " empty and draw the foot in a mesh file.");
+    require(study.load.source == LoadSource::contact,
+            entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
+    require(study.load.coupling != LoadCoupling::response,
+            entry +
+              " makes the load depend on more than the moment, which Load/Coupling = response does not know; "
+              "set Coupling = exact or frozen.");
+    for (const WavinessHarmonic &harmonic : waviness)
+      require(harmonic.n <= study.contact.harmonics,
+              entry + " has a harmonic n = " + std::to_string(harmonic.n) + ", but the foot answers to " +
+                std::to_string(study.contact.harmonics) + "; give at least as many Contact/Harmonics.");
+  };
+  check("Glass/Rim waviness", study.glass.waviness);
+  check("Table/Waviness", study.table.waviness);
+}
+
 } // namespace
 
 void check_study(const Study &study)
 {
   require_able_body(study);
+  require_known_waviness(study);
   require_one_moment(study.load);
   require_one_parameter(study);
   require_steps(study.motion);

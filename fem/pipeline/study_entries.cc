@@ -73,6 +73,11 @@ public:
            [](const std::string &text) { return text; });
   }
 
+  void add(const std::string &name, Waviness &value, const std::string &help)
+  {
+    append(name, value, waviness_words, help, parse_waviness, waviness_text);
+  }
+
   /// One of several named values.
   template <typename Choice>
   void add(const std::string &name, Choice &value, const std::vector<std::pair<std::string, Choice>> &choices,
@@ -192,6 +197,11 @@ void add_glass(EntryList &list, GlassSection &glass)
   list.add("Young modulus", glass.material.young_modulus, positive, "Pa", "Young's modulus of the glass");
   list.add("Poisson ratio", glass.material.poisson_ratio, between(-1, 0.5), "",
            "Poisson's ratio of the glass");
+  list.add(
+    "Rim waviness", glass.waviness,
+    "How the rim is out of flat: harmonics of its height above the table, fixed to the glass and positive "
+    "where it is higher. At the start azimuth 0 points away from the orbit's centre. Body of revolution "
+    "only");
 }
 
 void add_table(EntryList &list, TableSection &table)
@@ -219,6 +229,10 @@ void add_table(EntryList &list, TableSection &table)
            "Young's modulus of an elastic table (hardwood 10e9)");
   list.add("Disc Poisson ratio", table.disc_material.poisson_ratio, between(-1, 0.5), "",
            "Poisson's ratio of an elastic table");
+  list.add(
+    "Waviness", table.waviness,
+    "How the table is out of flat: harmonics of its depth, fixed to the ground and positive where it is "
+    "lower. At the start azimuth 0 points away from the orbit's centre. Body of revolution only");
 }
 
 void add_contact(EntryList &list, ContactSection &contact)

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/closure_comparison.h"
 #include "fem/pipeline/foot_contact.h"
+#include "fem/pipeline/phase/phase_study.h"
 #include "fem/pipeline/ring_load.h"
 #include "fem/pipeline/yaw_study.h"
 
@@ -36,6 +37,7 @@ struct StudyResult
   TorqueCurve torque;
   SpinUpCurves spin_up;
   std::vector<ClosureRow> closures;
+  std::optional<PhaseFigures> phases = {}; ///< nothing where rim and table are flat
 };
 
 } // namespace stemware::pipeline

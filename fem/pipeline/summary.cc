@@ -71,7 +71,26 @@ Json ring_summary(const Study &study, const StudyResult &result)
            { "omega_terminal", yaw.terminal.omega },
            { "time_constant", number_or_null(yaw.time_constant) },
            { "no_lift_off", result.load.moment_ratio <= 1 },
-           { "moment_ratio_at_terminal", result.load.at_spin(yaw.terminal.omega).moment_ratio() } };
+           { "moment_ratio_at_terminal", result.load.at_spin(yaw.terminal.omega).moment_ratio() },
+           { "phase_dependent", result.phases.has_value() },
+           { "spin_ripple", result.phases ? result.phases->spin_ripple : 0 } };
+}
+
+/// What an out-of-flat rim or table adds; null for flat ones.
+Json waviness_summary(const std::optional<PhaseFigures> &phases)
+{
+  if (!phases)
+    return nullptr;
+  return { { "spin_ripple", phases->spin_ripple },
+           { "spin_uncertainty", phases->spin_uncertainty },
+           { "zero_of_mean_torque", phases->zero_of_mean_torque },
+           { "torque_ripple", phases->torque_ripple },
+           { "least_load", phases->least_load },
+           { "least_contact_fraction", phases->least_contact_fraction },
+           { "glass_phases", phases->n_glass_phases },
+           { "table_phases", phases->n_table_phases },
+           { "spins", phases->n_spins },
+           { "interpolation_error", phases->interpolation_error } };
 }
 
 Json coupling_summary(const std::shared_ptr<CouplingFigures> &coupling)
@@ -136,6 +155,7 @@ Findings run_findings(const Study &study, const StudyResult &result)
                        { "contact", contact_summary(result.contact) },
                        { "ring", ring_summary(study, result) },
                        { "coupling", coupling_summary(result.load.coupling) },
+                       { "waviness", waviness_summary(result.phases) },
                        { "resolved", resolved_summary(result) },
                        { "truncation", truncation_summary(result.yaw.truncations) },
                        { "closures", closure_summary(result.closures) } };

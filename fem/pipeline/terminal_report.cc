@@ -97,7 +97,8 @@ void print_answer(const Study &study, const StudyResult &result)
 {
   console() << '\n'
             << wrapped(answer(study, result) + " " + lift_off_remark(result.load) + " " +
-                       narrow_contact_remark(study, result.contact))
+                       narrow_contact_remark(study, result.contact) + " " +
+                       waviness_remark(study, result.phases))
             << "\n\n"
             << truncation_text(result.yaw.truncations) << std::endl;
 }

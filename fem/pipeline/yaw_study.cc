@@ -1,6 +1,7 @@
 #include "fem/pipeline/yaw_study.h"
 
 #include "ring_model/yaw_dynamics.h"
+#include "ring_model/yaw_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,6 +109,12 @@ TorqueCurve torque_curve(const LoadAtSpin &load, const ring::Motion &motion)
   return curve;
 }
 
+unsigned int euler_steps(const MotionSection &motion, unsigned int n_intervals)
+{
+  const double n_steps = std::ceil(motion.end_time / n_intervals / motion.euler_step - 1e-9);
+  return std::max(static_cast<unsigned int>(n_steps), 1u);
+}
+
 SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion, const LoadAtSpin &beside)
 {
   constexpr unsigned int n_intervals = 200;
@@ -130,10 +137,13 @@ SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion,
   };
   curves.adaptive = adaptive(load, at_rest.n_harmonics());
   curves.first_harmonic = adaptive(load_beside, 1);
+  const ring::TorqueFunction torque = torque_of(load, orbit, at_rest.n_harmonics());
+  for (const auto &sample :
+       ring::yaw_motion([&](double, double, double omega) { return torque(omega); }, orbit.yaw_inertia, 0,
+                        curves.time, 1e-10, spin_scale(at_rest, orbit)))
+    curves.yaw_angle.push_back(sample.yaw_angle);
 
-  const auto n_substeps =
-    static_cast<unsigned int>(std::ceil(motion.end_time / n_intervals / motion.euler_step - 1e-9));
-  const unsigned int stride = std::max(n_substeps, 1u);
+  const unsigned int stride = euler_steps(motion, n_intervals);
   const unsigned int n_steps = stride * n_intervals;
   const auto samples = ring::spin_up_euler(torque_of(load_beside, orbit, at_rest.n_harmonics()),
                                            orbit.yaw_inertia, 0, motion.end_time / n_steps, n_steps);

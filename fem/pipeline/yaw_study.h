@@ -65,7 +65,11 @@ struct SpinUpCurves
   std::vector<double> adaptive;       ///< all harmonics, error control [rad/s]
   std::vector<double> euler;          ///< all harmonics, forward Euler as in the paper [rad/s]
   std::vector<double> first_harmonic; ///< first harmonic alone, error control [rad/s]
+  std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
 };
+
+/// Equal steps of the forward Euler method in each of @p n_intervals equal intervals of the spin-up.
+unsigned int euler_steps(const MotionSection &motion, unsigned int n_intervals);
 
 /// @p beside is the load for the curves that are shown beside the first, thousands of values of which need
 /// not be exact; empty: @p load.

@@ -130,6 +130,26 @@ TEST(YawMotion, AgreesWithFixedSteps)
   EXPECT_NEAR(sample.omega, omega, 1e-9);
 }
 
+TEST(YawMotion, EulerConvergesAtFirstOrderToTheAdaptiveMotion)
+{
+  const MarkedRing ring;
+  const YawSample exact = yaw_motion(ring, inertia, 0., { 0.8 }, 1e-11, 10.)[0];
+  double previous = 0.;
+  for (const unsigned int n_steps : { 800u, 1600u, 3200u })
+  {
+    const auto samples = yaw_motion_euler(ring, inertia, 0., 0.8 / n_steps, n_steps);
+    ASSERT_EQ(samples.size(), n_steps + 1);
+    const double error =
+      std::hypot(samples.back().omega - exact.omega, samples.back().yaw_angle - exact.yaw_angle);
+    if (previous > 0.)
+    {
+      EXPECT_NEAR(std::log2(previous / error), 1., 0.02);
+    }
+    previous = error;
+  }
+  EXPECT_THROW(yaw_motion_euler(ring, inertia, 0., 0., 10), std::invalid_argument);
+}
+
 TEST(LongTimeSpin, IsThatOfManyTurnsOfTheMark)
 {
   const MarkedRing ring;

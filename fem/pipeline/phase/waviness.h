@@ -21,8 +21,8 @@ struct WavinessHarmonic
 
 using Waviness = std::vector<WavinessHarmonic>;
 
-/// "2: 5e-6 @ 0.3, 3: 2e-6": harmonic, amplitude, azimuth (0 where it is left out); nothing for a text that is
-/// not such a list, or has a harmonic below 2. The empty text is the perfect surface.
+/// "2: 5e-6 @ 0.3, 3: 2e-6": harmonic, amplitude, azimuth (0 where it is left out); nothing for a text that
+/// is not such a list, or has a harmonic below 2. The empty text is the perfect surface.
 std::optional<Waviness> parse_waviness(const std::string &text);
 
 /// The text that parse_waviness() reads, with all digits.
