@@ -29,8 +29,9 @@ std::string friction_note(const Study &study)
     return "";
   if (used_friction_coupling(study) == FrictionCoupling::elastic)
     return "deforms the foot: on this hard table it decides the second harmonic";
-  return std::string("does not deform the foot, though on a hard table it decides the second harmonic") +
-         (study.contact.body == BodyKind::solid ? " (Body = revolution can)" : "");
+  return study.contact.body == BodyKind::solid
+           ? "does not deform a solid foot; on this hard table that would decide the second harmonic"
+           : "does not deform the foot; on this hard table that would decide the second harmonic";
 }
 
 std::string to_string(FrictionCoupling coupling)

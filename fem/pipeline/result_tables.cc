@@ -81,14 +81,17 @@ std::string torque_table(const TorqueCurve &curve)
   return data_table("Friction of the table on the ring against its spin", columns);
 }
 
-std::string spin_up_table(const SpinUpCurves &curves)
+std::string spin_up_table(const SpinUpCurves &curves, const std::shared_ptr<CouplingFigures> &coupling)
 {
-  return data_table("Spin-up from rest",
-                    { { "time", "s", curves.time },
-                      { "omega, adaptive", "rad/s", curves.adaptive },
-                      { "omega, forward Euler", "rad/s", curves.euler },
-                      { "omega, first harmonic alone, adaptive", "rad/s", curves.first_harmonic },
-                      { "yaw angle, adaptive", "rad", curves.yaw_angle } });
+  std::string title = "Spin-up from rest";
+  if (coupling && coupling->interpolation_error)
+    title += "; columns 3 to 5 from loads interpolated in omega, within " +
+             to_short_text(*coupling->interpolation_error) + " of a_0";
+  return data_table(title, { { "time", "s", curves.time },
+                             { "omega, adaptive", "rad/s", curves.adaptive },
+                             { "omega, forward Euler", "rad/s", curves.euler },
+                             { "omega, first harmonic alone, adaptive", "rad/s", curves.first_harmonic },
+                             { "yaw angle, adaptive", "rad", curves.yaw_angle } });
 }
 
 std::string phase_table(const PhaseFigures &phases)
@@ -137,7 +140,7 @@ void write_result_tables(const StudyResult &result, const std::filesystem::path 
   write_text_file(folder / "load.dat", load_table(result.load.at_rest));
   write_text_file(folder / "harmonics.dat", load_file_text(result.load.at_rest));
   write_text_file(folder / "torque.dat", torque_table(result.torque));
-  write_text_file(folder / "spin_up.dat", spin_up_table(result.spin_up));
+  write_text_file(folder / "spin_up.dat", spin_up_table(result.spin_up, result.load.coupling));
   write_text_file(folder / "truncation.dat", truncation_table(result.yaw.truncations));
   if (result.phases)
     write_text_file(folder / "phases.dat", phase_table(*result.phases));

@@ -78,6 +78,8 @@ StudyLoad find_contact_load(const Study &study, fem::ComplianceStore &store, con
   tell(observer.stage_done, "mesh_and_stiffness");
   if (const std::string note = friction_note(study); !note.empty())
     tell(observer.note, "Friction", note);
+  if (const std::string note = frozen_note(study); !note.empty())
+    tell(observer.note, "Coupling", note);
   const ContactFigures contact = solve_foot_contact(study, *foot, observer);
   if (study.has_waviness())
   {

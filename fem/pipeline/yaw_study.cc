@@ -137,7 +137,7 @@ SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion,
   };
   curves.adaptive = adaptive(load, at_rest.n_harmonics());
   curves.first_harmonic = adaptive(load_beside, 1);
-  const ring::TorqueFunction torque = torque_of(load, orbit, at_rest.n_harmonics());
+  const ring::TorqueFunction torque = torque_of(load_beside, orbit, at_rest.n_harmonics());
   for (const auto &sample :
        ring::yaw_motion([&](double, double, double omega) { return torque(omega); }, orbit.yaw_inertia, 0,
                         curves.time, 1e-10, spin_scale(at_rest, orbit)))

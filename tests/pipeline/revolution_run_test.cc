@@ -139,7 +139,8 @@ TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
   EXPECT_EQ(exact["truncation"], frozen["truncation"]);
   // Friction that deforms the foot turns with the spin.
   const auto turning =
-    run({ "Motion/Closure=paper", "Load/Coupling=exact", "Contact/Friction coupling=elastic" });
+    run({ "Motion/Closure=paper", "Load/Coupling=exact", "Contact/Friction coupling=elastic",
+          "Contact/Harmonics=4", "Contact/Azimuth lines=32" });
   EXPECT_GT(turning["coupling"]["contact_solutions"].get<int>(), 100);
 }
 
@@ -155,7 +156,7 @@ TEST(RevolutionRun, HardTablesTakeFrictionIntoAccount)
   const GlassRun solid({ "Table/Kind=rigid", "Contact/Body=solid", "Contact/Azimuthal cells=16",
                          "Contact/Degree=1", "Contact/Radial cells=2", "Contact/Foot layers=1" });
   EXPECT_EQ(solid.summary()["contact"]["friction_coupling"], "none");
-  EXPECT_NE(solid.terminal().find("Friction  does not deform the foot"), std::string::npos)
+  EXPECT_NE(solid.terminal().find("Friction  does not deform a solid foot"), std::string::npos)
     << solid.terminal();
 }
 

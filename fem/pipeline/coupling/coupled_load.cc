@@ -112,6 +112,14 @@ LoadAtSpin for_many_spins(const RingLoad &load, double lower, double upper)
   return load.at_spin;
 }
 
+std::string frozen_note(const Study &study)
+{
+  const bool could_follow = !study.load.is_static() && spin_matters(study);
+  return study.load.coupling == LoadCoupling::frozen && could_follow
+           ? "the load is that of rest; Load/Coupling = exact follows it through the spin-up"
+           : "";
+}
+
 RingLoad contact_load(const Study &study, const std::shared_ptr<FootContact> &foot,
                       const fem::LoadHarmonics &at_rest, const std::function<void(std::size_t)> &progress)
 {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -24,6 +25,9 @@ namespace stemware::pipeline
 RingLoad contact_load(const Study &study, const std::shared_ptr<FootContact> &foot,
                       const fem::LoadHarmonics &at_rest,
                       const std::function<void(std::size_t n_states)> &progress);
+
+/// A sentence for the terminal where the load is frozen although the spin would change it; empty elsewhere.
+std::string frozen_note(const Study &study);
 
 /// The same load for curves of thousands of values on spins from @p lower to @p upper, where each value would
 /// be a balance of its own: interpolated between exact ones, to 1e-9 of a_0 where 200 of them suffice, else
