@@ -1,0 +1,279 @@
+// The numbers in README.md and docs/: computes the studies that they come from, and rewrites or checks the
+// pages.
+//
+//   docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
+//   docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
+//
+// docs/results/studies.txt says which studies there are and how a page shows a number.
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Picture
+{
+  std::string study, file, page_file;
+};
+
+/// What docs/results/studies.txt says.
+struct StudyList
+{
+  std::map<std::string, std::string> commands; ///< by name
+  std::vector<Picture> pictures;
+};
+
+std::string read_file(const fs::path &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw std::runtime_error(file.string() + " cannot be read.");
+  return { std::istreambuf_iterator<char>(stream), {} };
+}
+
+StudyList read_list(const fs::path &file)
+{
+  StudyList list;
+  std::istringstream lines(read_file(file));
+  for (std::string line; std::getline(lines, line);)
+  {
+    static const std::regex study(R"((\w+):\s*stemware (.+))"), picture(R"(copy (\w+) (\S+) (\S+))");
+    std::smatch part;
+    if (line.empty() || line[0] == '#')
+      continue;
+    if (std::regex_match(line, part, study))
+      list.commands[part[1]] = part[2];
+    else if (std::regex_match(line, part, picture))
+      list.pictures.push_back({ part[1], part[2], part[3] });
+    else
+      throw std::runtime_error(file.string() + " has a line that is neither a study nor a picture: " + line);
+  }
+  return list;
+}
+
+std::string quoted(const std::string &text)
+{
+  return "'" + std::regex_replace(text, std::regex("'"), R"('\'')") + "'";
+}
+
+/// Studies by name; each is computed when a page first asks for it.
+class Results
+{
+public:
+  Results(const std::string &program, const fs::path &source, const fs::path &work, const StudyList &list)
+      : program(program)
+      , source(source)
+      , work(work)
+      , list(list)
+  {
+  }
+
+  fs::path folder(const std::string &study)
+  {
+    summary(study);
+    return work / study;
+  }
+
+  double value(const std::string &study, const std::string &pointer)
+  {
+    const nlohmann::json &all = summary(study);
+    const nlohmann::json::json_pointer place(pointer);
+    if (!all.contains(place) || !all[place].is_number())
+      throw std::runtime_error(study + " has no number " + pointer + " in its summary.json.");
+    return all[place].get<double>();
+  }
+
+private:
+  const nlohmann::json &summary(const std::string &study)
+  {
+    const auto known = summaries.find(study);
+    if (known != summaries.end())
+      return known->second;
+    const auto command = list.commands.find(study);
+    if (command == list.commands.end())
+      throw std::runtime_error("a page shows a number of " + study + ", which studies.txt does not have.");
+    std::cout << study << ": stemware " << command->second << std::endl;
+    const std::string call = "cd " + quoted(source.string()) + " && " + quoted(program) + " " +
+                             command->second + " --quiet --output " + quoted((work / study).string());
+    if (std::system(call.c_str()) != 0)
+      throw std::runtime_error(study + " has failed.");
+    return summaries[study] = nlohmann::json::parse(read_file(work / study / "summary.json"));
+  }
+
+  const std::string program;
+  const fs::path source, work;
+  const StudyList &list;
+  std::map<std::string, nlohmann::json> summaries;
+};
+
+double operand(const std::string &word, Results &results)
+{
+  const auto colon = word.find(':');
+  if (colon != std::string::npos)
+    return results.value(word.substr(0, colon), word.substr(colon + 1));
+  std::size_t n_read = 0;
+  const double number = std::stod(word, &n_read);
+  if (n_read != word.size())
+    throw std::invalid_argument(word);
+  return number;
+}
+
+/// Evaluates "VALUE (OPERATOR VALUE)*" from left to right.
+double evaluate(const std::string &expression, Results &results)
+{
+  std::istringstream words(expression);
+  std::string word;
+  words >> word;
+  double value = operand(word, results);
+  for (std::string sign; words >> sign >> word;)
+  {
+    const double other = operand(word, results);
+    if (sign == "+")
+      value += other;
+    else if (sign == "-")
+      value -= other;
+    else if (sign == "*")
+      value *= other;
+    else if (sign == "/")
+      value /= other;
+    else
+      throw std::invalid_argument(sign);
+  }
+  return value;
+}
+
+std::string formatted(const std::string &format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format.c_str(), value);
+  return std::regex_replace(std::string(text), std::regex("-"), "\u2212");
+}
+
+/// Whether @p shown is @p value to its last digit, or so close to the border that another processor may round
+/// it so.
+bool shows(const std::string &shown, const std::string &expected, double value)
+{
+  if (shown == expected)
+    return true;
+  if (shown.size() != expected.size())
+    return false;
+  const std::string plain = std::regex_replace(shown, std::regex("\u2212"), "-");
+  const auto exponent = plain.find('e');
+  const auto point = plain.find('.');
+  double digit = exponent == std::string::npos ? 1 : std::pow(10, std::stod(plain.substr(exponent + 1)));
+  if (point != std::string::npos)
+    digit *= std::pow(10, -static_cast<double>(std::min(exponent, plain.size()) - point - 1));
+  return std::abs(std::stod(plain) - value) <= 0.55 * digit;
+}
+
+/// The page with its numbers brought up to date; says on the terminal which ones have drifted.
+std::string updated(const std::string &page, const fs::path &name, Results &results, unsigned int &n_numbers,
+                    unsigned int &n_drifted)
+{
+  static const std::regex marker(R"(<!--= (.*?) (%\S+) -->([^<]*)<!--=-->)");
+  std::string text;
+  auto rest = page.cbegin();
+  for (std::sregex_iterator found(page.begin(), page.end(), marker), end; found != end; ++found)
+  {
+    const std::string expression = (*found)[1], format = (*found)[2], shown = (*found)[3];
+    double value = 0;
+    try
+    {
+      value = evaluate(expression, results);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      throw std::runtime_error(name.string() + " has a marker that cannot be read: " + expression);
+    }
+    std::string number = formatted(format, value);
+    ++n_numbers;
+    if (shows(shown, number, value))
+      number = shown;
+    else
+    {
+      ++n_drifted;
+      std::cout << name.string() << ": " << shown << " is " << number << " (" << expression << ")"
+                << std::endl;
+    }
+    text.append(rest, page.cbegin() + found->position(3)).append(number);
+    rest = page.cbegin() + found->position(3) + found->length(3);
+  }
+  return text.append(rest, page.cend());
+}
+
+std::vector<fs::path> pages_of(const fs::path &source)
+{
+  std::vector<fs::path> pages = { source / "README.md" };
+  for (const auto &entry : fs::recursive_directory_iterator(source / "docs"))
+    if (entry.path().extension() == ".md")
+      pages.push_back(entry.path());
+  std::sort(pages.begin(), pages.end());
+  return pages;
+}
+
+int work_on(const std::vector<std::string> &arguments)
+{
+  const fs::path source = arguments[1], work = arguments[2];
+  const bool only_check = arguments.size() > 3;
+  const StudyList list = read_list(source / "docs/results/studies.txt");
+  fs::create_directories(work);
+  Results results(arguments[0], source, work, list);
+
+  unsigned int n_numbers = 0, n_drifted = 0;
+  for (const fs::path &page : pages_of(source))
+  {
+    const std::string before = read_file(page);
+    const std::string after = updated(before, page.lexically_relative(source), results, n_numbers, n_drifted);
+    if (!only_check && after != before)
+      std::ofstream(page, std::ios::binary) << after;
+  }
+  if (!only_check)
+    for (const Picture &picture : list.pictures)
+    {
+      fs::create_directories((source / picture.page_file).parent_path());
+      fs::copy_file(results.folder(picture.study) / picture.file, source / picture.page_file,
+                    fs::copy_options::overwrite_existing);
+    }
+  std::cout << n_numbers << " numbers, " << n_drifted << (only_check ? " drifted" : " rewritten")
+            << std::endl;
+  if (n_numbers == 0)
+    throw std::runtime_error("no page shows a number: the markers are gone.");
+  return only_check && n_drifted > 0 ? 1 : 0;
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check"))
+  {
+    std::cerr << "usage: docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER [--check]" << std::endl;
+    return 2;
+  }
+  try
+  {
+    return work_on(arguments);
+  }
+  catch (const std::exception &error)
+  {
+    std::cerr << "docs_results: " << error.what() << std::endl;
+    return 1;
+  }
+}
