@@ -25,8 +25,8 @@ struct MeridianOptions
 /// harmonic").
 ///
 /// The displacement (u_r cos, u_theta sin, u_z cos)(n theta) makes the strain a polynomial of degree one in
-/// n, so that K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) under its
-/// own conditions on the axis. Throws std::invalid_argument for a degree or a mesh that cannot be used.
+/// n, so that K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) under
+/// its own conditions on the axis. Throws std::invalid_argument for a degree or a mesh that cannot be used.
 ContactCompliance compute_compliance(const dealii::Triangulation<2, 2> &triangulation,
                                      const ElasticMaterial &material, const MeridianOptions &options = {});
 
