@@ -94,11 +94,15 @@ public:
   {
     bool balanced_before = false;
     double imbalance_before = std::numeric_limits<double>::infinity();
+    double least_imbalance = std::numeric_limits<double>::infinity();
+    unsigned int n_idle = 0;
     std::map<ContactSet, double> visited;
     for (;;)
     {
       const double imbalance = residual();
-      const bool balanced = is_balanced() || rests_at_rounding(imbalance, imbalance_before);
+      n_idle = imbalance > 0.5 * least_imbalance ? n_idle + 1 : 0;
+      least_imbalance = std::min(least_imbalance, imbalance);
+      const bool balanced = is_balanced() || rests_at_rounding(imbalance, imbalance_before, n_idle);
       // A set that still flips between two balanced iterates flips at places whose force is zero to within
       // the tolerance.
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before))
@@ -171,10 +175,13 @@ private:
   }
 
   /// Whether a whole step has changed neither the contact set nor an imbalance that the final check lets
-  /// pass: the stiff penalties of a rigid table leave more rounding than the tolerance may allow.
-  bool rests_at_rounding(double imbalance, double imbalance_before) const
+  /// pass, or @p n_idle steps in a row have not improved on it: the stiff penalties of a rigid table leave
+  /// more rounding than the tolerance may allow, and places without force may flip in it.
+  bool rests_at_rounding(double imbalance, double imbalance_before, unsigned int n_idle) const
   {
-    return n_steps > 0 && n_changed == 0 && last_fraction == 1 && imbalance > 0.5 * imbalance_before &&
+    constexpr unsigned int patience = 10;
+    const bool at_rest = n_changed == 0 && last_fraction == 1 && imbalance > 0.5 * imbalance_before;
+    return n_steps > 0 && (at_rest || n_idle >= patience) &&
            resultant_residual() <= control.resultant_tolerance &&
            equilibrium <= control.equilibrium_tolerance;
   }
