@@ -36,6 +36,16 @@ bool spins_up(const StudyResult &result)
   return result.yaw.truncations.front().relative_change.has_value();
 }
 
+/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
+std::string with_band(double value, double band)
+{
+  // Two digits of the band, rounded up so that it does not become narrower.
+  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
+  const double unit = std::pow(10, last);
+  const int decimals = std::max(0, -last);
+  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
+}
+
 std::string terminal_spin(const StudyResult &result, const std::optional<double> &band)
 {
   if (!spins_up(result))
@@ -124,15 +134,6 @@ std::string narrow_contact_remark(const Study &study, const std::optional<Contac
     study.table.kind == TableKind::rigid
       ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
       : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
-}
-
-std::string with_band(double value, double band)
-{
-  // Two digits of the band, rounded up so that it does not become narrower.
-  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
-  const double unit = std::pow(10, last);
-  const int decimals = std::max(0, -last);
-  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
 }
 
 } // namespace stemware::pipeline

@@ -41,7 +41,4 @@ std::string lift_off_remark(const RingLoad &load);
 /// Says that the contact is narrower than what its nodes can show; empty where it is not.
 std::string narrow_contact_remark(const Study &study, const std::optional<ContactFigures> &contact);
 
-/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
-std::string with_band(double value, double band);
-
 } // namespace stemware::pipeline

@@ -1,5 +1,4 @@
 // The report of `run`: the answer with the numbers of summary.json, every figure, nothing from outside.
-#include "fem/pipeline/answer.h"
 #include "program_runner.h"
 
 #include <boost/property_tree/ptree.hpp>
@@ -241,14 +240,6 @@ TEST(CoarseReport, WithTwoRanks)
   EXPECT_EQ(all_between(ended.out, "\nReport ", "\n").size(), 1u) << ended.out;
   EXPECT_EQ(all_between(read_text(scratch / "results/coarse/report.html"), "<svg", ">").size(),
             figures.size());
-}
-
-TEST(Answer, NumbersWithTheirBand)
-{
-  using pipeline::with_band;
-  EXPECT_EQ(with_band(-3.648906, 0.00018), "-3.64891 ± 0.00018");
-  EXPECT_EQ(with_band(-3.648906, 0.0121), "-3.649 ± 0.013"); // never narrower
-  EXPECT_EQ(with_band(1234.5, 56), "1234 ± 56");
 }
 
 } // namespace

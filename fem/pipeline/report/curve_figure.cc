@@ -43,6 +43,15 @@ std::string axis_commands(const std::string &which, const Axis &axis)
   return script.str();
 }
 
+std::string colour_commands(const std::string &label)
+{
+  // Places on the page: terminals differ in the room that they think a text needs.
+  return "set rmargin at screen 0.8\nset colorbox user origin screen 0.82, graph 0 size screen 0.03, graph "
+         "1\n"
+         "set label 1 " +
+         gnuplot_text(label) + " at screen 0.965, graph 0.5 rotate by 90 center\n";
+}
+
 std::string truncation_title(unsigned int n, unsigned int n_all)
 {
   if (n == 1)

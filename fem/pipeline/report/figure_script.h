@@ -12,6 +12,9 @@ namespace stemware::pipeline
 /// gnuplot's commands for the axis "x" or "y".
 std::string axis_commands(const std::string &which, const Axis &axis);
 
+/// gnuplot's commands for a colour scale with its label.
+std::string colour_commands(const std::string &label);
+
 /// A table within a data file.
 struct DataBlock
 {

@@ -35,7 +35,8 @@ set border 3 lw 0.8 lc rgb "#333333"
 set tics nomirror scale 0.6
 set grid lt -1 lw 0.5 lc rgb "#dddddd"
 set key tmargin left horizontal reverse Left samplen 2.2 spacing 1.2 width 1 # above the plot, never on a curve
-if (format eq "svg") set key width -3 # this terminal takes texts for wider than they are
+# The SVG terminal takes texts for wider than they are.
+if (format eq "svg") set key width -3
 )gp";
 
 } // namespace stemware::pipeline

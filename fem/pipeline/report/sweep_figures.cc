@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -43,6 +44,23 @@ std::string with_grid_lines(const std::string &table, std::size_t n_columns)
   return grid;
 }
 
+/// The range of colours for what could be computed; a width of its own for a single value.
+std::pair<double, double> colour_range(const SweepMap &map)
+{
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const std::vector<double> &row : map.values)
+    for (const double value : row)
+      if (std::isfinite(value))
+      {
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+  if (least > most)
+    return { 0, 1 };
+  const double margin = least < most ? 0 : std::max(1e-6 * std::abs(least), 1e-300);
+  return { least - margin, most + margin };
+}
+
 } // namespace
 
 ReportFigure map_figure(const SweepMap &map)
@@ -67,6 +85,7 @@ ReportFigure map_figure(const SweepMap &map)
   x_axis.range = range(x);
   y_axis.range = range(y);
   const std::string file = "\"figures/" + map.name + ".dat\"";
+  const auto [least, most] = colour_range(map);
   std::string logscales;
   for (const auto &[which, axis] : { std::pair("x", map.x), std::pair("y", map.y) })
     if (axis.logarithmic)
@@ -80,13 +99,13 @@ splot )gp" +
 unset table
 )gp";
   const std::string drawing = R"gp(unset grid; unset key; set border 15; set tics out
-set rmargin 14; set cblabel offset 1.5
 set style fill solid noborder
 plot )gp" + file + R"gp( using 1:2:4:5:6:7:3 with boxxyerror lc palette, \
      $contours using 1:2 with lines lc rgb "#ffffff" lw 1.2 dt 1
 )gp";
   const std::string script = logscales + contours + axis_commands("x", x_axis) + axis_commands("y", y_axis) +
-                             "set cblabel " + gnuplot_text(map.quantity) + "\n" + drawing;
+                             colour_commands(map.quantity) + "set cbrange [" + to_text(least) + ":" +
+                             to_text(most) + "]\n" + drawing;
   return { map.name, map.caption, script,
            540,      380,         with_grid_lines(data_table(map.caption, columns), map.x_values.size()) };
 }
