@@ -148,6 +148,7 @@ TEST(Figures, Map)
   EXPECT_NEAR(columns[3][0], 0.1, 1e-15); // cells meet half-way
   EXPECT_NEAR(columns[4][0], 0.3, 1e-15);
   EXPECT_NEAR(columns[6][0], std::sqrt(2.) * 1e9, 1);
+  EXPECT_NE(map_figure(map).script.find("set cbrange [1:5]"), std::string::npos);
   map.values = { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }; // no colours and no contours to choose
   EXPECT_EQ(draw(map_figure(map), scratch), "");
 }
