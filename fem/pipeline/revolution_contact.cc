@@ -48,6 +48,8 @@ fem::RevolutionSetup setup_of(const Study &study)
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
+  setup.resolution.land_grading = study.contact.land_grading;
+  setup.resolution.refinements = study.contact.refinements;
   setup.n_lines = study.contact.azimuth_lines;
   setup.imperfection = imperfection_of(study);
   return setup.resolved_for(demanded_load(study).normal_force);

@@ -255,6 +255,13 @@ void add_contact(EntryList &list, ContactSection &contact)
            "Cells across the land of a generated mesh, an even number");
   list.add("Foot layers", contact.resolution.foot_layers, 1, 100,
            "Cells through the thickness of the foot of a generated mesh");
+  list.add("Refinements", contact.refinements, 0, 6,
+           "Halvings of every cell of a body of revolution; without effect on a solid body");
+  list.add(
+    "Land grading", contact.land_grading,
+    { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
+    "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a crowned "
+    "body of revolution; 1 means equal cells");
   list.add("Linear solver", contact.linear_solver,
            { { "automatic", LinearSolver::automatic },
              { "direct", LinearSolver::direct },

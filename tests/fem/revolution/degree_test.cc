@@ -1,0 +1,104 @@
+// Elements of every degree, 1 to 4: the same statements with the same oracles.
+#include "fem/foot_response.h"
+#include "fem/rigid_foot.h"
+#include "revolution_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+class EveryDegree : public testing::TestWithParam<unsigned int>
+{
+protected:
+  /// Compliance of few harmonics, where elasticity is not what is asked for.
+  ContactCompliance compliance(const GlassProfile &profile, const MeridianResolution &resolution) const
+  {
+    return foot_compliance(profile, resolution, { GetParam(), 1, 0 });
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Degree, EveryDegree, testing::Values(1u, 2u, 3u, 4u),
+                         [](const auto &info) { return std::to_string(info.param); });
+
+} // namespace
+
+TEST_P(EveryDegree, LinesCoverTheLandOnce)
+{
+  const GlassProfile profile;
+  const RevolutionCase foot(profile, compliance(profile, graded_cells()), 64);
+  const ContactSurface &surface = foot.body.contact_surface();
+  const double inner = profile.land_inner_radius();
+  const double outer = profile.land_outer_radius();
+  EXPECT_NEAR(surface.node_area.sum() / (M_PI * (outer * outer - inner * inner)), 1, 1e-12);
+  // Pieces share their ends, and the gap is that of the profile at each sample.
+  for (const ContactLine &line : surface.lines)
+    for (unsigned int sample = 0; sample < 3; ++sample)
+    {
+      EXPECT_NEAR(line.gap(sample), profile.gap(line.position.row(sample).norm()), 1e-15);
+      EXPECT_NEAR(line.shape.row(sample).sum(), 1, 1e-13);
+    }
+}
+
+TEST_P(EveryDegree, UniformPressureOfAFlatMat)
+{
+  // Rigid foot, flat land, no moment: every point sinks in alike, and the nodal forces are those of a uniform
+  // pressure, of which the line integrals are exact.
+  GlassProfile profile = flat_profile();
+  const RevolutionCase foot(profile, compliance(profile, equal_cells()), 64);
+  const ContactSurface &surface = foot.body.contact_surface();
+  RigidFoot rigid(surface);
+  const auto mat = make_mat(surface, 1e10);
+  const ContactSolution solution = solve_contact(rigid, *mat, load_at(0), profile.contact_radius);
+  const double area = surface.node_area.sum();
+  for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+    EXPECT_NEAR(solution.forces(i), weight * surface.node_area(i) / area, 1e-12 * weight);
+}
+
+TEST_P(EveryDegree, CrownedRigidRingOnAMat)
+{
+  // Exponent 3/2: PHYSICS' table at m = 1.5, half-width 0.05 mm at most.
+  GlassProfile profile;
+  profile.land_width = 1e-3;
+  const RevolutionCase foot(profile, compliance(profile, equal_cells(2)), 1024);
+  RigidFoot rigid(foot.body.contact_surface());
+  const auto mat = make_mat(foot.body.contact_surface(), 1e12);
+  const LoadHarmonics load =
+    extract_load(*mat, solve_contact(rigid, *mat, load_at(1.5), profile.contact_radius), 8);
+  const double expected[] = { .5444909918, -.0098744992, -.0455699149, .0227367064,
+                              .0041320348, -.0114899894, .0042190700 };
+  for (unsigned int n = 2; n <= 8; ++n)
+    EXPECT_NEAR(load.a[n] / load.a[0], expected[n - 2], 1e-4) << "n = " << n;
+}
+
+TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
+{
+  for (const TableSupport support : { TableSupport::mat, TableSupport::rough, TableSupport::rigid })
+  {
+    RevolutionSetup setup;
+    setup.support = support;
+    setup.meridian.degree = GetParam();
+    setup.meridian.n_harmonics = 8;
+    FootResponse foot(setup.resolved_for(weight));
+    const LoadHarmonics load = foot.press(load_at(1.2, 0.4));
+    EXPECT_NEAR(load.normal_force / weight, 1, 1e-9);
+    EXPECT_NEAR(load.moment_x / (1.2 * weight * 0.015 * std::sin(0.4)), 1, 1e-8);
+    EXPECT_NEAR(load.moment_y / (-1.2 * weight * 0.015 * std::cos(0.4)), 1, 1e-8);
+  }
+}
+
+TEST_P(EveryDegree, FrictionMakesTheSecondHarmonic)
+{
+  RevolutionSetup setup;
+  setup.profile = flat_profile();
+  setup.foundation_modulus = 1e11;
+  setup.friction_coefficient = 0.3;
+  setup.meridian.degree = GetParam();
+  setup.meridian.n_harmonics = 4;
+  setup.resolution.refinements = GetParam() == 1 ? 2 : 0;
+  FootResponse foot(setup.resolved_for(weight));
+  const LoadHarmonics load = foot.press(load_at(0.4));
+  EXPECT_NEAR(load.a[2] / load.a[0] / 1.43e-2, 1, 0.01);
+}
