@@ -36,21 +36,12 @@ bool spins_up(const StudyResult &result)
   return result.yaw.truncations.front().relative_change.has_value();
 }
 
-/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
-std::string with_band(double value, double band)
-{
-  // Two digits of the band, rounded up so that it does not become narrower.
-  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
-  const double unit = std::pow(10, last);
-  const int decimals = std::max(0, -last);
-  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
-}
-
-std::string terminal_spin(const StudyResult &result, const std::optional<double> &band)
+std::string terminal_spin(const StudyResult &result)
 {
   if (!spins_up(result))
     return "The glass does not spin up.";
   const double omega = result.yaw.terminal.omega;
+  const std::optional<double> band = band_of(result.error_bands, "omega_terminal");
   return "The glass spins up to " +
          (band && *band > 0 ? with_band(omega, *band) : formatted("%#.6g", omega)) + " rad/s.";
 }
@@ -116,10 +107,10 @@ SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &
   return spins;
 }
 
-std::string answer(const Study &study, const StudyResult &result, const std::optional<double> &band)
+std::string answer(const Study &study, const StudyResult &result)
 {
   const SpinComparison spins = compare_spins(study, result);
-  return terminal_spin(result, band) + harmonic_sentence(spins, result) + closure_sentence(spins);
+  return terminal_spin(result) + harmonic_sentence(spins, result) + closure_sentence(spins);
 }
 
 std::string lift_off_remark(const RingLoad &load)
@@ -152,6 +143,15 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseFigures
          formatted(" out of flat: the terminal spin is the mean in the long run, about which the spin swings "
                    "by %.3g rad/s, as the torque does by %.3g N m.",
                    phases->spin_ripple, phases->torque_ripple);
+}
+
+std::string with_band(double value, double band)
+{
+  // Two digits of the band, rounded up so that it does not become narrower.
+  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
+  const double unit = std::pow(10, last);
+  const int decimals = std::max(0, -last);
+  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
 }
 
 } // namespace stemware::pipeline

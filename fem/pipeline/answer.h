@@ -34,10 +34,8 @@ SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &
                              double all_harmonics, double truncated);
 
 /// The answer in sentences: the terminal spin, what the harmonics beyond the first do to it, and what the
-/// paper's balance of moments leaves out does to it. @p band is the half-width of the spin's error band
-/// [rad/s], where one is known.
-std::string answer(const Study &study, const StudyResult &result,
-                   const std::optional<double> &band = std::nullopt);
+/// paper's balance of moments leaves out does to it; the spin with its error band where one is known.
+std::string answer(const Study &study, const StudyResult &result);
 
 /// Says that the load has left part of the rim, so that its first harmonic would have to pull; empty where it
 /// has not.
@@ -48,5 +46,8 @@ std::string narrow_contact_remark(const Study &study, const std::optional<Contac
 
 /// Says what an out-of-flat rim or table does to the spin; empty for flat ones.
 std::string waviness_remark(const Study &study, const std::optional<PhaseFigures> &phases);
+
+/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
+std::string with_band(double value, double band);
 
 } // namespace stemware::pipeline

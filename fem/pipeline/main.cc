@@ -22,6 +22,7 @@ int main(int argc, char *argv[])
     add_run_verb(program, chosen);
     add_sweep_verb(program, chosen);
     add_mesh_verb(program, chosen);
+    add_converge_verb(program, chosen);
     add_defaults_verb(program, chosen);
     if (const auto exit_code = parse_command_line(program, argc, argv))
       return static_cast<int>(*exit_code);

@@ -1,6 +1,7 @@
 #include "fem/pipeline/run.h"
 
 #include "fem/pipeline/publish.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/report/run_report.h"
 #include "fem/pipeline/result_tables.h"
 #include "fem/pipeline/solve_study.h"
@@ -55,7 +56,10 @@ void run(const StudyOptions &options)
   stopwatch.finish("input");
 
   // 2. The load on the table, and what it does to the ring.
-  const StudyResult result = solve_study(study, make_observer(folder, stopwatch));
+  StudyResult result = solve_study(study, make_observer(folder, stopwatch));
+  if (has_quick_error_bands(study))
+    result.error_bands = estimate_error_bands(study, result.load, result.yaw.terminal.omega).figures;
+  stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
   folder.write(

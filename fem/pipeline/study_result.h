@@ -3,6 +3,7 @@
 #include "fem/pipeline/closure_comparison.h"
 #include "fem/pipeline/foot_contact.h"
 #include "fem/pipeline/phase/phase_study.h"
+#include "fem/pipeline/refinement/followed_figures.h"
 #include "fem/pipeline/ring_load.h"
 #include "fem/pipeline/yaw_study.h"
 
@@ -37,7 +38,8 @@ struct StudyResult
   TorqueCurve torque;
   SpinUpCurves spin_up;
   std::vector<ClosureRow> closures;
-  std::optional<PhaseFigures> phases = {}; ///< nothing where rim and table are flat
+  std::optional<PhaseFigures> phases = {};    ///< nothing where rim and table are flat
+  std::vector<BandedFigure> error_bands = {}; ///< of the discretisation; empty: not estimated
 };
 
 } // namespace stemware::pipeline

@@ -1,5 +1,7 @@
 #include "fem/pipeline/summary.h"
 
+#include "fem/pipeline/refinement/converge_results.h"
+
 namespace stemware::pipeline
 {
 
@@ -159,9 +161,13 @@ Findings run_findings(const Study &study, const StudyResult &result)
                        { "resolved", resolved_summary(result) },
                        { "truncation", truncation_summary(result.yaw.truncations) },
                        { "closures", closure_summary(result.closures) } };
+  if (!result.error_bands.empty())
+    findings.summary["error_bands"] = error_bands_as_json(result.error_bands);
   const TruncationRow &first = result.yaw.truncations.front();
   findings.key_figures = { { "tau_at_rest", result.yaw.at_rest.torque },
                            { "omega_terminal", result.yaw.terminal.omega },
+                           { "omega_terminal_band",
+                             number_or_null(band_of(result.error_bands, "omega_terminal")) },
                            { "omega_terminal_first_harmonic", first.omega_terminal },
                            { "relative_change", number_or_null(first.relative_change) } };
   return findings;

@@ -29,6 +29,9 @@ void add_sweep_verb(CLI::App &program, Verb &chosen);
 /// `stemware mesh`: a foot mesh, written or looked at.
 void add_mesh_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware converge`: a study on ever finer levels; observed orders and error bands.
+void add_converge_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware defaults`: a commented study file of all defaults on standard output.
 void add_defaults_verb(CLI::App &program, Verb &chosen);
 

@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/run_report.h"
 
 #include "fem/pipeline/answer.h"
+#include "fem/pipeline/refinement/converge_report.h"
 #include "fem/pipeline/report/figures.h"
 #include "fem/pipeline/report/study_sections.h"
 #include "fem/pipeline/text_layout.h"
@@ -109,7 +110,7 @@ ReportSection load_section(const StudyResult &result)
   };
   if (series.n_harmonics() > 1)
     section.figures.push_back(higher_harmonics_figure(series));
-  section.figures.push_back(spectrum_figure(series));
+  section.figures.push_back(spectrum_figure(series, spectrum_band(result.error_bands, series.n_harmonics())));
   return section;
 }
 
@@ -258,6 +259,8 @@ Report run_report(const Study &study, const StudyResult &result, const std::file
   report.sections.push_back(closure_section(result));
   if (result.contact)
     report.sections.push_back(contact_section(study, *result.contact));
+  if (!result.error_bands.empty())
+    report.sections.push_back(error_band_section(result.error_bands));
   for (const ReportSection &section : study_sections(study))
     report.sections.push_back(section);
   report.sections.push_back(file_section(result, folder));
