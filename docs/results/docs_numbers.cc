@@ -1,8 +1,8 @@
 // The numbers in README.md and docs/: computes the studies that they come from, and rewrites or checks the
 // pages.
 //
-//   docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
-//   docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
+//   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
+//   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
 //
 // docs/results/studies.txt says which studies there are and how a page shows a number.
 
@@ -264,7 +264,7 @@ int main(int argc, char *argv[])
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check"))
   {
-    std::cerr << "usage: docs_results STEMWARE SOURCE_FOLDER WORK_FOLDER [--check]" << std::endl;
+    std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check]" << std::endl;
     return 2;
   }
   try
@@ -273,7 +273,7 @@ int main(int argc, char *argv[])
   }
   catch (const std::exception &error)
   {
-    std::cerr << "docs_results: " << error.what() << std::endl;
+    std::cerr << "docs_numbers: " << error.what() << std::endl;
     return 1;
   }
 }
