@@ -96,6 +96,36 @@ TEST(Figures, Spectrum)
   EXPECT_EQ(draw(spectrum_figure(ring::AngularLoad({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
 }
 
+TEST(Figures, Footprint)
+{
+  const ScratchFolder scratch;
+  // Two cuts of three points, the first of each free of pressure.
+  fem::Footprint footprint;
+  footprint.is_grid = true;
+  for (const double azimuth : { 0., two_pi / 4 })
+    footprint.cuts.push_back({ { 0.0299, azimuth, 0 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 3e3 } });
+  const ReportFigure figure = footprint_figure(footprint, 0.03);
+  EXPECT_EQ(draw(figure, scratch), "");
+  EXPECT_NE(words_of(figure, scratch).find("pressure (kPa)"), std::string::npos);
+  // The first cut comes again after a whole turn; cells reach half-way to their neighbours, and 3 % on.
+  const auto columns = data_of(figure, scratch);
+  ASSERT_EQ(columns[0].size(), 6u);
+  EXPECT_NEAR(columns[0][2], 90, 1e-12);
+  EXPECT_NEAR(columns[0][5], 360, 1e-12);
+  EXPECT_NEAR(columns[1][1], 100, 1e-9);
+  EXPECT_NEAR(columns[2][1], 3, 1e-12);
+  EXPECT_NEAR(columns[3][2], 90 - 1.03 * 45, 1e-9);
+  EXPECT_NEAR(columns[4][2], 90 + 1.03 * 135, 1e-9);
+  EXPECT_NEAR(columns[6][0] - columns[5][0], 1.03 * 100, 1e-9);
+
+  footprint.is_grid = false;
+  footprint.cuts[0][1].pressure = 4e6;
+  const ReportFigure points = footprint_figure(footprint, 0.03);
+  EXPECT_EQ(draw(points, scratch), "");
+  EXPECT_NE(words_of(points, scratch).find("pressure (MPa)"), std::string::npos);
+  EXPECT_EQ(data_of(points, scratch)[0].size(), 4u);
+}
+
 TEST(Figures, TorqueAndTruncation)
 {
   const ScratchFolder scratch;

@@ -86,8 +86,8 @@ std::string per_cent(double change)
   return text;
 }
 
-const std::vector<std::string> figures = { "load",   "higher_harmonics", "spectrum",
-                                           "torque", "spin_up",          "truncation" };
+const std::vector<std::string> figures = { "load",    "higher_harmonics", "spectrum", "torque",
+                                           "spin_up", "truncation",       "footprint" };
 
 TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
 {

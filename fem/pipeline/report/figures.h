@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/footprint.h"
 #include "fem/pipeline/report/report.h"
 #include "fem/pipeline/yaw_study.h"
 #include "ring_model/angular_load.h"
@@ -65,6 +66,10 @@ ReportFigure higher_harmonics_figure(const ring::AngularLoad &load);
 
 /// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
 ReportFigure spectrum_figure(const ring::AngularLoad &load, const std::vector<double> &band = {});
+
+/// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
+/// footprint must have a point under pressure.
+ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_radius);
 
 /// tau_z(omega) of all harmonics and of truncations, with the spins at which it vanishes.
 ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations);

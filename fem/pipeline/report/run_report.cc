@@ -224,7 +224,10 @@ ReportSection contact_section(const Study &study, const ContactFigures &contact)
   add("imbalance of the body's forces", formatted("%.1e", solution.equilibrium_residual));
   add("table moved by q_0 (m)", formatted("%.6g", solution.motion(0)));
   add("table tilted by q_1, q_2", formatted("%.6g, %.6g", solution.motion(1), solution.motion(2)));
-  return { "The contact at rest", narrow_contact_remark(study, contact), {}, { table } };
+  return { "The contact at rest",
+           narrow_contact_remark(study, contact),
+           { footprint_figure(contact.footprint, study.glass.profile.contact_radius) },
+           { table } };
 }
 
 ReportSection file_section(const StudyResult &result, const std::filesystem::path &folder)
@@ -238,7 +241,10 @@ ReportSection file_section(const StudyResult &result, const std::filesystem::pat
                     { "spin_up.dat", "the spin against time" },
                     { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics" } };
   if (result.contact)
-    section.files.push_back({ "contact_history.dat", "Newton steps of the contact" });
+    section.files.insert(section.files.end(),
+                         { { "load_lines.dat", "λ(θ) at rest where the contact was solved" },
+                           { "footprint.dat", "pressure p(r, θ) of the foot on the table at rest" },
+                           { "contact_history.dat", "Newton steps of the contact" } });
   if (std::filesystem::exists(folder / "fields/contact.vtu"))
     section.files.push_back(
       { "fields/contact.vtu", "displacement, stress and contact pressure for ParaView" });
