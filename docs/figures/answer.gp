@@ -12,7 +12,7 @@ set xlabel "θ from the direction of travel (degrees)"; set ylabel "λ / a_0"
 set xrange [0:360]; set xtics 90; set yrange [-0.5:3.3]
 plot 0 lc rgb "black" lw 1 notitle, \
      "results/paper/load.dat" every 4 using ($1 * 180 / pi):($2 / a0) with lines lw 2 lc rgb "#1b6ca8" title "paper's moment, elastic foot", \
-     "results/lift_off/load.dat" every 4 using ($1 * 180 / pi):($2 / a0) with lines lw 2 lc rgb "#c0392b" title "moment ratio 1.3, elastic foot", \
+     "results/lift_off/load_lines.dat" using ($1 * 180 / pi):($2 / a0) with lines lw 2 lc rgb "#c0392b" title "moment ratio 1.3, elastic foot", \
      "results/lift_off/load.dat" every 4 using ($1 * 180 / pi):($3 / a0) with lines lw 2 dt 2 lc rgb "#e8a598" title "its first harmonic (would pull)"
 
 set title "Torque of friction, moment ratio 1.3"
