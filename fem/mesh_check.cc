@@ -120,6 +120,22 @@ std::vector<double> scaled_jacobians(const Triangulation<3> &triangulation)
   return jacobians;
 }
 
+std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
+{
+  std::vector<Quadrilateral> faces;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == contact_id)
+    {
+      Quadrilateral corners;
+      // deal.II numbers vertices by coordinates: 0 1 3 2 goes round.
+      constexpr std::array<unsigned int, 4> round = { 0, 1, 3, 2 };
+      for (unsigned int i = 0; i < 4; ++i)
+        corners[i] = { face->vertex(round[i])[0], face->vertex(round[i])[1] };
+      faces.push_back(corners);
+    }
+  return faces;
+}
+
 MeshCheck check_mesh(const Triangulation<3> &triangulation)
 {
   MeshCheck check;

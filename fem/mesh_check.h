@@ -41,4 +41,10 @@ MeshCheck check_mesh(const dealii::Triangulation<3, 3> &triangulation);
 /// inside out. Edges are taken as straight.
 std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangulation);
 
+/// Corners of a face as seen from above [m], in the order of its edge line.
+using Quadrilateral = std::array<std::array<double, 2>, 4>;
+
+/// The faces of the contact zone.
+std::vector<Quadrilateral> contact_faces(const dealii::Triangulation<3, 3> &triangulation);
+
 } // namespace stemware::fem

@@ -35,25 +35,30 @@ void require_finite(const Json &value, const std::string &path)
 }
 
 /// summary.json as text. @p files are the names of all that is in the results folder.
-std::string summary_text(const std::string &verb, const Study &study, const Json &findings,
+std::string summary_text(const std::string &verb, const std::optional<Study> &study, const Json &findings,
                          const std::vector<std::string> &files)
 {
   Json all = { { "schema", 1 },
                { "program", { { "version", program_version() }, { "revision", program_revision() } } },
-               { "verb", verb },
-               { "parameters", study_as_json(study) } };
+               { "verb", verb } };
+  if (study)
+    all["parameters"] = study_as_json(*study);
   all.update(findings);
   all["files"] = files;
   require_finite(all, "summary");
   return all.dump(2) + "\n";
 }
 
-void write_and_publish(const StudyOptions &options, const Study &study, const Findings &findings,
-                       Stopwatch &stopwatch, ResultsFolder &folder)
+void write_and_publish(const StudyOptions &options, const std::optional<Study> &study,
+                       const Findings &findings, Stopwatch &stopwatch, ResultsFolder &folder)
 {
   const fs::path &place = folder.working_folder();
-  const Study echo = with_paths_from(folder.final_folder(), study);
-  write_text_file(place / "parameters.prm", study_as_prm(echo));
+  std::optional<Study> echo;
+  if (study)
+  {
+    echo = with_paths_from(folder.final_folder(), *study);
+    write_text_file(place / "parameters.prm", study_as_prm(*echo));
+  }
   std::vector<std::string> files = folder.contents();
   files.insert(files.end(), { "summary.json", "timings.json" });
   std::sort(files.begin(), files.end());
@@ -65,8 +70,8 @@ void write_and_publish(const StudyOptions &options, const Study &study, const Fi
 
 } // namespace
 
-void publish(const StudyOptions &options, const Study &study, const Findings &findings, SharedFolder &folder,
-             Stopwatch &stopwatch)
+void publish(const StudyOptions &options, const std::optional<Study> &study, const Findings &findings,
+             SharedFolder &folder, Stopwatch &stopwatch)
 {
   folder.write([&](ResultsFolder &owned) { write_and_publish(options, study, findings, stopwatch, owned); });
   if (!is_first_rank())

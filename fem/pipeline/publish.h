@@ -29,11 +29,12 @@ struct Findings
 /// The end of every verb, when its tables and report are in the working folder: writes parameters.prm,
 /// summary.json ("schema", "program", "verb", "parameters", the findings, "files") and timings.json, gives
 /// the folder its final name, and says where the results are. With --json the last line of standard output is
-/// {"verb", "results", "summary", "report" (null without a report.html), key figures}.
+/// {"verb", "results", "summary", "report" (null without a report.html), key figures}. Without a study there
+/// is neither parameters.prm nor "parameters".
 ///
 /// Collective over all ranks. Throws OutputFailure, and std::runtime_error for a finding that is not finite:
 /// JSON has no word for it.
-void publish(const StudyOptions &options, const Study &study, const Findings &findings, SharedFolder &folder,
-             Stopwatch &stopwatch);
+void publish(const StudyOptions &options, const std::optional<Study> &study, const Findings &findings,
+             SharedFolder &folder, Stopwatch &stopwatch);
 
 } // namespace stemware::pipeline

@@ -38,6 +38,25 @@ double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
 
 } // namespace
 
+TEST(MeshCheck, FacesOfTheContactZoneFromAbove)
+{
+  const GlassProfile profile;
+  FootResolution resolution;
+  resolution.azimuthal_cells = 24;
+  Triangulation<3> foot;
+  make_foot_mesh(profile, resolution, foot);
+  // The shoelace formula, whose sign tells whether corners go round.
+  double area = 0;
+  for (const Quadrilateral &face : contact_faces(foot))
+  {
+    double twice = 0;
+    for (unsigned int i = 0; i < 4; ++i)
+      twice += face[i][0] * face[(i + 1) % 4][1] - face[(i + 1) % 4][0] * face[i][1];
+    area += std::abs(twice) / 2;
+  }
+  EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
+}
+
 TEST(MeshCheck, ScaledJacobianOfSkewCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });

@@ -149,6 +149,32 @@ TEST(MeshVerb, ComparesAFileWithTheStudy)
   EXPECT_NE(compared.err.find("has a radius of 30 m"), std::string::npos) << compared.err;
 }
 
+TEST(MeshVerb, LeavesAReportWhereItIsTold)
+{
+  const ScratchFolder scratch;
+  const Ended checked = stemware(
+    scratch, { "mesh", "--check", meshes + "/oval_foot.msh", "--output", "oval", "--json", "--quiet" });
+  ASSERT_EQ(checked.exit_code, 0) << checked.err;
+  const nlohmann::json line = nlohmann::json::parse(checked.out);
+  EXPECT_EQ(line["report"], "oval/report.html");
+  const nlohmann::json summary = read_summary(scratch / "oval");
+  EXPECT_EQ(summary["mesh"]["cells"], line["cells"]);
+  EXPECT_FALSE(summary.contains("parameters"));
+  const std::string page = read_text(scratch / "oval/report.html");
+  EXPECT_NE(page.find("428 hexahedra"), std::string::npos);
+  for (const char *figure : { "contact_zone", "quality" })
+    EXPECT_NE(page.find(std::string("<figure id=\"") + figure), std::string::npos) << figure;
+
+  // Of a study: with its parameters. What cannot be used leaves nothing.
+  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  ASSERT_EQ(stemware(scratch, { "mesh", study, "--output", "own" }).exit_code, 0);
+  EXPECT_TRUE(read_summary(scratch / "own").contains("parameters"));
+  const std::string upside_down =
+    scratch.write("bad.msh", moved(read_text(meshes + "/flat_foot.msh"), [](Vertex &x) { x[2] = -x[2]; }));
+  EXPECT_EQ(stemware(scratch, { "mesh", "--check", upside_down, "--output", "bad" }).exit_code, 1);
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "bad.msh", "oval", "own", "study.prm" }));
+}
+
 TEST(MeshVerb, RefusesWhatItCannotDo)
 {
   const ScratchFolder scratch;

@@ -4,7 +4,9 @@
 #include "fem/pipeline/console.h"
 #include "fem/pipeline/failures.h"
 #include "fem/pipeline/foot_contact.h"
-#include "fem/pipeline/mesh/mesh_findings.h"
+#include "fem/pipeline/interruption.h"
+#include "fem/pipeline/mesh/mesh_report.h"
+#include "fem/pipeline/publish.h"
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/study_file.h"
 #include "fem/pipeline/text_file.h"
@@ -74,37 +76,63 @@ std::string as_text(const Triangulation &mesh, const std::string &format)
   return text.str();
 }
 
+void write_mesh(const Triangulation &mesh, const std::string &file)
+{
+  on_first_rank(
+    [&]
+    {
+      replace_text_file(file, as_text(mesh, fs::path(file).extension()));
+      return std::string();
+    });
+  console() << "Written   " << file << std::endl;
+}
+
+/// The findings on one line of standard output, for programs, where there is no folder of results.
+void print_json(const Findings &findings)
+{
+  nlohmann::ordered_json line = { { "verb", "mesh" } };
+  line.update(findings.key_figures);
+  std::cout << line.dump() << std::endl;
+}
+
 } // namespace
 
 void mesh(const MeshOptions &options)
 {
+  // 1. Which mesh, and where the results go.
+  Stopwatch stopwatch;
   direct_console(options.study.quiet, options.study.json);
   check_options(options);
   std::optional<Study> study;
   if (!options.study.study_file.empty())
     study = read_study(options.study.study_file, options.study.overrides);
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
+  watch_for_interruption();
+  std::optional<SharedFolder> folder;
+  if (!options.study.output.empty())
+    folder.emplace(results_place(options.study));
+  stopwatch.finish("input");
 
+  // 2. What it is like, and whether it can be used.
   Triangulation mesh;
   const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, study, mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings);
+  stopwatch.finish("mesh");
+
+  // 3. The mesh in files, and the report.
   for (const std::string &name : options.writes)
+    write_mesh(mesh, name);
+  Findings all = { { { "mesh", mesh_json(findings) } }, { { "written", options.writes } } };
+  all.key_figures.update(mesh_json(findings));
+  if (folder)
   {
-    on_first_rank(
-      [&]
-      {
-        replace_text_file(name, as_text(mesh, fs::path(name).extension()));
-        return std::string();
-      });
-    console() << "Written   " << name << std::endl;
+    const Report report = mesh_report(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) });
+    folder->write([&](ResultsFolder &owned) { write_report(report, owned.working_folder()); });
+    publish(options.study, study, all, *folder, stopwatch);
   }
-  if (options.study.json && is_first_rank())
-  {
-    nlohmann::ordered_json line = { { "verb", "mesh" }, { "written", options.writes } };
-    line.update(mesh_json(findings));
-    std::cout << line.dump() << std::endl;
-  }
+  else if (options.study.json && is_first_rank())
+    print_json(all);
 }
 
 } // namespace stemware::pipeline

@@ -17,6 +17,10 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
     ->type_name("FILE.msh|FILE.vtu")
     ->allow_extra_args(false);
+  verb
+    ->add_option("--output", options->study.output, "Folder for report.html and summary.json; default: none")
+    ->type_name("DIR");
+  options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
   verb->footer(R"(Examples:
@@ -26,6 +30,7 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   stemware mesh --check my_foot.msh                           can it be used? (exit code 1: no)
   stemware mesh my_glass.prm --check my_foot.msh              and is it of the same size?
   stemware mesh --check my_foot.msh --write my_foot.vtu       to look for the bad cells
+  stemware mesh --check my_foot.msh --output results/my_foot  report.html with pictures
 
   .msh  Gmsh's format 2.2: linear hexahedra, stem cut with id 1, contact zone with id 2; can be
         read again with Contact/Mesh file. The crown is in it, as a polygon between vertices.
