@@ -36,6 +36,13 @@ bool spins_up(const StudyResult &result)
   return result.yaw.truncations.front().relative_change.has_value();
 }
 
+/// Decimals that show two digits of @p spread.
+int decimals_of(double spread)
+{
+  constexpr int of_nothing = 6;
+  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
+}
+
 std::string terminal_spin(const StudyResult &result)
 {
   if (!spins_up(result))
@@ -145,13 +152,16 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseFigures
                    phases->spin_ripple, phases->torque_ripple);
 }
 
+std::string to_spread(double value, double spread)
+{
+  return formatted("%.*f", decimals_of(spread), value);
+}
+
 std::string with_band(double value, double band)
 {
-  // Two digits of the band, rounded up so that it does not become narrower.
-  const int last = static_cast<int>(std::floor(std::log10(band))) - 1;
-  const double unit = std::pow(10, last);
-  const int decimals = std::max(0, -last);
-  return formatted("%.*f ± %.*f", decimals, value, decimals, std::ceil(band / unit * (1 - 1e-9)) * unit);
+  // Rounded up so that the band does not become narrower.
+  const double unit = std::pow(10, -decimals_of(band));
+  return to_spread(value, band) + " ± " + to_spread(std::ceil(band / unit * (1 - 1e-9)) * unit, band);
 }
 
 } // namespace stemware::pipeline

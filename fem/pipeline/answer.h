@@ -47,6 +47,9 @@ std::string narrow_contact_remark(const Study &study, const std::optional<Contac
 /// Says what an out-of-flat rim or table does to the spin; empty for flat ones.
 std::string waviness_remark(const Study &study, const std::optional<PhaseFigures> &phases);
 
+/// @p value with as many digits as a spread of @p spread leaves meaningful: to two digits of the spread.
+std::string to_spread(double value, double spread);
+
 /// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
 std::string with_band(double value, double band);
 

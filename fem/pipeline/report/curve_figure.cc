@@ -1,7 +1,9 @@
+#include "fem/pipeline/number_text.h"
 #include "fem/pipeline/report/figure_script.h"
 #include "fem/pipeline/report/figures.h"
 #include "fem/pipeline/report/gnuplot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -43,13 +45,36 @@ std::string axis_commands(const std::string &which, const Axis &axis)
   return script.str();
 }
 
-std::string colour_commands(const std::string &label)
+std::string tic_commands(const std::string &which, double low, double high)
+{
+  const double range = high - low;
+  if (!(range > 0) || !std::isfinite(range))
+    return "";
+  // The least of 1, 2 and 5 times a power of ten that leaves no more than four steps.
+  int power = static_cast<int>(std::floor(std::log10(range / 4)));
+  double step = std::pow(10, power);
+  for (const double factor : { 1., 2., 5., 10. })
+    if (range / (factor * std::pow(10, power)) <= 4)
+    {
+      step = factor * std::pow(10, power);
+      power += factor == 10 ? 1 : 0;
+      break;
+    }
+  std::string commands = "set " + which + "tics " + to_text(step) + "\n";
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest >= 1e-3 && largest < 1e6)
+    commands += "set format " + which + " \"%." + std::to_string(std::max(0, -power)) + "f\"\n";
+  return commands;
+}
+
+std::string colour_commands(const std::string &label, double low, double high)
 {
   // Places on the page: terminals differ in the room that they think a text needs.
-  return "set rmargin at screen 0.8\nset colorbox user origin screen 0.82, graph 0 size screen 0.03, graph "
+  return "set rmargin at screen 0.77\nset colorbox user origin screen 0.79, graph 0 size screen 0.03, graph "
          "1\n"
          "set label 1 " +
-         gnuplot_text(label) + " at screen 0.965, graph 0.5 rotate by 90 center\n";
+         gnuplot_text(label) + " at screen 0.97, graph 0.5 rotate by 90 center\nset cbrange [" +
+         to_text(low) + ":" + to_text(high) + "]\n" + tic_commands("cb", low, high);
 }
 
 std::string truncation_title(unsigned int n, unsigned int n_all)
@@ -125,6 +150,22 @@ bool has_points(const CurvePlot &plot, const Curve &curve)
   return false;
 }
 
+/// Tics for a horizontal axis that is narrow beside its values, on which gnuplot's own would overlap.
+std::string tics_of_narrow_axis(const CurvePlot &plot)
+{
+  constexpr double share = 0.02; // labels of more than four digits
+  if (plot.x.logarithmic || plot.x.range)
+    return "";
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Curve &curve : plot.curves)
+    for (const double x : curve.x)
+    {
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+  return high - low < share ? tic_commands("x", low, high) : "";
+}
+
 /// Instead of a plot without a single point.
 constexpr char nothing_to_show[] = R"gp(unset logscale; unset tics; set xrange [0:1]; set yrange [0:1]
 set label "nothing to show" at 0.5,0.5 center
@@ -147,7 +188,8 @@ ReportFigure curve_figure(const CurvePlot &plot)
     drawings += (i == 0 ? "" : ", \\\n     ") + drawing("\"figures/" + plot.name + ".dat\"", curve, i,
                                                         curve.line_type > 0 ? curve.line_type : ++line_type);
   }
-  const std::string script = axis_commands("x", plot.x) + axis_commands("y", plot.y) + plot.commands +
+  const std::string script = axis_commands("x", plot.x) + axis_commands("y", plot.y) +
+                             tics_of_narrow_axis(plot) + plot.commands +
                              (is_empty ? nothing_to_show : "plot " + drawings + "\n");
   return { plot.name, plot.caption, script, 540, 360, data_blocks(blocks) };
 }

@@ -108,7 +108,8 @@ std::pair<double, double> height_of(const std::vector<DataColumn> &columns)
 
 ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_radius)
 {
-  const PressureUnit unit(largest_pressure(footprint));
+  const double largest = largest_pressure(footprint);
+  const PressureUnit unit(largest);
   const std::vector<DataColumn> columns = drawn_points(drawn_cuts(footprint), contact_radius, unit);
   const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
   const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
@@ -120,8 +121,8 @@ ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_ra
            "data = \"figures/footprint.dat\"\n" +
              axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
              axis_commands("y", { "r - R (µm)", false, height_of(columns) }) +
-             colour_commands("pressure (" + unit.name + ")") +
-             "set xtics 90\nset cbrange [0:*]\nunset key\nset style fill solid noborder\n" + drawing,
+             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
+             "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
            540,
            360,
            data_table(caption, columns) };

@@ -104,8 +104,7 @@ plot )gp" + file + R"gp( using 1:2:4:5:6:7:3 with boxxyerror lc palette, \
      $contours using 1:2 with lines lc rgb "#ffffff" lw 1.2 dt 1
 )gp";
   const std::string script = logscales + contours + axis_commands("x", x_axis) + axis_commands("y", y_axis) +
-                             colour_commands(map.quantity) + "set cbrange [" + to_text(least) + ":" +
-                             to_text(most) + "]\n" + drawing;
+                             colour_commands(map.quantity, least, most) + drawing;
   return { map.name, map.caption, script,
            540,      380,         with_grid_lines(data_table(map.caption, columns), map.x_values.size()) };
 }
@@ -128,11 +127,12 @@ ReportFigure tornado_figure(const std::string &name, const std::string &caption,
     tics += (tics.empty() ? "" : ", ") + gnuplot_text(item.parameter) + " " + to_text(place.values.back());
   }
   const std::string file = "\"figures/" + name + ".dat\"";
+  const double widest = sensitivities.empty() ? 0 : reach(sensitivities.back());
   const std::string script =
-    "set xlabel " + gnuplot_text(quantity) + "\nset ytics (" + tics +
-    ")\nset yrange [0.4:" + std::to_string(sensitivities.size()) + R"gp(.6]
+    "set xlabel " + gnuplot_text(quantity) + "\n" + tic_commands("x", -widest, widest) + "set ytics (" +
+    tics + ")\nset yrange [0.4:" + std::to_string(sensitivities.size()) + R"gp(.6]
 unset border; set border 1; set grid noytics; set xzeroaxis; set yzeroaxis lt 7
-set key tmargin left horizontal
+set key at screen 0.98, screen 0.97 right top horizontal; set tmargin 3
 set style fill solid noborder
 plot )gp" +
     file +

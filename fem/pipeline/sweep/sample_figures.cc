@@ -1,5 +1,5 @@
 #include "fem/pipeline/number_text.h"
-#include "fem/pipeline/report/figures.h"
+#include "fem/pipeline/report/figure_script.h"
 #include "fem/pipeline/sweep/sweep_report.h"
 #include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_file.h"
@@ -52,8 +52,9 @@ ReportFigure histogram(const Drawing &drawing, const std::vector<double> &values
     ++counts[std::min(static_cast<std::size_t>((value - *least) / width), n_bins - 1)];
   const std::string name = drawing.name + "_histogram",
                     caption = "Distribution of the samples: " + drawing.quantity;
-  const std::string script = "set xlabel \"" + drawing.label +
-                             "\"\nset ylabel \"samples\"\nset yrange [0:*]\nset boxwidth " + to_text(width) +
+  const std::string script = "set xlabel \"" + drawing.label + "\"\n" + tic_commands("x", *least, *most) +
+                             "set xrange [" + to_text(*least - width) + ":" + to_text(*most + width) + "]\n" +
+                             "set ylabel \"samples\"\nset yrange [0:*]\nset boxwidth " + to_text(width) +
                              "\nset style fill solid 0.6\nplot \"figures/" + name +
                              ".dat\" using 1:2 with boxes lt 1 notitle\n";
   return { name,

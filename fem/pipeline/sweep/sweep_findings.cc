@@ -1,5 +1,6 @@
 #include "fem/pipeline/sweep/sweep_findings.h"
 
+#include "fem/pipeline/answer.h"
 #include "fem/pipeline/number_text.h"
 #include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_layout.h"
@@ -101,10 +102,14 @@ std::string spin_sentence(const SweepPlan &plan, const SweepFindings &findings)
     return formatted("In %zu cases the glass spins up to between %.6g rad/s", spin->n_values, spin->least) +
            at_case(plan, spin->least_case) + formatted(" and %.6g rad/s", spin->most) +
            at_case(plan, spin->most_case) + ".";
+  const SampleBand &band = *spin->band;
+  // Where nothing varies, rounding would be shown as a spread.
+  const double spread = std::max(band.deviation, 1e-9 * std::abs(band.mean));
   std::string sentence =
-    formatted("In %zu samples the glass spins up to %.4g ± %.2g rad/s (mean and standard deviation; "
-              "95 %% of them lie between %.4g and %.4g rad/s).",
-              spin->n_values, spin->band->mean, spin->band->deviation, spin->band->lower, spin->band->upper);
+    formatted("In %zu samples the glass spins up to %s ± %s rad/s (mean and standard deviation; "
+              "95 %% of them lie between %s and %s rad/s).",
+              spin->n_values, to_spread(band.mean, spread).c_str(), to_spread(band.deviation, spread).c_str(),
+              to_spread(band.lower, spread).c_str(), to_spread(band.upper, spread).c_str());
   if (!spin->sensitivity)
     return sentence;
   const std::vector<double> &shares = spin->sensitivity->first_order;
