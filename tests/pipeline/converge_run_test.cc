@@ -88,6 +88,9 @@ TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
   const Ended levels = stemware(scratch, { "converge", study, "--levels", "9" });
   EXPECT_EQ(levels.exit_code, 1);
   EXPECT_NE(levels.err.find("--levels"), std::string::npos) << levels.err;
+  const Ended spin = stemware(scratch, { "converge", study, "--spin", "nan" });
+  EXPECT_EQ(spin.exit_code, 1);
+  EXPECT_NE(spin.err.find("--spin nan"), std::string::npos) << spin.err;
   EXPECT_TRUE(names_in(scratch.path()) == std::vector<std::string>{ "study.prm" });
 }
 
