@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -15,7 +16,20 @@ namespace stemware::ring
 namespace
 {
 constexpr double pi = boost::math::constants::pi<double>();
+
+/// Where @p load passes through 0 between two angles at which its signs differ, to 1e-9: what lies on the
+/// wrong side then is of the square of that.
+double sign_change(const AngularLoad &load, double from, double to)
+{
+  const bool pulls_at_from = load(from) < 0.;
+  while (to - from > 1e-9)
+  {
+    const double middle = (from + to) / 2.;
+    ((load(middle) < 0.) == pulls_at_from ? from : to) = middle;
+  }
+  return (from + to) / 2.;
 }
+} // namespace
 
 AngularLoad::AngularLoad(std::vector<double> a, std::vector<double> b, double radius)
     : cosine(std::move(a))
@@ -74,10 +88,8 @@ double AngularLoad::derivative(double theta) const
   return sum;
 }
 
-double AngularLoad::minimum() const
+std::vector<double> AngularLoad::evenly_spaced_values() const
 {
-  if (n_harmonics() <= 1)
-    return cosine[0] - std::hypot(a(1), b(1));
   // The angles n theta_i are multiples of one spacing: a table of one turn serves all of them.
   const unsigned int n_samples = 32 * n_harmonics();
   const double spacing = 2. * pi / n_samples;
@@ -90,16 +102,69 @@ double AngularLoad::minimum() const
   for (unsigned int n = 1; n < cosine.size(); ++n)
     for (unsigned int i = 0, turn = 0; i < n_samples; ++i, turn = (turn + n) % n_samples)
       samples[i] += cosine[n] * cosines[turn] + sine[n] * sines[turn];
+  return samples;
+}
 
+std::map<double, double> AngularLoad::local_minima() const
+{
+  const std::vector<double> samples = evenly_spaced_values();
+  const std::size_t n_samples = samples.size();
+  const double spacing = 2. * pi / static_cast<double>(n_samples);
   // Half of the digits in theta give all digits of the least value: the slope vanishes there.
   const int bits = std::numeric_limits<double>::digits / 2;
-  double least = *std::min_element(samples.begin(), samples.end());
-  for (unsigned int i = 0; i < n_samples; ++i)
+  std::map<double, double> minima;
+  for (std::size_t i = 0; i < n_samples; ++i)
     if (samples[i] <= samples[(i + 1) % n_samples] && samples[i] <= samples[(i + n_samples - 1) % n_samples])
-      least = std::min(
-        least,
-        boost::math::tools::brent_find_minima(*this, (i - 1.) * spacing, (i + 1.) * spacing, bits).second);
+    {
+      const double middle = static_cast<double>(i) * spacing;
+      minima.insert(boost::math::tools::brent_find_minima(*this, middle - spacing, middle + spacing, bits));
+      minima.emplace(middle, samples[i]);
+    }
+  return minima;
+}
+
+double AngularLoad::minimum() const
+{
+  if (n_harmonics() <= 1)
+    return cosine[0] - std::hypot(a(1), b(1));
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto &[theta, value] : local_minima())
+    least = std::min(least, value);
   return least;
+}
+
+double AngularLoad::integral(double from, double to) const
+{
+  double sum = cosine[0] * (to - from);
+  for (unsigned int n = 1; n < cosine.size(); ++n)
+    sum += (cosine[n] * (std::sin(n * to) - std::sin(n * from)) -
+            sine[n] * (std::cos(n * to) - std::cos(n * from))) /
+           n;
+  return sum;
+}
+
+double AngularLoad::pulling_force() const
+{
+  // The minima are among the angles: a load may be negative between two samples alone.
+  const std::vector<double> samples = evenly_spaced_values();
+  const double spacing = 2. * pi / static_cast<double>(samples.size());
+  std::map<double, double> values = local_minima();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    values.emplace(static_cast<double>(i) * spacing, samples[i]);
+  double force = 0.;
+  for (auto from = values.begin(); from != values.end(); ++from)
+  {
+    const auto next = std::next(from);
+    const double begin = from->first,
+                 end = next != values.end() ? next->first : values.begin()->first + 2. * pi;
+    const bool pulls_at_begin = from->second < 0.;
+    const bool pulls_at_end = (next != values.end() ? next->second : values.begin()->second) < 0.;
+    if (!pulls_at_begin && !pulls_at_end)
+      continue;
+    const double change = pulls_at_begin == pulls_at_end ? end : sign_change(*this, begin, end);
+    force -= (pulls_at_begin ? integral(begin, change) : 0.) + (pulls_at_end ? integral(change, end) : 0.);
+  }
+  return force;
 }
 
 AngularLoad AngularLoad::truncated(unsigned int n_max) const

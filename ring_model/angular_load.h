@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <vector>
 
 namespace stemware::ring
@@ -66,6 +67,12 @@ public:
    */
   double minimum() const;
 
+  /**
+   * What the table would have to pull with, int max(0, -lambda) dtheta [N]: 0 unless minimum() is negative.
+   * Between the changes of sign, found as the minimum is, the integral is exact.
+   */
+  double pulling_force() const;
+
   /// The load without the harmonics above @p n_max.
   AngularLoad truncated(unsigned int n_max) const;
 
@@ -76,6 +83,16 @@ public:
   AngularLoad mirrored() const;
 
 private:
+  /// lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
+  std::vector<double> evenly_spaced_values() const;
+
+  /// Local minima by their angle, polished to rounding, and the samples next to them; an angle may be a
+  /// little outside [0, 2 pi).
+  std::map<double, double> local_minima() const;
+
+  /// Integral of lambda from one angle to another [N].
+  double integral(double from, double to) const;
+
   std::vector<double> cosine;
   std::vector<double> sine;
   double ring_radius;

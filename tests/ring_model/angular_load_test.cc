@@ -79,6 +79,23 @@ TEST(AngularLoad, FindsTheGlobalMinimum)
   }
 }
 
+TEST(AngularLoad, PullsWithItsNegativePart)
+{
+  // int max(0, -(1 + m cos theta)) dtheta over the arc |theta - pi| < arccos(1/m).
+  for (const double m : { 1.0001, 1.2, 1.9, 5. })
+  {
+    const AngularLoad load({ 2., 2. * m }, { 0., 0. }, 0.03);
+    const double pull = 2. * 2. * (std::sqrt(m * m - 1.) - std::acos(1. / m));
+    for (const double angle : { 0., 0.5, pi / 16. })
+      EXPECT_NEAR(load.rotated(angle).pulling_force(), pull, 1e-13) << m << " turned by " << angle;
+  }
+  // 1 - 1.5 cos 4 theta turned: four arcs.
+  const AngularLoad four({ 1., 0., 0., 0., -1.5 }, { 0., 0., 0., 0., 0. }, 1.);
+  EXPECT_NEAR(four.rotated(0.3).pulling_force(), 2. * (std::sqrt(1.25) - std::acos(1. / 1.5)), 1e-14);
+  EXPECT_EQ(AngularLoad({ 1., 0.9 }, { 0., 0. }, 1.).pulling_force(), 0.);
+  EXPECT_EQ(AngularLoad({ 1. }, { 0. }, 1.).pulling_force(), 0.);
+}
+
 TEST(AngularLoad, TurnsMirrorsAndTruncates)
 {
   test::Numbers numbers(3);
