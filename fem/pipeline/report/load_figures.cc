@@ -66,8 +66,8 @@ DataBlock contact_arc(const ring::AngularLoad &load, std::vector<LoadSample> sam
 
 /// The rim has radius 1 and the load is drawn outwards from it, its mean as half a radius.
 constexpr char view_from_above[] = R"gp(data = "figures/load.dat"
-x(theta, load) = (1 + load / 2) * cos(theta) # the rim has radius 1, the mean load half of that
-y(theta, load) = (1 + load / 2) * sin(theta)
+x(theta, load) = (1 + load / 2.) * cos(theta) # the rim has radius 1, the mean load half of that
+y(theta, load) = (1 + load / 2.) * sin(theta)
 set size ratio -1
 set lmargin at screen 0.02; set rmargin at screen 0.65; set tmargin at screen 0.97; set bmargin at screen 0.03
 unset border; unset tics; unset grid
