@@ -64,18 +64,6 @@ std::string harmonic_sentence(const SpinComparison &spins, const StudyResult &re
          formatted(" than the first alone would (%#.6g rad/s).", spins.first_harmonic);
 }
 
-std::string closure_sentence(const SpinComparison &spins)
-{
-  const auto change = spins.closure_effect();
-  if (!change)
-    return "";
-  return formatted(
-    " For comparison: with a first-harmonic load, what the paper's balance of moments leaves out makes the "
-    "glass %s (%#.6g instead of %#.6g rad/s%s).",
-    faster_or_slower(*change).c_str(), *spins.complete_closure, *spins.paper_closure,
-    spins.is_formal ? ", formally: such a load would have to pull on the table" : "");
-}
-
 } // namespace
 
 std::optional<double> SpinComparison::harmonic_effect() const
@@ -118,6 +106,18 @@ std::string answer(const Study &study, const StudyResult &result)
 {
   const SpinComparison spins = compare_spins(study, result);
   return terminal_spin(result) + harmonic_sentence(spins, result) + closure_sentence(spins);
+}
+
+std::string closure_sentence(const SpinComparison &spins)
+{
+  const auto change = spins.closure_effect();
+  if (!change)
+    return "";
+  return formatted(
+    " For comparison: with a first-harmonic load, what the paper's balance of moments leaves out makes the "
+    "glass %s (%#.6g instead of %#.6g rad/s%s).",
+    faster_or_slower(*change).c_str(), *spins.complete_closure, *spins.paper_closure,
+    spins.is_formal ? ", formally: such a load would have to pull on the table" : "");
 }
 
 std::string lift_off_remark(const RingLoad &load)

@@ -37,6 +37,10 @@ SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &
 /// paper's balance of moments leaves out does to it; the spin with its error band where one is known.
 std::string answer(const Study &study, const StudyResult &result);
 
+/// Says, after a blank, what the paper's balance of moments leaves out does to the spin of a first-harmonic
+/// load; empty where one of the two spins does not exist.
+std::string closure_sentence(const SpinComparison &spins);
+
 /// Says that the load has left part of the rim, so that its first harmonic would have to pull; empty where it
 /// has not.
 std::string lift_off_remark(const RingLoad &load);

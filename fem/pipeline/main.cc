@@ -20,6 +20,8 @@ int main(int argc, char *argv[])
     Verb chosen;
     describe_program(program);
     add_run_verb(program, chosen);
+    add_truncate_verb(program, chosen);
+    add_compare_verb(program, chosen);
     add_sweep_verb(program, chosen);
     add_mesh_verb(program, chosen);
     add_converge_verb(program, chosen);

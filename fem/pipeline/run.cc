@@ -28,19 +28,12 @@ void write_fields(const FootContact &contact, const FootContactResult &result, S
 /// Shows on the terminal what happens, and keeps the fields and the times.
 StudyObserver make_observer(SharedFolder &folder, Stopwatch &stopwatch)
 {
-  StudyObserver observer;
-  observer.foot_made = print_mesh;
-  observer.newton_step = [progress = std::make_shared<ProgressTable>()](
-                           const fem::ContactIteration &iteration) { progress->add(iteration); };
+  StudyObserver observer = progress_on_console(stopwatch);
   observer.contact_found = [&](const FootContact &contact, const FootContactResult &result)
   {
     write_fields(contact, result, folder);
     stopwatch.finish("fields");
   };
-  observer.balance_found = [progress = std::make_shared<BalanceProgress>()](std::size_t n_states)
-  { progress->add(n_states); };
-  observer.note = print_note;
-  observer.stage_done = [&](const std::string &stage) { stopwatch.finish(stage); };
   return observer;
 }
 

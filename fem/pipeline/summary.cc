@@ -10,26 +10,6 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-Json load_summary(const RingLoad &load)
-{
-  const ring::AngularLoad &series = load.at_rest;
-  Json a = Json::array(), b = Json::array();
-  for (unsigned int n = 0; n <= series.n_harmonics(); ++n)
-  {
-    a.push_back(series.a(n));
-    b.push_back(series.b(n));
-  }
-  return { { "a", a },
-           { "b", b },
-           { "normal_force", load.normal_force },
-           { "moment", { load.moment.x(), load.moment.y() } },
-           { "moment_ratio", load.moment_ratio },
-           { "ring_radius", series.radius() },
-           { "mean_radius", load.mean_radius },
-           { "contact_fraction", load.contact_fraction },
-           { "minimum", load.minimum } };
-}
-
 Json mesh_summary(const ContactFigures &contact)
 {
   Json mesh = Json::object();
@@ -149,6 +129,26 @@ Json closure_summary(const std::vector<ClosureRow> &rows)
 }
 
 } // namespace
+
+nlohmann::ordered_json load_summary(const RingLoad &load)
+{
+  const ring::AngularLoad &series = load.at_rest;
+  Json a = Json::array(), b = Json::array();
+  for (unsigned int n = 0; n <= series.n_harmonics(); ++n)
+  {
+    a.push_back(series.a(n));
+    b.push_back(series.b(n));
+  }
+  return { { "a", a },
+           { "b", b },
+           { "normal_force", load.normal_force },
+           { "moment", { load.moment.x(), load.moment.y() } },
+           { "moment_ratio", load.moment_ratio },
+           { "ring_radius", series.radius() },
+           { "mean_radius", load.mean_radius },
+           { "contact_fraction", load.contact_fraction },
+           { "minimum", load.minimum } };
+}
 
 Findings run_findings(const Study &study, const StudyResult &result)
 {

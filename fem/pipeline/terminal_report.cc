@@ -7,7 +7,9 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <chrono>
 #include <cmath>
+#include <memory>
 #include <ostream>
 
 namespace stemware::pipeline
@@ -33,18 +35,63 @@ std::string truncation_text(const std::vector<TruncationRow> &rows)
   return text_table({ harmonics, torque, spin, change, bound, least });
 }
 
-} // namespace
-
-void ProgressTable::add(const fem::ContactIteration &iteration)
+/// Table of contact steps that grows as they come; its header is printed before the first.
+class ProgressTable
 {
-  if (!has_header)
-    console() << "  step   loaded  changed   imbalance   share taken   CG iterations\n";
-  has_header = true;
-  console() << formatted("  %4u %8u %8u   %9.2e   %11.3g   %13u", iteration.number, iteration.n_loaded,
-                         iteration.n_changed, iteration.residual, iteration.step_fraction,
-                         iteration.linear_iterations)
+public:
+  void add(const fem::ContactIteration &iteration)
+  {
+    if (!has_header)
+      console() << "  step   loaded  changed   imbalance   share taken   CG iterations\n";
+    has_header = true;
+    console() << formatted("  %4u %8u %8u   %9.2e   %11.3g   %13u", iteration.number, iteration.n_loaded,
+                           iteration.n_changed, iteration.residual, iteration.step_fraction,
+                           iteration.linear_iterations)
+              << std::endl;
+  }
+
+private:
+  bool has_header = false;
+};
+
+/// A line every few seconds on how many spins contact and friction have been brought into balance at.
+class BalanceProgress
+{
+public:
+  void add(std::size_t n_states)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_line < std::chrono::seconds(3))
+      return;
+    last_line = now;
+    console() << "  contact and friction in balance at " << n_states << " spins" << std::endl;
+  }
+
+private:
+  std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
+};
+
+/// Size of the finite-element system, and what is special about a mesh file.
+void print_mesh(const FootContact &contact)
+{
+  console() << "Foot      " << contact.name() << ", ";
+  if (contact.n_cells())
+    console() << formatted("%u cells, ", *contact.n_cells());
+  console() << formatted("%u unknowns, %u contact nodes", contact.n_unknowns(), contact.n_contact_nodes())
             << std::endl;
+  if (contact.mesh_report() && !contact.mesh_report()->round_rim)
+    console() << formatted("          straight edges: the land's area is %.2g %% too small",
+                           100 * contact.mesh_report()->land_area_deficit)
+              << std::endl;
 }
+
+/// One line: what it is about, in the left column, and what there is to say.
+void print_note(const std::string &subject, const std::string &text)
+{
+  console() << formatted("%-9s ", subject.c_str()) << text << std::endl;
+}
+
+} // namespace
 
 void print_load_source(const Study &study)
 {
@@ -66,31 +113,17 @@ void print_load_source(const Study &study)
   console() << std::endl;
 }
 
-void print_mesh(const FootContact &contact)
+StudyObserver progress_on_console(Stopwatch &stopwatch)
 {
-  console() << "Foot      " << contact.name() << ", ";
-  if (contact.n_cells())
-    console() << formatted("%u cells, ", *contact.n_cells());
-  console() << formatted("%u unknowns, %u contact nodes", contact.n_unknowns(), contact.n_contact_nodes())
-            << std::endl;
-  if (contact.mesh_report() && !contact.mesh_report()->round_rim)
-    console() << formatted("          straight edges: the land's area is %.2g %% too small",
-                           100 * contact.mesh_report()->land_area_deficit)
-              << std::endl;
-}
-
-void print_note(const std::string &subject, const std::string &text)
-{
-  console() << formatted("%-9s ", subject.c_str()) << text << std::endl;
-}
-
-void BalanceProgress::add(std::size_t n_states)
-{
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_line < std::chrono::seconds(3))
-    return;
-  last_line = now;
-  console() << "  contact and friction in balance at " << n_states << " spins" << std::endl;
+  StudyObserver observer;
+  observer.foot_made = print_mesh;
+  observer.newton_step = [progress = std::make_shared<ProgressTable>()](
+                           const fem::ContactIteration &iteration) { progress->add(iteration); };
+  observer.balance_found = [progress = std::make_shared<BalanceProgress>()](std::size_t n_states)
+  { progress->add(n_states); };
+  observer.note = print_note;
+  observer.stage_done = [&stopwatch](const std::string &stage) { stopwatch.finish(stage); };
+  return observer;
 }
 
 void print_answer(const Study &study, const StudyResult &result)

@@ -21,6 +21,13 @@ std::string formatted(const char *format, Values... values)
   return text;
 }
 
+/// A number in printf's @p format, or @p none where there is none.
+inline std::string formatted_or(const std::string &none, const char *format,
+                                const std::optional<double> &value)
+{
+  return value ? formatted(format, *value) : none;
+}
+
 /// A share with its sign in per cent to three digits, "+0.274 %"; "-" where there is none.
 std::string in_percent(const std::optional<double> &share);
 

@@ -23,6 +23,12 @@ void describe_program(CLI::App &program);
 /// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
 void add_run_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware truncate`: a study with fewer and fewer harmonics of its load.
+void add_truncate_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware compare`: closures, loads and truncations side by side.
+void add_compare_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware sweep`: a study many times, with other values each time.
 void add_sweep_verb(CLI::App &program, Verb &chosen);
 

@@ -25,7 +25,8 @@ double spin_scale(const ring::AngularLoad &load, const ring::Motion &motion)
   return motion.orbit_speed / load.radius();
 }
 
-/// 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p n_all.
+} // namespace
+
 std::vector<unsigned int> truncation_orders(unsigned int n_all)
 {
   std::vector<unsigned int> orders;
@@ -39,8 +40,6 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all)
   orders.push_back(n_all);
   return orders;
 }
-
-} // namespace
 
 ring::TerminalSpin truncated_terminal_spin(const LoadAtSpin &load, const ring::Motion &motion,
                                            unsigned int n_harmonics)

@@ -38,6 +38,10 @@ struct YawStudy
   std::vector<TruncationRow> truncations; ///< harmonics 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, ... and all
 };
 
+/// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p
+/// n_all.
+std::vector<unsigned int> truncation_orders(unsigned int n_all);
+
 /// The terminal spin under the first @p n_harmonics of the load. Throws std::runtime_error when there is
 /// none.
 ring::TerminalSpin truncated_terminal_spin(const LoadAtSpin &load, const ring::Motion &motion,

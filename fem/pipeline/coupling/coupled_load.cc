@@ -15,12 +15,6 @@ namespace stemware::pipeline
 namespace
 {
 
-bool spin_matters(const Study &study)
-{
-  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 ||
-         used_friction_coupling(study) == FrictionCoupling::elastic;
-}
-
 /// The load in balance at every spin, with @p model between moment and load. @p before is called with every
 /// spin before it is solved, @p solutions says how many contact solutions there have been.
 RingLoad balanced_load(const Study &study, const fem::LoadHarmonics &at_rest,
@@ -112,9 +106,15 @@ LoadAtSpin for_many_spins(const RingLoad &load, double lower, double upper)
   return load.at_spin;
 }
 
+bool follows_spin(const Study &study)
+{
+  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 ||
+         used_friction_coupling(study) == FrictionCoupling::elastic;
+}
+
 std::string frozen_note(const Study &study)
 {
-  const bool could_follow = !study.load.is_static() && spin_matters(study);
+  const bool could_follow = !study.load.is_static() && follows_spin(study);
   return study.load.coupling == LoadCoupling::frozen && could_follow
            ? "the load is that of rest; Load/Coupling = exact follows it through the spin-up"
            : "";
@@ -127,7 +127,7 @@ RingLoad contact_load(const Study &study, const std::shared_ptr<FootContact> &fo
     throw BadInput("Load/Coupling = response needs a load that depends on the moment ratio alone, but this "
                    "foot is not the "
                    "same in all directions; use Load/Coupling = exact.");
-  if (study.load.coupling == LoadCoupling::frozen || !spin_matters(study))
+  if (study.load.coupling == LoadCoupling::frozen || !follows_spin(study))
     return frozen_contact_load(at_rest, study.glass.profile.contact_radius);
   return study.load.coupling == LoadCoupling::exact ? exact_load(study, foot, at_rest, progress)
                                                     : response_load(study, foot, at_rest);

@@ -10,6 +10,10 @@
 namespace stemware::pipeline
 {
 
+/// Whether the load of an elastic foot in balance depends on the spin: the closure lets friction act back on
+/// the moment, or friction deforms the foot.
+bool follows_spin(const Study &study);
+
 /// The load of an elastic foot as Load/Coupling wants it.
 ///
 /// frozen: @p at_rest at every spin. exact and response: in balance at every spin, where friction enters the

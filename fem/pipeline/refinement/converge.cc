@@ -44,7 +44,7 @@ void converge(const ConvergeOptions &options)
 
   // 2. The study itself, then all other levels.
   StudyObserver observer;
-  observer.foot_made = print_mesh;
+  observer.foot_made = progress_on_console(stopwatch).foot_made;
   const RingLoad own_load = find_load(study, observer).load;
   const YawStudy yaw = study_yaw(own_load.at_spin, study.motion.orbit);
   const std::vector<double> spins =

@@ -29,7 +29,4 @@ struct DataBlock
 /// Tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
 std::string data_blocks(const std::vector<DataBlock> &blocks);
 
-/// What a load cut off after @p n of @p n_all harmonics is called in keys.
-std::string truncation_title(unsigned int n, unsigned int n_all);
-
 } // namespace stemware::pipeline

@@ -56,6 +56,9 @@ struct LoadSample
   double lambda = 0; ///< [N/rad]
 };
 
+/// What a load cut off after @p n of @p n_all harmonics is called in keys.
+std::string truncation_title(unsigned int n, unsigned int n_all);
+
 /// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
 /// and the arc of the rim that carries load according to @p pointwise (sorted by theta; empty: the whole rim
 /// where the series is positive).
@@ -72,17 +75,20 @@ ReportFigure spectrum_figure(const ring::AngularLoad &load, const std::vector<do
 ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_radius);
 
 /// tau_z(omega) of all harmonics and of truncations, with the spins at which it vanishes.
-ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations);
+ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations,
+                           const std::string &name = "torque");
 
 /// A spin-up to be drawn.
 struct SpinUp
 {
   std::string title;
-  std::vector<double> omega; ///< [rad/s], one per time
+  std::vector<double> omega;  ///< [rad/s], one per time
+  unsigned int line_type = 0; ///< as in Curve
 };
 
 /// omega(t) of several models of the same glass.
-ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves);
+ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves,
+                            const std::string &name = "spin_up");
 
 /// How fast the terminal spin and the torque approach those of all harmonics.
 ReportFigure truncation_figure(const std::vector<TruncationRow> &truncations);

@@ -3,10 +3,10 @@
 #include "fem/pipeline/answer.h"
 #include "fem/pipeline/refinement/converge_report.h"
 #include "fem/pipeline/report/figures.h"
+#include "fem/pipeline/report/harmonics_table.h"
+#include "fem/pipeline/report/paper_spin_up.h"
 #include "fem/pipeline/report/study_sections.h"
 #include "fem/pipeline/text_layout.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -16,8 +16,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-constexpr double degree = boost::math::constants::degree<double>();
 
 std::string number(double value)
 {
@@ -77,20 +75,6 @@ ReportTable model_table(const Study &study, const StudyResult &result)
   return table;
 }
 
-ReportTable harmonics_table(const ring::AngularLoad &load)
-{
-  ReportTable table = { "Harmonics of the load over its mean, a_0 = " + number(load.a(0)) + " N/rad",
-                        { "n", "a_n / a_0", "b_n / a_0", "amplitude / a_0", "largest at θ (degrees)" },
-                        {} };
-  for (unsigned int n = 1; n <= std::min(load.n_harmonics(), 8u); ++n)
-  {
-    const double a = load.a(n) / load.a(0), b = load.b(n) / load.a(0), amplitude = std::hypot(a, b);
-    table.rows.push_back({ std::to_string(n), number(a, 1), number(b, 1), number(amplitude, 1),
-                           amplitude > 1e-12 ? formatted("%.1f", std::atan2(b, a) / n / degree) : "–" });
-  }
-  return table;
-}
-
 ReportSection load_section(const StudyResult &result)
 {
   const RingLoad &load = result.load;
@@ -112,16 +96,6 @@ ReportSection load_section(const StudyResult &result)
     section.figures.push_back(higher_harmonics_figure(series));
   section.figures.push_back(spectrum_figure(series, spectrum_band(result.error_bands, series.n_harmonics())));
   return section;
-}
-
-/// The paper's own result for this glass: its balance of moments, its load.
-SpinUp paper_spin_up(const Study &study)
-{
-  Study paper = study;
-  paper.motion.closure = ring::Closure::paper;
-  paper.load = {};
-  paper.load.source = LoadSource::first_harmonic;
-  return { "the paper's model", spin_up_curves(first_harmonic_load(paper).at_spin, paper.motion).adaptive };
 }
 
 ReportTable friction_table(const Study &study, const StudyResult &result)

@@ -21,9 +21,10 @@ std::vector<double> in_milli(const std::vector<double> &values)
 
 } // namespace
 
-ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations)
+ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations,
+                           const std::string &name)
 {
-  CurvePlot plot = { "torque",
+  CurvePlot plot = { name,
                      "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
                      "vanishes (points).",
                      { "spin ω (rad/s)", false, std::pair(curve.omega.front(), curve.omega.back()) },
@@ -52,16 +53,14 @@ ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<Truncatio
   return curve_figure(plot);
 }
 
-ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves)
+ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves,
+                            const std::string &name)
 {
-  CurvePlot plot = { "spin_up",
-                     "Spin-up of the glass from rest.",
-                     { "time (s)" },
-                     { "spin ω (rad/s)" },
-                     {},
-                     "set xzeroaxis lt 8\n" };
+  CurvePlot plot = {
+    name, "Spin-up of the glass from rest.", { "time (s)" }, { "spin ω (rad/s)" }, {}, "set xzeroaxis lt 8\n"
+  };
   for (const SpinUp &curve : curves)
-    plot.curves.push_back({ curve.title, time, curve.omega });
+    plot.curves.push_back({ curve.title, time, curve.omega, CurveStyle::line, {}, curve.line_type });
   return curve_figure(plot);
 }
 

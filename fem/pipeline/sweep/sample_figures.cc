@@ -1,7 +1,7 @@
+#include "fem/pipeline/csv_text.h"
 #include "fem/pipeline/number_text.h"
 #include "fem/pipeline/report/figure_script.h"
 #include "fem/pipeline/sweep/sweep_report.h"
-#include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_file.h"
 
 #include <algorithm>

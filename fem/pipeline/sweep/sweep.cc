@@ -6,11 +6,11 @@
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/sweep/case_workers.h"
 #include "fem/pipeline/sweep/sweep_folder.h"
-#include "fem/pipeline/sweep/sweep_progress.h"
 #include "fem/pipeline/sweep/sweep_report.h"
 #include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_file.h"
 #include "fem/pipeline/text_layout.h"
+#include "fem/pipeline/work_progress.h"
 
 #include <algorithm>
 #include <functional>
@@ -129,7 +129,7 @@ public:
 
 private:
   std::vector<LogCounter> logs;
-  SweepProgress progress;
+  WorkProgress progress;
 };
 
 /// Cases that each rank solves by itself, and cases for all ranks together.

@@ -1,8 +1,8 @@
 #include "fem/pipeline/sweep/sweep_findings.h"
 
 #include "fem/pipeline/answer.h"
+#include "fem/pipeline/csv_text.h"
 #include "fem/pipeline/number_text.h"
-#include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_layout.h"
 
 #include <algorithm>

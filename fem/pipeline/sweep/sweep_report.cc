@@ -1,7 +1,7 @@
 #include "fem/pipeline/sweep/sweep_report.h"
 
+#include "fem/pipeline/csv_text.h"
 #include "fem/pipeline/report/study_sections.h"
-#include "fem/pipeline/sweep/sweep_table.h"
 #include "fem/pipeline/text_layout.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "fem/pipeline/sweep/sweep_table.h"
 
+#include "fem/pipeline/csv_text.h"
 #include "fem/pipeline/number_text.h"
 
 namespace stemware::pipeline
@@ -7,16 +8,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-std::string field(const std::string &text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
 
 std::vector<std::string> header(const SweepPlan &plan)
 {
@@ -30,19 +21,6 @@ std::vector<std::string> header(const SweepPlan &plan)
 }
 
 } // namespace
-
-std::string csv_record(const std::vector<std::string> &fields)
-{
-  std::string line;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    line += (i == 0 ? "" : ",") + field(fields[i]);
-  return line + "\r\n";
-}
-
-std::string column_title(const std::string &name, const std::string &unit)
-{
-  return unit.empty() ? name : name + " (" + unit + ")";
-}
 
 std::string sweep_csv(const SweepPlan &plan, const FinishedCases &cases)
 {

@@ -14,10 +14,4 @@ namespace stemware::pipeline
 /// for numbers, "name" for words; numbers have all their digits, and what a case does not have is left empty.
 std::string sweep_csv(const SweepPlan &plan, const FinishedCases &cases);
 
-/// One line of such a table.
-std::string csv_record(const std::vector<std::string> &fields);
-
-/// "name (unit)", or the name alone where there is no unit.
-std::string column_title(const std::string &name, const std::string &unit);
-
 } // namespace stemware::pipeline

@@ -1,8 +1,8 @@
 // What is said about cases whose results are known, and the tables that hold them.
 #include "csv_table.h"
 #include "fem/pipeline/sweep/sweep_findings.h"
-#include "fem/pipeline/sweep/sweep_progress.h"
 #include "fem/pipeline/sweep/sweep_table.h"
+#include "fem/pipeline/work_progress.h"
 
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ TEST(SweepTable, HoldsEveryCaseWithUnitsInTheHeader)
   EXPECT_EQ(rows[3].back(), "No contact, \"tipping\".");
 }
 
-TEST(SweepProgress, DurationsAreRoundedUpwards)
+TEST(WorkProgress, DurationsAreRoundedUpwards)
 {
   EXPECT_EQ(rough_duration(0.2), "1 s");
   EXPECT_EQ(rough_duration(89.5), "90 s");

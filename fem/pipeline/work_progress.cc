@@ -1,4 +1,4 @@
-#include "fem/pipeline/sweep/sweep_progress.h"
+#include "fem/pipeline/work_progress.h"
 
 #include "fem/pipeline/console.h"
 #include "fem/pipeline/text_layout.h"
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -19,21 +20,22 @@ std::string rough_duration(double seconds)
   return formatted("%.1f h", seconds / 3600);
 }
 
-SweepProgress::SweepProgress(std::size_t n_cases, std::size_t n_before)
+WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun)
     : n_cases(n_cases)
     , n_before(n_before)
+    , noun(std::move(noun))
     , start(std::chrono::steady_clock::now())
     , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
 {
 }
 
-SweepProgress::~SweepProgress()
+WorkProgress::~WorkProgress()
 {
   if (bar_width > 0)
     console() << std::endl;
 }
 
-void SweepProgress::show(std::size_t n_finished, std::size_t n_failed)
+void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
 {
   if (console_is_terminal())
     show_bar(n_finished, n_failed);
@@ -41,9 +43,9 @@ void SweepProgress::show(std::size_t n_finished, std::size_t n_failed)
     show_line(n_finished, n_failed);
 }
 
-std::string SweepProgress::text(std::size_t n_finished, std::size_t n_failed) const
+std::string WorkProgress::text(std::size_t n_finished, std::size_t n_failed) const
 {
-  std::string text = std::to_string(n_finished) + " of " + std::to_string(n_cases) + " cases";
+  std::string text = std::to_string(n_finished) + " of " + std::to_string(n_cases) + " " + noun;
   if (n_failed > 0)
     text += ", " + std::to_string(n_failed) + " failed";
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -55,7 +57,7 @@ std::string SweepProgress::text(std::size_t n_finished, std::size_t n_failed) co
   return text;
 }
 
-void SweepProgress::show_bar(std::size_t n_finished, std::size_t n_failed)
+void WorkProgress::show_bar(std::size_t n_finished, std::size_t n_failed)
 {
   constexpr std::size_t n_marks = 40;
   const std::size_t n_done = n_marks * n_finished / std::max<std::size_t>(n_cases, 1);
@@ -67,7 +69,7 @@ void SweepProgress::show_bar(std::size_t n_finished, std::size_t n_failed)
   console() << '\r' << line << std::flush;
 }
 
-void SweepProgress::show_line(std::size_t n_finished, std::size_t n_failed)
+void WorkProgress::show_line(std::size_t n_finished, std::size_t n_failed)
 {
   const std::size_t tenths = 10 * n_finished / std::max<std::size_t>(n_cases, 1);
   if (tenths == tenths_shown)
