@@ -47,10 +47,8 @@ std::string terminal_spin(const StudyResult &result)
 {
   if (!spins_up(result))
     return "The glass does not spin up.";
-  const double omega = result.yaw.terminal.omega;
-  const std::optional<double> band = band_of(result.error_bands, "omega_terminal");
   return "The glass spins up to " +
-         (band && *band > 0 ? with_band(omega, *band) : formatted("%#.6g", omega)) + " rad/s.";
+         with_band(result.yaw.terminal.omega, band_of(result.error_bands, "omega_terminal")) + " rad/s.";
 }
 
 std::string harmonic_sentence(const SpinComparison &spins, const StudyResult &result)
@@ -157,11 +155,13 @@ std::string to_spread(double value, double spread)
   return formatted("%.*f", decimals_of(spread), value);
 }
 
-std::string with_band(double value, double band)
+std::string with_band(double value, const std::optional<double> &band)
 {
+  if (!band || !(*band > 0))
+    return formatted("%#.6g", value);
   // Rounded up so that the band does not become narrower.
-  const double unit = std::pow(10, -decimals_of(band));
-  return to_spread(value, band) + " ± " + to_spread(std::ceil(band / unit * (1 - 1e-9)) * unit, band);
+  const double unit = std::pow(10, -decimals_of(*band));
+  return to_spread(value, *band) + " ± " + to_spread(std::ceil(*band / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline

@@ -54,7 +54,8 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseFigures
 /// @p value with as many digits as a spread of @p spread leaves meaningful: to two digits of the spread.
 std::string to_spread(double value, double spread);
 
-/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002".
-std::string with_band(double value, double band);
+/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002"; with
+/// six digits where no band is known.
+std::string with_band(double value, const std::optional<double> &band);
 
 } // namespace stemware::pipeline

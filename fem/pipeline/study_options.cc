@@ -10,12 +10,27 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <iostream>
 
 namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
+
+namespace
+{
+
+/// A spin that is a number.
+std::string why_no_spin(const std::string &text)
+{
+  double omega = 0;
+  return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
+           ? ""
+           : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
+}
+
+} // namespace
 
 void add_study_options(CLI::App &verb, StudyOptions &options)
 {
@@ -28,6 +43,16 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
     ->type_name("DIR");
   add_override_option(verb, options);
   add_console_options(verb, options);
+}
+
+void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty)
+{
+  verb
+    .add_option("--at", omega,
+                "Spin at which the torque is wanted (rad/s), may be repeated;\ndefault: " + when_empty)
+    ->type_name("OMEGA")
+    ->check(why_no_spin)
+    ->allow_extra_args(false);
 }
 
 void add_override_option(CLI::App &verb, StudyOptions &options)

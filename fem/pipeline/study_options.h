@@ -29,6 +29,10 @@ struct StudyOptions
 /// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
+/// Declares --at, spins [rad/s] at which the torque is wanted, to be stored in @p omega; @p when_empty says
+/// which ones a study chooses itself.
+void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty);
+
 /// Declares --set alone.
 void add_override_option(CLI::App &verb, StudyOptions &options);
 

@@ -16,7 +16,7 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   const ScratchFolder scratch;
   const std::string study = scratch.write("study.prm", "subsection Load\n  set Moment ratio = 0.6\nend\n");
   const Ended ended =
-    stemware(scratch, { "converge", study, "--spin", "-2", "--spin", "-7", "--set", "Contact/Degree=1" });
+    stemware(scratch, { "converge", study, "--at", "-2", "--at", "-7", "--set", "Contact/Degree=1" });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const std::filesystem::path results = scratch / "results" / "study-converge";
   const nlohmann::json summary = read_summary(results);
@@ -88,9 +88,9 @@ TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
   const Ended levels = stemware(scratch, { "converge", study, "--levels", "9" });
   EXPECT_EQ(levels.exit_code, 1);
   EXPECT_NE(levels.err.find("--levels"), std::string::npos) << levels.err;
-  const Ended spin = stemware(scratch, { "converge", study, "--spin", "nan" });
+  const Ended spin = stemware(scratch, { "converge", study, "--at", "nan" });
   EXPECT_EQ(spin.exit_code, 1);
-  EXPECT_NE(spin.err.find("--spin nan"), std::string::npos) << spin.err;
+  EXPECT_NE(spin.err.find("nan"), std::string::npos) << spin.err;
   EXPECT_TRUE(names_in(scratch.path()) == std::vector<std::string>{ "study.prm" });
 }
 

@@ -167,7 +167,8 @@ TEST(ErrorBands, SayWhichLevelFailed)
   }
   catch (const std::runtime_error &failure)
   {
-    EXPECT_EQ(std::string(failure.what()).rfind("Level 4 of the refinement in degree of the elements: ", 0), 0u)
+    EXPECT_EQ(std::string(failure.what()).rfind("Level 4 of the refinement in degree of the elements: ", 0),
+              0u)
       << failure.what();
   }
 }

@@ -76,8 +76,10 @@ void compare(const StudyOptions &options)
   stopwatch.finish("input");
 
   // 2. Every closure on every kind of load.
-  const Comparison comparison = compare_with_progress(study, kinds_of(study, progress_on_console(stopwatch)));
+  Comparison comparison = compare_with_progress(study, kinds_of(study, progress_on_console(stopwatch)));
   stopwatch.finish("comparison");
+  add_error_bands(study, comparison);
+  stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
   folder.write(

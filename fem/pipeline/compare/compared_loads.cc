@@ -102,7 +102,7 @@ LoadKind resting_foot_kind(const Study &study, const std::shared_ptr<FootContact
 LoadKind balanced_foot_kind(const Study &study, const std::shared_ptr<FootContact> &contact)
 {
   const auto foot = std::make_shared<ElasticFoot>(contact, study.glass.profile.contact_radius);
-  return { "elastic foot", compared_orders(n_harmonics_of(study, *contact)),
+  return { balanced_foot, compared_orders(n_harmonics_of(study, *contact)),
            [&study, foot](ring::Closure closure, unsigned int n_harmonics) -> ComparedLoad
            {
              const ring::Motion &orbit = study.motion.orbit;

@@ -28,6 +28,9 @@ struct LoadKind
   std::function<ComparedLoad(ring::Closure closure, unsigned int n_harmonics)> load;
 };
 
+/// The name of the kind balanced_foot_kind().
+inline constexpr char balanced_foot[] = "elastic foot";
+
 /// The paper's load: the first harmonic in balance at every spin, formal where it pulls.
 LoadKind first_harmonic_kind(const Study &study);
 

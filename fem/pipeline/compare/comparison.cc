@@ -1,6 +1,8 @@
 #include "fem/pipeline/compare/comparison.h"
 
 #include "fem/pipeline/failures.h"
+#include "fem/pipeline/refinement/refinement_study.h"
+#include "fem/pipeline/solve_study.h"
 #include "ring_model/load_model.h"
 #include "ring_model/terminal_spin.h"
 
@@ -108,6 +110,21 @@ const ComparisonRow *Comparison::find(ring::Closure closure, const std::string &
     if (row.closure == closure && row.load == load && (n == 0 ? row.all_harmonics : row.harmonics == n))
       return &row;
   return nullptr;
+}
+
+void add_error_bands(const Study &study, Comparison &comparison)
+{
+  for (ComparisonRow &row : comparison.rows)
+  {
+    if (row.load != balanced_foot || !row.all_harmonics || !row.omega_terminal ||
+        row.closure == ring::Closure::hand)
+      continue;
+    Study own = study;
+    own.motion.closure = row.closure;
+    own.load.coupling = LoadCoupling::exact;
+    if (has_quick_error_bands(own))
+      row.band = terminal_spin_band(own, find_load(own).load, *row.omega_terminal);
+  }
 }
 
 std::size_t n_rows(const std::vector<LoadKind> &kinds)

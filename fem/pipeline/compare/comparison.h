@@ -22,6 +22,7 @@ struct ComparisonRow
   std::optional<double> tau_at_rest;      ///< [N m]
   std::optional<double> moment_ratio;     ///< of the load at rest
   std::optional<double> omega_terminal;   ///< [rad/s]
+  std::optional<double> band = {};        ///< half-width of its error band, where one was estimated [rad/s]
   std::optional<double> difference;       ///< of omega_terminal to the paper's, relative to that
   std::optional<double> least_load;       ///< at the terminal spin [N/rad]
   std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin
@@ -43,6 +44,10 @@ struct Comparison
   /// The row of a closure on a kind of load with @p n harmonics (0: all); nothing where there is none.
   const ComparisonRow *find(ring::Closure closure, const std::string &load, unsigned int n = 0) const;
 };
+
+/// Gives the elastic foot in balance with all its harmonics its error bands under the closures paper and
+/// full: those that the answer names. A few further contact problems each; throws what they throw.
+void add_error_bands(const Study &study, Comparison &comparison);
 
 /// Rows that a comparison of these kinds of loads has.
 std::size_t n_rows(const std::vector<LoadKind> &kinds);

@@ -1,5 +1,6 @@
 #include "fem/pipeline/compare/comparison_tables.h"
 
+#include "fem/pipeline/answer.h"
 #include "fem/pipeline/csv_text.h"
 #include "fem/pipeline/number_text.h"
 #include "fem/pipeline/text_layout.h"
@@ -27,7 +28,7 @@ std::string spin(const ComparisonRow &row)
 {
   if (!row.omega_terminal)
     return "nothing (" + row.state + ")";
-  return formatted("%.6g rad/s", *row.omega_terminal) + (row.state == "formal" ? ", formally" : "");
+  return with_band(*row.omega_terminal, row.band) + " rad/s" + (row.state == "formal" ? ", formally" : "");
 }
 
 /// The kind of load that the study is about, the last one.
@@ -77,6 +78,7 @@ Findings comparison_findings(const Comparison &comparison)
                      { "tau_at_rest", number_or_null(row.tau_at_rest) },
                      { "moment_ratio_at_rest", number_or_null(row.moment_ratio) },
                      { "omega_terminal", number_or_null(row.omega_terminal) },
+                     { "omega_terminal_band", number_or_null(row.band) },
                      { "difference_to_paper", number_or_null(row.difference) },
                      { "load_minimum_at_terminal", number_or_null(row.least_load) },
                      { "contact_fraction_at_terminal", number_or_null(row.contact_fraction) },

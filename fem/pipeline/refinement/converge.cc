@@ -1,8 +1,6 @@
 #include "fem/pipeline/refinement/converge.h"
 
 #include "fem/pipeline/console.h"
-#include "fem/pipeline/failures.h"
-#include "fem/pipeline/number_text.h"
 #include "fem/pipeline/ranks.h"
 #include "fem/pipeline/refinement/converge_report.h"
 #include "fem/pipeline/refinement/converge_results.h"
@@ -13,29 +11,15 @@
 #include "fem/pipeline/text_layout.h"
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-void check_spins(const std::vector<double> &spins)
-{
-  for (const double spin : spins)
-    if (!std::isfinite(spin))
-      throw BadInput("--spin " + to_short_text(spin) + " is not allowed; give a finite number of rad/s.");
-}
-
-} // namespace
-
 void converge(const ConvergeOptions &options)
 {
   // 1. What is asked for, and which levels that makes.
   Stopwatch stopwatch;
-  check_spins(options.spins);
   const Study study = begin_study(options.study);
   const std::vector<RefinementAxis> axes = refinement_axes(study, options.n_levels);
   SharedFolder folder(results_place(options.study));

@@ -19,15 +19,10 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
                  "Levels of each parameter: 2 to 5; default 3, which an observed order needs")
     ->check(CLI::Range(2, 5))
     ->type_name("N");
-  verb
-    ->add_option("--spin", options->spins,
-                 "A spin (rad/s) at which the torque is followed; may be repeated; default: half and one and "
-                 "a half times the terminal spin")
-    ->type_name("OMEGA")
-    ->allow_extra_args(false);
+  add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");
   verb->footer(R"(Examples:
   stemware converge docs/cookbooks/paper.prm
-  stemware converge docs/cookbooks/lift_off.prm --levels 4 --spin -5 --spin -10
+  stemware converge docs/cookbooks/lift_off.prm --levels 4 --at -5 --at -10
   stemware converge docs/cookbooks/paper.prm --set "Contact/Degree=3" --output cubic
   stemware converge my_glass.prm --quiet --json | jq .omega_terminal_band
 

@@ -206,4 +206,11 @@ RefinementResult estimate_error_bands(const Study &study, const RingLoad &load, 
   return refine(study, own, spins, quick_axes(study), std::max(1u, std::thread::hardware_concurrency()));
 }
 
+std::optional<double> terminal_spin_band(const Study &study, const RingLoad &load, double omega_terminal)
+{
+  if (!has_quick_error_bands(study))
+    return std::nullopt;
+  return estimate_error_bands(study, load, omega_terminal).figure("omega_terminal").band;
+}
+
 } // namespace stemware::pipeline

@@ -61,4 +61,8 @@ bool has_quick_error_bands(const Study &study);
 /// @p load is the study's own, @p omega_terminal its terminal spin.
 RefinementResult estimate_error_bands(const Study &study, const RingLoad &load, double omega_terminal);
 
+/// Half-width of the error band of the terminal spin @p omega_terminal alone [rad/s]; nothing where
+/// has_quick_error_bands() denies it.
+std::optional<double> terminal_spin_band(const Study &study, const RingLoad &load, double omega_terminal);
+
 } // namespace stemware::pipeline

@@ -4,6 +4,7 @@
 #include "fem/pipeline/flatness.h"
 #include "fem/pipeline/load_file.h"
 #include "fem/pipeline/publish.h"
+#include "fem/pipeline/refinement/refinement_study.h"
 #include "fem/pipeline/terminal_report.h"
 #include "fem/pipeline/text_file.h"
 #include "fem/pipeline/text_layout.h"
@@ -61,8 +62,10 @@ void truncate(const TruncateOptions &options)
   StudyObserver observer = progress_on_console(stopwatch);
   observer.balance_found = {}; // the bar shows how far it has come
   const StudyLoad load = find_load(study, observer);
-  const TruncationStudy result = truncations_with_progress(study, load, options.omega);
+  TruncationStudy result = truncations_with_progress(study, load, options.omega);
   stopwatch.finish("truncations");
+  result.spin_band = terminal_spin_band(study, load.load, *result.frozen.all().omega_terminal);
+  stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
   folder.write(

@@ -3,25 +3,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <memory>
 
 namespace stemware::pipeline
 {
-
-namespace
-{
-
-/// A spin that is a number.
-std::string why_no_spin(const std::string &text)
-{
-  double omega = 0;
-  return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
-           ? ""
-           : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
-}
-
-} // namespace
 
 void add_truncate_verb(CLI::App &program, Verb &chosen)
 {
@@ -29,13 +14,7 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb = program.add_subcommand(
     "truncate", "How many harmonics of the load matter, with and without their friction");
   add_study_options(*verb, options->study);
-  verb
-    ->add_option("--at", options->omega,
-                 "Spin at which the torque is shown (rad/s), may be repeated;\n"
-                 "default: the terminal spin of all harmonics, and half of it")
-    ->type_name("OMEGA")
-    ->check(why_no_spin)
-    ->allow_extra_args(false);
+  add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
   verb->footer(R"(Examples:
   stemware truncate docs/cookbooks/paper.prm
   stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20

@@ -66,8 +66,11 @@ struct TruncationStudy
   TruncationTable frozen;
   /// The contact is in balance with the friction of its own load, cut off, at every spin.
   std::optional<TruncationTable> self_consistent;
-  std::string why_not;         ///< one sentence where there is no such balance
-  bool acts_back = true;       ///< false: the closure lets no friction act back, so both tables agree
+  std::string why_not;   ///< one sentence where there is no such balance
+  bool acts_back = true; ///< false: the closure lets no friction act back, so both tables agree
+  /// Half-width of the error band of the study's own terminal spin [rad/s], of the discretisation; nothing:
+  /// not estimated.
+  std::optional<double> spin_band;
   bool same_whole_load = true; ///< whether all harmonics are one load in both tables, not that of rest in one
   std::vector<ClosureRow> closures; ///< of a first harmonic
 };

@@ -123,11 +123,12 @@ std::string table_text(const std::vector<double> &omega, const TruncationTable &
 }
 
 /// "With the first harmonic of its load alone the glass spins up to A rad/s, with all 24 to B rad/s
-/// (harmonics: C %)", without a full stop.
-std::string effect_of_harmonics(const TruncationTable &table)
+/// (harmonics: C %)", without a full stop; B with its error band @p band where one is known.
+std::string effect_of_harmonics(const TruncationTable &table, const std::optional<double> &band = {})
 {
   const TruncatedAnswer &first = table.answers.front(), &all = table.all();
-  const std::string both = formatted("with all %u to %.6g rad/s", all.harmonics, *all.omega_terminal);
+  const std::string both =
+    formatted("with all %u to ", all.harmonics) + with_band(*all.omega_terminal, band) + " rad/s";
   if (!first.omega_terminal)
     return "with the first harmonic of its load alone the glass has no terminal spin, " + both;
   return formatted("with the first harmonic of its load alone the glass spins up to %.6g rad/s, ",
@@ -163,11 +164,11 @@ std::string harmonic_sentences(const TruncationStudy &result)
   if (all.harmonics == 1)
     return formatted("The load has one harmonic; the terminal spin is %.6g rad/s.", *all.omega_terminal);
   if (!result.self_consistent || !result.acts_back)
-    return capitalised(effect_of_harmonics(result.frozen)) + ".";
+    return capitalised(effect_of_harmonics(result.frozen, result.spin_band)) + ".";
   if (!result.same_whole_load)
     return capitalised(effect_of_harmonics(*result.self_consistent)) +
            ", contact and friction in balance at every spin. " + load_at_rest_sentence(result.frozen);
-  std::string text = capitalised(effect_of_harmonics(*result.self_consistent)) + ".";
+  std::string text = capitalised(effect_of_harmonics(*result.self_consistent, result.spin_band)) + ".";
   if (const auto &cut = result.frozen.answers.front().omega_terminal)
     text +=
       formatted(" (Cut off without an answer of contact and friction, the first leaves %.6g rad/s.)", *cut);
@@ -245,6 +246,8 @@ Findings truncation_findings(const Study &study, const RingLoad &load, const Tru
                        { "why_not_self_consistent", balanced ? Json(nullptr) : Json(result.why_not) } };
   findings.key_figures = {
     { "omega_terminal", number_or_null(best.all().omega_terminal) },
+    { "omega_terminal_band",
+      result.same_whole_load || !balanced ? number_or_null(result.spin_band) : Json(nullptr) },
     { "relative_change_first_harmonic", number_or_null(result.frozen.answers.front().relative_change) },
     { "relative_change_first_harmonic_self_consistent",
       balanced ? number_or_null(result.self_consistent->answers.front().relative_change) : Json(nullptr) },
