@@ -121,6 +121,8 @@ public:
     {
       converge();
       const double violation = law.update_multipliers(approach);
+      if (violation == 0)
+        return;
       respond();
       // Not the approach itself: on a flat land it tends to zero together with the violation.
       const double moved = std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
@@ -143,7 +145,6 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    const Eigen::Vector3d excess = resultant_excess();
     result.force_residual = std::abs(excess(0)) / target(0);
     result.moment_residual = excess.tail<2>().norm() / (target(0) * radius);
     result.equilibrium_residual = equilibrium;
@@ -151,20 +152,23 @@ public:
   }
 
 private:
-  /// Evaluates the law and the balance of the body at the present approach.
+  /// Evaluates the law and the balance at the present approach.
   void respond()
   {
-    response = law.respond(approach);
+    law.respond(approach, response);
+    weigh();
+  }
+
+  /// Evaluates the balance of the response's forces.
+  void weigh()
+  {
+    excess = modes.transpose() * response.forces - target;
     equilibrium = body.equilibrium_residual(response.forces);
   }
 
-  Eigen::Vector3d resultant_excess() const { return modes.transpose() * response.forces - target; }
-
   double resultant_residual() const
   {
-    Eigen::Vector3d excess = resultant_excess() / target(0);
-    excess.tail<2>() /= radius;
-    return excess.norm();
+    return Eigen::Vector3d(excess(0), excess(1) / radius, excess(2) / radius).norm() / target(0);
   }
 
   double residual() const { return std::max(resultant_residual(), equilibrium); }
@@ -204,9 +208,8 @@ private:
 
   void require_support() const
   {
-    Eigen::MatrixX3d scaled = modes;
-    scaled.rightCols<2>() /= radius;
-    const Eigen::Matrix3d support = scaled.transpose() * (response.tangent * scaled);
+    const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
+    const Eigen::Matrix3d support = scale * support_of(response.tangent, modes) * scale;
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
@@ -236,29 +239,25 @@ private:
     require_support();
     const ContactStep increment = solve();
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
-    const ContactSet set_before = response.contact_set;
-    // Most steps are taken whole: the response at their end is then the one that the line search has looked
-    // at.
-    LawResponse at_end = law.respond(approach + direction);
-    const double fraction = line_search(increment, direction, at_end);
+    law.respond(approach + direction, other_response);
+    const double fraction = line_search(increment, direction, other_response.forces);
     body.accept(fraction);
     motion += fraction * increment.motion;
     approach += fraction * direction;
-    if (fraction == 1)
-    {
-      response = std::move(at_end);
-      equilibrium = body.equilibrium_residual(response.forces);
-    }
-    else
-      respond();
-    report(increment, fraction, set_before);
+    // Most steps are taken whole: the response at their end is then the one that the line search has looked
+    // at.
+    if (fraction != 1)
+      law.respond(approach, other_response);
+    response.swap(other_response);
+    weigh();
+    report(increment, fraction, other_response.contact_set);
   }
 
   ContactStep solve()
   {
     try
     {
-      return body.solve(response.tangent, response.forces, resultant_excess());
+      return body.solve(response.tangent, response.forces, excess);
     }
     catch (const std::runtime_error &error)
     {
@@ -269,16 +268,20 @@ private:
   /// Share of the increment to take: all of it unless the energy rises again towards its end, then where it
   /// is stationary.
   double line_search(const ContactStep &increment, const Eigen::VectorXd &direction,
-                     const LawResponse &at_end) const
+                     const Eigen::VectorXd &forces_at_end) const
   {
     const double outer = target.dot(increment.motion);
     const auto slope_under = [&](double fraction, const Eigen::VectorXd &forces) {
       return increment.energy_slope + fraction * increment.energy_curvature + outer - forces.dot(direction);
     };
+    LawResponse between;
     const auto slope = [&](double fraction)
-    { return slope_under(fraction, law.respond(approach + fraction * direction).forces); };
+    {
+      law.respond(approach + fraction * direction, between);
+      return slope_under(fraction, between.forces);
+    };
     const double start = slope_under(0, response.forces);
-    const double end = slope_under(1, at_end.forces);
+    const double end = slope_under(1, forces_at_end);
     if (!std::isfinite(start) || !std::isfinite(end))
       throw ContactFailure(ContactOutcome::overflow,
                            "the contact's energy is not a finite number; bring loads, lengths and moduli to "
@@ -325,7 +328,9 @@ private:
   Eigen::Vector3d motion;
   Eigen::VectorXd approach;
   LawResponse response;
-  double equilibrium = 0; ///< the body's relative residual under the response's forces
+  LawResponse other_response; ///< at the end of a step to come, or at the beginning of the last one
+  Eigen::Vector3d excess;     ///< resultants of the response's forces less `target`
+  double equilibrium = 0;     ///< the body's relative residual under the response's forces
   unsigned int n_steps = 0;
   unsigned int n_changed = 0;
   unsigned int n_linear_iterations = 0;

@@ -30,6 +30,14 @@ LinePattern::LinePattern(const ContactSurface &surface)
   }
 }
 
+void LinePattern::set_zero(Eigen::SparseMatrix<double> &tangent) const
+{
+  if (tangent.size() == 0)
+    tangent = empty;
+  else
+    tangent.coeffs().setZero();
+}
+
 void LinePattern::add(std::size_t line, const Eigen::Vector3d &sample_forces,
                       const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
                       Eigen::SparseMatrix<double> &tangent) const

@@ -17,11 +17,12 @@ public:
   /// From the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
   explicit LinePattern(const ContactSurface &surface);
 
-  /// All couplings of nodes on common lines, all zero.
-  const Eigen::SparseMatrix<double> &zero() const { return empty; }
+  /// Gives @p tangent all couplings of nodes on common lines, all zero. It is empty or was filled by this
+  /// pattern before.
+  void set_zero(Eigen::SparseMatrix<double> &tangent) const;
 
   /// Adds one line's forces [N] and tangent [N/m], given at its samples, to those of the nodes. @p tangent
-  /// must be a copy of zero().
+  /// must have come from set_zero().
   void add(std::size_t line, const Eigen::Vector3d &sample_forces, const Eigen::Matrix3d &sample_tangent,
            Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
 

@@ -19,7 +19,6 @@ struct WinklerPressure
 
   double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }
   double stiffness(double) const { return modulus; }
-  double energy(double depth) const { return modulus * depth * depth / 2; }
 
   template <typename Visitor>
   void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const

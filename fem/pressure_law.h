@@ -10,9 +10,9 @@ namespace stemware::fem
 /// A table whose pressure depends on the local penetration alone, integrated along the contact lines. What
 /// mat and rough interface share.
 ///
-/// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], `stiffness(d)` = dp/dd [Pa/m] and
-/// `energy(d)` = int p dd [J/m^2], pressure not decreasing; and `integrate(line, depth, visit)`, which calls
-/// visit(const LinePoint &) at the quadrature points of a line that carry load.
+/// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
+/// dp/dd [Pa/m]; and `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
+/// points of a line that carry load.
 template <typename Pressure>
 class PressureLaw : public TableLaw
 {
@@ -25,15 +25,13 @@ public:
   {
   }
 
-  LawResponse respond(const Eigen::VectorXd &approach) const override
+  void respond(const Eigen::VectorXd &approach, LawResponse &response) const override
   {
-    LawResponse response;
-    response.forces = Eigen::VectorXd::Zero(surface.n_nodes());
-    response.tangent = pattern.zero();
+    response.forces.setZero(surface.n_nodes());
+    pattern.set_zero(response.tangent);
     response.contact_set.resize(surface.lines.size());
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
       response.contact_set[l] = add_line(l, approach, response);
-    return response;
   }
 
   std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override
@@ -89,7 +87,7 @@ private:
     return depth;
   }
 
-  /// Adds one line's forces, potential and tangent; true when it carries load.
+  /// Adds one line's forces and tangent; true when it carries load.
   bool add_line(std::size_t l, const Eigen::VectorXd &approach, LawResponse &response) const
   {
     const ContactLine &line = surface.lines[l];
@@ -105,7 +103,6 @@ private:
                     force += law.pressure(local_depth) * point.area * point.shape;
                     tangent +=
                       law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
-                    response.potential += law.energy(local_depth) * point.area;
                   });
     if (loaded)
       pattern.add(l, force, tangent, response.forces, response.tangent);

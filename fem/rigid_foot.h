@@ -5,6 +5,10 @@
 namespace stemware::fem
 {
 
+/// What a table of the given tangent puts up against the motions of a foot that does not deform: Q' T Q, @p
+/// modes Q as ContactSurface::motion_modes().
+Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &modes);
+
 /// The limit of a very stiff foot: a body that does not deform, so that only the table moves. Start of every
 /// elastic solve, and an oracle.
 class RigidFoot : public ElasticBody

@@ -21,9 +21,8 @@ public:
   {
   }
 
-  LawResponse respond(const Eigen::VectorXd &approach) const override
+  void respond(const Eigen::VectorXd &approach, LawResponse &response) const override
   {
-    LawResponse response;
     response.forces = forces(approach);
     response.contact_set.resize(surface.n_nodes());
     std::vector<Eigen::Triplet<double>> entries;
@@ -33,10 +32,8 @@ public:
       if (response.forces(i) > 0)
         entries.emplace_back(i, i, stiffness(i));
     }
-    response.potential = (response.forces.array().square() / (2 * stiffness.array())).sum();
     response.tangent.resize(surface.n_nodes(), surface.n_nodes());
     response.tangent.setFromTriplets(entries.begin(), entries.end());
-    return response;
   }
 
   std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override

@@ -28,11 +28,6 @@ struct AsperityPressure
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
-  double energy(double depth) const
-  {
-    const double ratio = depth / decay_length;
-    return reference_pressure * decay_length * (ratio < 0 ? std::exp(ratio) : 1 + ratio + ratio * ratio / 2);
-  }
 
   /// Under a rounded rim the pressure is a bell of width sqrt(crown radius * s): every panel is as long as
   /// that or shorter.

@@ -24,8 +24,14 @@ struct LawResponse
   Eigen::SparseMatrix<double>
     tangent; ///< d forces / d penetration, symmetric positive semidefinite [N/m], [n_nodes, n_nodes]
   ContactSet contact_set;
-  double potential =
-    0; ///< energy stored in the table [J]; its gradient with respect to the penetration is `forces`
+
+  /// Exchanges the contents without copying the tangent.
+  void swap(LawResponse &other)
+  {
+    forces.swap(other.forces);
+    tangent.swap(other.tangent);
+    contact_set.swap(other.contact_set);
+  }
 };
 
 /// How the table answers a given approach of the contact surface (docs/method.md, "The table").
@@ -38,8 +44,9 @@ class TableLaw
 public:
   virtual ~TableLaw() = default;
 
-  /// Forces, tangent, contact set and potential at an approach of shape [n_nodes].
-  virtual LawResponse respond(const Eigen::VectorXd &approach) const = 0;
+  /// Forces, tangent and contact set at an approach of shape [n_nodes]. @p response is empty or was filled by
+  /// this law before: its memory is used again.
+  virtual void respond(const Eigen::VectorXd &approach, LawResponse &response) const = 0;
 
   /// The same load as point forces, fine enough for harmonics: quadrature points of the pressure, or nodal
   /// forces where there is no pressure.

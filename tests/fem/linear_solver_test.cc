@@ -21,7 +21,8 @@ unsigned int multigrid_iterations(const FootResolution &resolution)
   FootCase foot(flat_profile(), resolution, solver(LinearSolver::multigrid, 1));
   const ContactSurface &surface = foot.body->contact_surface();
   const auto mat = make_mat(surface, 1e10);
-  const LawResponse response = mat->respond(Eigen::VectorXd::Constant(surface.n_nodes(), -1e-6));
+  LawResponse response;
+  mat->respond(Eigen::VectorXd::Constant(surface.n_nodes(), -1e-6), response);
   return foot.body->solve(response.tangent, response.forces, Eigen::Vector3d(1, 0.001, 0)).linear_iterations;
 }
 } // namespace
