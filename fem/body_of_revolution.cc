@@ -128,11 +128,11 @@ const ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) cons
     return projection;
   projected_forces = forces;
   const Eigen::Map<const Eigen::MatrixXd> on_lines(forces.data(), compliance.n_nodes(), basis.n_lines());
-  projection.normal.noalias() = on_lines * basis.values();
+  projection.normal = basis.project(on_lines);
   if (has_sliding())
   {
-    projection.radial = on_lines.cwiseProduct(slide_radial) * basis.values();
-    projection.azimuthal = on_lines.cwiseProduct(slide_azimuthal) * basis.partners();
+    projection.radial = basis.project(on_lines.cwiseProduct(slide_radial));
+    projection.azimuthal = basis.project_on_partners(on_lines.cwiseProduct(slide_azimuthal));
   }
   return projection;
 }
@@ -166,27 +166,7 @@ Eigen::MatrixXd BodyOfRevolution::displacement_modes(const ForceModes &forces) c
 
 Eigen::VectorXd BodyOfRevolution::contact_displacement() const
 {
-  return on_nodes(displacement_modes(state));
-}
-
-Eigen::VectorXd BodyOfRevolution::on_nodes(const Eigen::MatrixXd &modes) const
-{
-  const Eigen::Index n_even = basis.n_harmonics() + 1;
-  Eigen::MatrixXd even(modes.rows(), n_even);
-  even.col(0) = modes.col(0);
-  bool has_sines = false;
-  for (Eigen::Index n = 1; n < n_even; ++n)
-  {
-    even.col(n) = modes.col(2 * n - 1);
-    has_sines = has_sines || !modes.col(2 * n).isZero(0);
-  }
-  Eigen::VectorXd values(surface.n_nodes());
-  Eigen::Map<Eigen::MatrixXd> on_lines(values.data(), compliance.n_nodes(), basis.n_lines());
-  if (has_sines)
-    on_lines.noalias() = modes * basis.values().transpose();
-  else
-    on_lines.noalias() = even * basis.cosine_table().leftCols(n_even).transpose();
-  return values;
+  return basis.evaluate(displacement_modes(state)).reshaped();
 }
 
 bool BodyOfRevolution::is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
@@ -218,10 +198,15 @@ ModeMatrix BodyOfRevolution::on_circles(const Eigen::MatrixXd &whole, const Line
 ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                                     const Eigen::Vector3d &resultant_excess)
 {
-  const ForceModes unbalanced = imbalance(forces);
+  ForceModes unbalanced = imbalance(forces);
   const LineTangents tangents(tangent, compliance.n_nodes(), basis.n_lines(),
                               loaded_circles(unbalanced.normal));
-  HarmonicNewton newton(basis, compliance, tangents, is_even(tangents, forces, resultant_excess));
+  const bool even = is_even(tangents, forces, resultant_excess);
+  // What is odd in an even state is rounding: the step takes it away.
+  if (even)
+    for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
+      unbalanced.normal.col(mode) = -state.normal.col(mode);
+  HarmonicNewton newton(basis, compliance, tangents, even);
   const std::vector<unsigned int> &modes = newton.modes();
   ModeMatrix rhs = on_circles(unbalanced.normal, tangents, modes);
   if (has_sliding())
@@ -249,7 +234,7 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
   }
   const Eigen::MatrixXd displacement = displacement_modes(increment);
   ContactStep step;
-  step.displacement = on_nodes(displacement);
+  step.displacement = basis.evaluate(displacement).reshaped();
   step.motion = result.motion;
   step.energy_slope = displacement.cwiseProduct(state.normal).sum();
   step.energy_curvature = displacement.cwiseProduct(increment.normal).sum();

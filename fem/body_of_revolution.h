@@ -67,7 +67,6 @@ private:
   const ForceModes &modes_of(const Eigen::VectorXd &forces) const;
   ForceModes imbalance(const Eigen::VectorXd &forces) const;
   Eigen::MatrixXd displacement_modes(const ForceModes &forces) const;
-  Eigen::VectorXd on_nodes(const Eigen::MatrixXd &modes) const;
   Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole, const LineTangents &tangents,
                              const std::vector<unsigned int> &modes) const;
   bool is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,

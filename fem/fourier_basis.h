@@ -34,6 +34,15 @@ public:
   }
   double sine(unsigned int harmonic, unsigned int line) const { return sines[harmonic * line % n_lines()]; }
 
+  /// Sums over the lines of samples times each mode, sum_j samples(i, j) mode(theta_j): shape [n_rows,
+  /// n_lines] to [n_rows, n_modes]. Samples that are even to the last bit have no sine modes to the last bit.
+  Eigen::MatrixXd project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
+  /// The same with the partners of the modes.
+  Eigen::MatrixXd project_on_partners(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
+  /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
+  /// n_lines]. Without sine modes the values are even to the last bit.
+  Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
+
   /// Values of the modes on the lines, shape [n_lines, n_modes].
   const Eigen::MatrixXd &values() const { return mode_values; }
   /// The partner -(1/n) d/dtheta of every mode, sin for cos and -cos for sin (0 for mode 0): the azimuthal
@@ -44,6 +53,10 @@ public:
   const Eigen::MatrixXd &sine_table() const { return sine_values; }
 
 private:
+  /// Indices of the modes cos(theta), cos(2 theta) ...
+  auto cosine_modes() const { return Eigen::seqN(1, static_cast<Eigen::Index>(n), Eigen::fix<2>); }
+  auto sine_modes() const { return Eigen::seqN(2, static_cast<Eigen::Index>(n), Eigen::fix<2>); }
+
   unsigned int n;
   std::vector<double> cosines; ///< cos(2 pi k / n_lines)
   std::vector<double> sines;
@@ -65,26 +78,34 @@ public:
   /// taken as even in theta.
   FourierProducts(const FourierBasis &basis, const Eigen::MatrixXd &samples, bool with_sines);
 
-  /// For function @p f and two modes.
-  double operator()(Eigen::Index f, unsigned int row_mode, unsigned int column_mode) const
+  /// The sums for one pair of modes: a value for each function. Valid as long as the products are.
+  class OfPair
   {
-    return product(f, FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode),
-                   FourierBasis::harmonic(column_mode), FourierBasis::is_sine(column_mode));
+  public:
+    double operator()(Eigen::Index f) const
+    {
+      return difference_factor * differences[f] + sum_factor * sums[f];
+    }
+
+  private:
+    friend class FourierProducts;
+    const double *differences; ///< by function, with the difference of the harmonics
+    const double *sums;        ///< the same with their sum
+    double difference_factor;
+    double sum_factor;
+  };
+
+  OfPair operator()(unsigned int row_mode, unsigned int column_mode) const
+  {
+    return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
   /// The same with the partner of the row's mode.
-  double with_partner(Eigen::Index f, unsigned int row_mode, unsigned int column_mode) const
-  {
-    const bool row_is_sine = FourierBasis::is_sine(row_mode);
-    const double value = product(f, FourierBasis::harmonic(row_mode), !row_is_sine,
-                                 FourierBasis::harmonic(column_mode), FourierBasis::is_sine(column_mode));
-    return row_is_sine ? -value : value;
-  }
+  OfPair with_partner(unsigned int row_mode, unsigned int column_mode) const;
 
 private:
-  double product(Eigen::Index f, unsigned int row, bool row_is_sine, unsigned int column,
-                 bool column_is_sine) const;
+  OfPair pair(unsigned int row, bool row_is_sine, unsigned int column_mode) const;
 
-  Eigen::MatrixXd even; ///< sums with cos(p theta), shape [2 n_harmonics + 1, n_functions]
+  Eigen::MatrixXd even; ///< sums with cos(p theta), shape [n_functions, 2 n_harmonics + 1]
   Eigen::MatrixXd odd;  ///< sums with sin(p theta)
 };
 

@@ -56,15 +56,18 @@ Eigen::MatrixXd HarmonicNewton::assemble(const FourierProducts &products, bool w
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
   for (std::size_t column = 0; column < used_modes.size(); ++column)
     for (std::size_t row = 0; row < used_modes.size(); ++row)
+    {
+      const FourierProducts::OfPair sums = with_partner
+                                             ? products.with_partner(used_modes[row], used_modes[column])
+                                             : products(used_modes[row], used_modes[column]);
       for (std::size_t c = 0; c < tangents.couples.size(); ++c)
       {
         const auto [p, q] = tangents.couples[c];
-        const auto f = static_cast<Eigen::Index>(c);
-        const double value = with_partner ? products.with_partner(f, used_modes[row], used_modes[column])
-                                          : products(f, used_modes[row], used_modes[column]);
+        const double value = sums(static_cast<Eigen::Index>(c));
         matrix(row * n_circles + p, column * n_circles + q) = value;
         matrix(row * n_circles + q, column * n_circles + p) = value;
       }
+    }
   return matrix;
 }
 

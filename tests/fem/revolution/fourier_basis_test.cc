@@ -36,9 +36,45 @@ TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
           sum += samples(f, j) * basis.values()(j, row) * basis.values()(j, column);
           partner_sum += samples(f, j) * basis.partners()(j, row) * basis.values()(j, column);
         }
-        EXPECT_NEAR(products(f, row, column), sum, 1e-13) << row << ", " << column;
-        EXPECT_NEAR(products.with_partner(f, row, column), partner_sum, 1e-13) << row << ", " << column;
+        EXPECT_NEAR(products(row, column)(f), sum, 1e-13) << row << ", " << column;
+        EXPECT_NEAR(products.with_partner(row, column)(f), partner_sum, 1e-13) << row << ", " << column;
       }
+}
+
+namespace
+{
+/// Lines whose halves meet at a line of their own, and lines that pass theta = pi on either side.
+constexpr unsigned int numbers_of_lines[] = { 16, 17 };
+} // namespace
+
+TEST(FourierBasis, ProjectsAndEvaluatesLikeTheTablesOfItsModes)
+{
+  for (const unsigned int n_lines : numbers_of_lines)
+  {
+    const FourierBasis basis(4, n_lines);
+    const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(3, n_lines);
+    const Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Random(3, basis.n_modes());
+    EXPECT_LT((basis.project(samples) - samples * basis.values()).norm(), 1e-13);
+    EXPECT_LT((basis.project_on_partners(samples) - samples * basis.partners()).norm(), 1e-13);
+    EXPECT_LT((basis.evaluate(amplitudes) - amplitudes * basis.values().transpose()).norm(), 1e-13);
+  }
+}
+
+TEST(FourierBasis, KeepsMirrorSymmetryToTheLastBit)
+{
+  for (const unsigned int n_lines : numbers_of_lines)
+  {
+    const FourierBasis basis(4, n_lines);
+    Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Random(3, basis.n_modes());
+    for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
+      amplitudes.col(mode).setZero();
+    const Eigen::MatrixXd even = basis.evaluate(amplitudes);
+    for (unsigned int line = 1; line < n_lines; ++line)
+      EXPECT_EQ(even.col(line), even.col(n_lines - line)) << "line " << line << " of " << n_lines;
+    const Eigen::MatrixXd projected = basis.project(even);
+    for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
+      EXPECT_TRUE((projected.col(mode).array() == 0).all()) << "mode " << mode;
+  }
 }
 
 TEST(FourierBasis, RefusesTooFewLines)
