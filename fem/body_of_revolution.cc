@@ -81,6 +81,10 @@ void BodyOfRevolution::make_lines()
         surface.lines.push_back(std::move(line));
       }
   }
+  const std::size_t n_pieces_of_line = surface.lines.size() / basis.n_lines();
+  for (std::size_t j = 0; j < basis.n_lines(); ++j)
+    for (std::size_t piece = 0; piece < n_pieces_of_line; ++piece)
+      surface.mirrored_lines.push_back((basis.n_lines() - j) % basis.n_lines() * n_pieces_of_line + piece);
 }
 
 void BodyOfRevolution::set_gap(const Gap &gap)

@@ -350,7 +350,13 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, 
   const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + depth + softness), 0, 0);
   ContactNewton newton(foot, law, load, radius, control, pressed_in);
   newton.converge();
-  return newton.solution().motion;
+  Eigen::Vector3d motion = newton.solution().motion;
+  // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
+  const double negligible = 1e-12 * motion.cwiseProduct(Eigen::Vector3d(1, radius, radius)).norm();
+  for (const Eigen::Index tilt : { 1, 2 })
+    if (std::abs(motion(tilt)) * radius < negligible)
+      motion(tilt) = 0;
+  return motion;
 }
 
 void require_balance(const ContactSolution &solution, const ContactControl &control)

@@ -33,6 +33,8 @@ struct ContactSurface
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
   Eigen::VectorXd node_area;      ///< int N_i dA, projected on the table [m^2]
   std::vector<ContactLine> lines;
+  std::vector<std::size_t> mirrored_lines; ///< of every line the one that is its mirror image at y = 0 to the
+                                           ///< last bit, gap aside; empty where there are none
   bool lines_are_radial =
     false; ///< every line has one azimuth: lines of equal azimuth form a cut at theta = const
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)

@@ -31,7 +31,11 @@ public:
     pattern.set_zero(response.tangent);
     response.contact_set.resize(surface.lines.size());
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
-      response.contact_set[l] = add_line(l, approach, response);
+    {
+      const std::size_t image = mirror_image(l, approach);
+      if (image >= l) // else the two are done
+        add_line(l, image, approach, response);
+    }
   }
 
   std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override
@@ -87,8 +91,25 @@ private:
     return depth;
   }
 
-  /// Adds one line's forces and tangent; true when it carries load.
-  bool add_line(std::size_t l, const Eigen::VectorXd &approach, LawResponse &response) const
+  /// The line that has the geometry, gap and approach of line @p l mirrored at y = 0, to the last bit; @p l
+  /// itself if there is none.
+  std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &approach) const
+  {
+    if (surface.mirrored_lines.empty())
+      return l;
+    const std::size_t image = surface.mirrored_lines[l];
+    const ContactLine &line = surface.lines[l];
+    const ContactLine &mirrored = surface.lines[image];
+    bool alike = line.gap == mirrored.gap;
+    for (std::size_t i = 0; alike && i < line.nodes.size(); ++i)
+      alike = approach(line.nodes[i]) == approach(mirrored.nodes[i]);
+    return alike ? image : l;
+  }
+
+  /// Adds the forces and the tangent of line @p l to its nodes, and to those of its @p image if that is
+  /// another one.
+  void add_line(std::size_t l, std::size_t image, const Eigen::VectorXd &approach,
+                LawResponse &response) const
   {
     const ContactLine &line = surface.lines[l];
     const Eigen::Vector3d depth = penetration(line, approach);
@@ -104,9 +125,13 @@ private:
                     tangent +=
                       law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
                   });
-    if (loaded)
-      pattern.add(l, force, tangent, response.forces, response.tangent);
-    return loaded;
+    for (const std::size_t place : { l, image })
+      response.contact_set[place] = loaded;
+    if (!loaded)
+      return;
+    pattern.add(l, force, tangent, response.forces, response.tangent);
+    if (image != l)
+      pattern.add(image, force, tangent, response.forces, response.tangent);
   }
 
   const ContactSurface &surface;
