@@ -68,7 +68,7 @@ LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n
   AzimuthSums sums(load);
   for (const PointForce &point : forces)
   {
-    const double radius = std::hypot(point.x, point.y);
+    const double radius = std::sqrt(point.x * point.x + point.y * point.y);
     load.normal_force += point.force;
     load.moment_x += point.y * point.force;
     load.moment_y -= point.x * point.force;
@@ -97,8 +97,9 @@ LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n
 
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics)
 {
-  LoadHarmonics load = harmonics_of(law.point_forces(solution.approach), n_harmonics);
-  load.pointwise = law.angular_density(solution.approach);
+  TableLoad on_table = law.load(solution.approach);
+  LoadHarmonics load = harmonics_of(on_table.points, n_harmonics);
+  load.pointwise = std::move(on_table.density);
   const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
   { return one.density < other.density; };
   load.minimum = std::min_element(load.pointwise.begin(), load.pointwise.end(), less)->density;

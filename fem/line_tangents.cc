@@ -15,10 +15,10 @@ LineTangents::LineTangents(const Eigen::SparseMatrix<double> &tangent, unsigned 
     for (unsigned int column = 0; column < n_radii; ++column)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, line * n_radii + column); entry; ++entry)
       {
-        if (entry.value() == 0) // most of them
-          continue;
         const unsigned int row = static_cast<unsigned int>(entry.row()) - line * n_radii;
         if (row > column)
+          break; // rows ascend
+        if (entry.value() == 0)
           continue;
         int &index = row_of[row * n_radii + column];
         if (index < 0)

@@ -38,36 +38,26 @@ public:
     }
   }
 
-  std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override
+  TableLoad load(const Eigen::VectorXd &approach) const override
   {
-    std::vector<PointForce> forces;
-    for (const ContactLine &line : surface.lines)
-    {
-      const Eigen::Vector3d depth = penetration(line, approach);
-      law.integrate(line, depth,
-                    [&](const LinePoint &point)
-                    {
-                      forces.push_back({ point.position(0), point.position(1),
-                                         law.pressure(point.shape.dot(depth)) * point.area });
-                    });
-    }
-    return forces;
-  }
-
-  std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const override
-  {
+    TableLoad result;
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
     for (const ContactLine &line : surface.lines)
     {
       const Eigen::Vector3d depth = penetration(line, approach);
-      double force = 0;
+      double line_force = 0;
       law.integrate(line, depth,
                     [&](const LinePoint &point)
-                    { force += law.pressure(point.shape.dot(depth)) * point.area; });
-      line_forces.push_back(force);
+                    {
+                      const double force = law.pressure(point.shape.dot(depth)) * point.area;
+                      result.points.push_back({ point.position(0), point.position(1), force });
+                      line_force += force;
+                    });
+      line_forces.push_back(line_force);
     }
-    return density_of_lines(surface, line_forces);
+    result.density = density_of_lines(surface, line_forces);
+    return result;
   }
 
   Footprint footprint(const Eigen::VectorXd &approach) const override

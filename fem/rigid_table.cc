@@ -36,19 +36,15 @@ public:
     response.tangent.setFromTriplets(entries.begin(), entries.end());
   }
 
-  std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const override
+  TableLoad load(const Eigen::VectorXd &approach) const override
   {
     const Eigen::VectorXd nodal = forces(approach);
-    std::vector<PointForce> result;
+    TableLoad result;
     for (unsigned int i = 0; i < surface.n_nodes(); ++i)
       if (nodal(i) > 0)
-        result.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), nodal(i) });
+        result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), nodal(i) });
+    result.density = density_of_nodes(surface, nodal);
     return result;
-  }
-
-  std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const override
-  {
-    return density_of_nodes(surface, forces(approach));
   }
 
   Footprint footprint(const Eigen::VectorXd &approach) const override

@@ -30,9 +30,10 @@ std::vector<AzimuthLoad> density_of_cuts(const ContactSurface &surface,
 {
   std::vector<unsigned int> order(line_forces.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](unsigned int i, unsigned int j)
-            { return surface.lines[i].azimuth < surface.lines[j].azimuth; });
+  const auto comes_before = [&](unsigned int i, unsigned int j)
+  { return surface.lines[i].azimuth < surface.lines[j].azimuth; };
+  if (!std::is_sorted(order.begin(), order.end(), comes_before)) // as the lines of a body of revolution are
+    std::sort(order.begin(), order.end(), comes_before);
   std::vector<AzimuthLoad> density;
   for (const unsigned int i : order)
   {

@@ -34,6 +34,17 @@ struct LawResponse
   }
 };
 
+/// What a table carries, point by point and along the azimuth.
+struct TableLoad
+{
+  /// Fine enough for harmonics: quadrature points of the pressure, or nodal forces where there is no
+  /// pressure.
+  std::vector<PointForce> points;
+  /// Load per radian at the azimuth of each line, sorted by azimuth; sectors' means where the lines are not
+  /// radial.
+  std::vector<AzimuthLoad> density;
+};
+
 /// How the table answers a given approach of the contact surface (docs/method.md, "The table").
 ///
 /// `approach` is u_z + q0 + q1 x + q2 y at the contact nodes [m]; gap + approach is the distance left, -(gap
@@ -48,13 +59,14 @@ public:
   /// this law before: its memory is used again.
   virtual void respond(const Eigen::VectorXd &approach, LawResponse &response) const = 0;
 
-  /// The same load as point forces, fine enough for harmonics: quadrature points of the pressure, or nodal
-  /// forces where there is no pressure.
-  virtual std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const = 0;
+  /// The same load, forgetting the nodes.
+  virtual TableLoad load(const Eigen::VectorXd &approach) const = 0;
 
-  /// Load per radian at the azimuth of each line, sorted by azimuth; sectors' means where the lines are not
-  /// radial.
-  virtual std::vector<AzimuthLoad> angular_density(const Eigen::VectorXd &approach) const = 0;
+  /// Only the points of load().
+  std::vector<PointForce> point_forces(const Eigen::VectorXd &approach) const
+  {
+    return load(approach).points;
+  }
 
   /// Where the foot presses, for pictures.
   virtual Footprint footprint(const Eigen::VectorXd &approach) const = 0;
