@@ -236,7 +236,8 @@ private:
               << "; refine the land or reduce the load's moment).";
       throw ContactFailure(ContactOutcome::too_many_steps, message.str());
     }
-    require_support();
+    if (n_steps == 0 || n_changed > 0) // other places than those found to support it
+      require_support();
     const ContactStep increment = solve();
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
     law.respond(approach + direction, other_response);

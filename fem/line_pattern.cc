@@ -38,7 +38,7 @@ void LinePattern::set_zero(Eigen::SparseMatrix<double> &tangent) const
     tangent.coeffs().setZero();
 }
 
-void LinePattern::add(std::size_t line, const Eigen::Vector3d &sample_forces,
+void LinePattern::add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
                       const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
                       Eigen::SparseMatrix<double> &tangent) const
 {
@@ -46,13 +46,22 @@ void LinePattern::add(std::size_t line, const Eigen::Vector3d &sample_forces,
   const Eigen::Matrix<double, 3, Eigen::Dynamic> &shape = contact_line.shape;
   const std::size_t n_nodes = contact_line.nodes.size();
   auto place = places[line].begin();
+  auto image_place = places[image].begin();
   for (std::size_t i = 0; i < n_nodes; ++i)
   {
     const auto row = static_cast<Eigen::Index>(i);
-    forces(contact_line.nodes[i]) += shape.col(row).dot(sample_forces);
+    const double force = shape.col(row).dot(sample_forces);
+    forces(contact_line.nodes[i]) += force;
+    if (image != line)
+      forces(surface.lines[image].nodes[i]) += force;
     const Eigen::RowVector3d row_tangent = shape.col(row).transpose() * sample_tangent;
-    for (std::size_t j = 0; j < n_nodes; ++j)
-      tangent.valuePtr()[*place++] += row_tangent.dot(shape.col(static_cast<Eigen::Index>(j)));
+    for (std::size_t j = 0; j < n_nodes; ++j, ++place, ++image_place)
+    {
+      const double value = row_tangent.dot(shape.col(static_cast<Eigen::Index>(j)));
+      tangent.valuePtr()[*place] += value;
+      if (image != line)
+        tangent.valuePtr()[*image_place] += value;
+    }
   }
 }
 

@@ -21,10 +21,11 @@ public:
   /// pattern before.
   void set_zero(Eigen::SparseMatrix<double> &tangent) const;
 
-  /// Adds one line's forces [N] and tangent [N/m], given at its samples, to those of the nodes. @p tangent
-  /// must have come from set_zero().
-  void add(std::size_t line, const Eigen::Vector3d &sample_forces, const Eigen::Matrix3d &sample_tangent,
-           Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
+  /// Adds the forces [N] and the tangent [N/m] of @p line, given at its samples, to those of its nodes, and
+  /// to those of its mirror @p image if that is another line. @p tangent must have come from set_zero().
+  void add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
+           const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
+           Eigen::SparseMatrix<double> &tangent) const;
 
 private:
   const ContactSurface &surface;

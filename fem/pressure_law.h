@@ -117,11 +117,8 @@ private:
                   });
     for (const std::size_t place : { l, image })
       response.contact_set[place] = loaded;
-    if (!loaded)
-      return;
-    pattern.add(l, force, tangent, response.forces, response.tangent);
-    if (image != l)
-      pattern.add(image, force, tangent, response.forces, response.tangent);
+    if (loaded)
+      pattern.add(l, image, force, tangent, response.forces, response.tangent);
   }
 
   const ContactSurface &surface;
