@@ -69,6 +69,9 @@ void BodyOfRevolution::make_lines()
           line.position.row(sample) = radius * outward;
           line.breadth.row(sample) = radius * width * across;
         }
+        line.samples_are_nodes = degree == 2;
+        if (line.samples_are_nodes)
+          line.shape.setIdentity(); // to the last bit
         line.azimuth = basis.azimuth(j);
         line.azimuth_width = width;
         for_each_loaded_point(line, Eigen::Vector3d::Ones(),

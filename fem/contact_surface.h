@@ -17,7 +17,8 @@ struct ContactLine
 {
   std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
   Eigen::Matrix<double, 3, Eigen::Dynamic>
-    shape; ///< [sample, node]: displacement at a sample = shape * nodal displacements
+    shape;                        ///< [sample, node]: displacement at a sample = shape * nodal displacements
+  bool samples_are_nodes = false; ///< three nodes, and shape is the identity: no product is needed
   Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
   Eigen::Matrix<double, 3, 2>
     breadth;                ///< vector across the line at the samples, quadrature weight included [m]

@@ -38,31 +38,41 @@ void LinePattern::set_zero(Eigen::SparseMatrix<double> &tangent) const
     tangent.coeffs().setZero();
 }
 
+template <typename Forces, typename Tangent>
+void LinePattern::add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
+                               Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const
+{
+  const std::vector<unsigned int> &nodes = surface.lines[line].nodes;
+  const Eigen::Index n_nodes = line_forces.size();
+  const int *place = places[line].data();
+  for (Eigen::Index i = 0; i < n_nodes; ++i)
+  {
+    forces(nodes[static_cast<std::size_t>(i)]) += line_forces(i);
+    for (Eigen::Index j = 0; j < n_nodes; ++j, ++place)
+      tangent.valuePtr()[*place] += line_tangent(i, j);
+  }
+}
+
 void LinePattern::add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
                       const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
                       Eigen::SparseMatrix<double> &tangent) const
 {
   const ContactLine &contact_line = surface.lines[line];
-  const Eigen::Matrix<double, 3, Eigen::Dynamic> &shape = contact_line.shape;
-  const std::size_t n_nodes = contact_line.nodes.size();
-  auto place = places[line].begin();
-  auto image_place = places[image].begin();
-  for (std::size_t i = 0; i < n_nodes; ++i)
+  if (contact_line.samples_are_nodes)
   {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double force = shape.col(row).dot(sample_forces);
-    forces(contact_line.nodes[i]) += force;
+    add_at_nodes(line, sample_forces, sample_tangent, forces, tangent);
     if (image != line)
-      forces(surface.lines[image].nodes[i]) += force;
-    const Eigen::RowVector3d row_tangent = shape.col(row).transpose() * sample_tangent;
-    for (std::size_t j = 0; j < n_nodes; ++j, ++place, ++image_place)
-    {
-      const double value = row_tangent.dot(shape.col(static_cast<Eigen::Index>(j)));
-      tangent.valuePtr()[*place] += value;
-      if (image != line)
-        tangent.valuePtr()[*image_place] += value;
-    }
+      add_at_nodes(image, sample_forces, sample_tangent, forces, tangent);
+    return;
   }
+  constexpr int most = 25; // nodes of a face of the highest degree; no memory is asked for
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1> node_forces =
+    contact_line.shape.transpose() * sample_forces;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most> node_tangent =
+    contact_line.shape.transpose() * (sample_tangent * contact_line.shape);
+  add_at_nodes(line, node_forces, node_tangent, forces, tangent);
+  if (image != line)
+    add_at_nodes(image, node_forces, node_tangent, forces, tangent);
 }
 
 } // namespace stemware::fem

@@ -28,6 +28,11 @@ public:
            Eigen::SparseMatrix<double> &tangent) const;
 
 private:
+  /// Adds what a line's nodes get to the nodes themselves.
+  template <typename Forces, typename Tangent>
+  void add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
+                    Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
+
   const ContactSurface &surface;
   Eigen::SparseMatrix<double> empty;
   std::vector<std::vector<int>>

@@ -76,6 +76,12 @@ private:
   static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &approach)
   {
     Eigen::Vector3d depth = -line.gap;
+    if (line.samples_are_nodes)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        depth(i) -= approach(line.nodes[i]);
+      return depth;
+    }
     for (unsigned int i = 0; i < line.nodes.size(); ++i)
       depth -= line.shape.col(i) * approach(line.nodes[i]);
     return depth;

@@ -37,6 +37,41 @@ TEST(BodyOfRevolution, FlatFootInFullContactMixesNoHarmonics)
   }
 }
 
+TEST(BodyOfRevolution, ShortCutsOfItsLinesChangeNothing)
+{
+  // The same surface without mirrored lines, and with the products of shapes written out.
+  const GlassProfile profile;
+  const RevolutionCase foot(profile, foot_compliance(profile, graded_cells()), 64);
+  const ContactSurface &surface = foot.body.contact_surface();
+  ContactSurface plain = surface;
+  plain.mirrored_lines.clear();
+  for (ContactLine &line : plain.lines)
+  {
+    ASSERT_TRUE(line.samples_are_nodes);
+    line.samples_are_nodes = false;
+  }
+  ASSERT_EQ(surface.mirrored_lines.size(), surface.lines.size());
+  const auto law = make_mat(surface, 1e10);
+  const auto plain_law = make_mat(plain, 1e10);
+  for (const double tilt_across : { 0., 1e-4 }) // even in theta, and not
+  {
+    Eigen::VectorXd approach =
+      -2e-4 * surface.node_position.col(0) - tilt_across * surface.node_position.col(1);
+    approach.array() -= 3e-6;
+    LawResponse response, expected;
+    for (unsigned int repetition = 0; repetition < 2; ++repetition) // the second one refills
+      law->respond(approach, response);
+    plain_law->respond(approach, expected);
+    ASSERT_GT(expected.forces.maxCoeff(), 0);
+    EXPECT_NE(std::count(expected.contact_set.begin(), expected.contact_set.end(), false), 0);
+    EXPECT_EQ(response.contact_set, expected.contact_set);
+    EXPECT_LT((response.forces - expected.forces).cwiseAbs().maxCoeff(), 1e-14 * expected.forces.maxCoeff());
+    const Eigen::MatrixXd tangent(expected.tangent);
+    EXPECT_LT((Eigen::MatrixXd(response.tangent) - tangent).cwiseAbs().maxCoeff(),
+              1e-14 * tangent.maxCoeff());
+  }
+}
+
 TEST(BodyOfRevolution, LoadTurnsWithTheMoment)
 {
   const GlassProfile profile;
