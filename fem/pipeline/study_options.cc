@@ -38,7 +38,7 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
   verb.add_option("STUDY", options.study_file, "Study file, .prm or .json")->required();
   verb
     .add_option("--output", options.output,
-                "Folder of the results; default: results/<name of the study file>" +
+                "Folder of the results; default: results/<name of the study>" +
                   std::string(options.verb == "run" ? "" : "-" + options.verb))
     ->type_name("DIR");
   add_override_option(verb, options);

@@ -87,6 +87,13 @@ TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
     scratch, { "run", scratch.write("study.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(bad_lines(ended.out + ended.err), "");
+  const std::string study = scratch.write("default.prm", "# the default glass\n");
+  for (const char *verb : { "truncate", "compare", "converge" })
+  {
+    const Ended other = stemware(scratch, { verb, study });
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_EQ(bad_lines(other.out + other.err), "");
+  }
   for (const std::string &verb : all_verbs())
     EXPECT_EQ(bad_lines(stemware(scratch, { verb, "--help" }).out), "");
   EXPECT_EQ(bad_lines(stemware(scratch, { "--help" }).out), "");

@@ -11,8 +11,8 @@ namespace stemware::pipeline
 void add_compare_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App *verb = program.add_subcommand(
-    "compare", "Closures, loads and truncations side by side: which of them changes the spin by how much");
+  CLI::App *verb =
+    program.add_subcommand("compare", "Closures, loads and truncations side by side: what changes the spin");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
   stemware compare docs/cookbooks/paper.prm

@@ -11,12 +11,11 @@ namespace stemware::pipeline
 void add_converge_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<ConvergeOptions>();
-  CLI::App *verb = program.add_subcommand(
-    "converge", "Refine a study in mesh, order and harmonics: observed orders, limits, error bands");
+  CLI::App *verb = program.add_subcommand("converge", "Refine a study: observed orders, limits, error bands");
   add_study_options(*verb, options->study);
   verb
     ->add_option("--levels", options->n_levels,
-                 "Levels of each parameter: 2 to 5; default 3, which an observed order needs")
+                 "Levels of each parameter; default 3, which an observed order needs")
     ->check(CLI::Range(2, 5))
     ->type_name("N");
   add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");

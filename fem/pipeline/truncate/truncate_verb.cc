@@ -21,9 +21,9 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=exact"
 
 The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where the load of
-all harmonics loses some and nothing answers to that; and self-consistent, where the friction of what
-is left enters the balance of moments, the moment enters the contact, and the contact's load is cut
-off again.
+all harmonics loses some and nothing answers to that; and self-consistent, where the friction of
+what is left enters the balance of moments, the moment enters the contact, and the contact's load is
+cut off again.
 
   truncation.dat, truncation_self_consistent.dat   torque, terminal spin, deviations, bounds
   spin_up.dat, spin_up_self_consistent.dat         the spin against time
