@@ -171,7 +171,7 @@ std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_l
   if (study.has_waviness())
     throw BadInput(
       "A refinement study takes a rim and a table that are flat; leave the waviness of Glass and "
-      "Table empty. Its bands hold for small waviness too.");
+      "Table empty.");
   const std::vector<RefinementAxis> axes = study.contact.body == BodyKind::revolution
                                              ? axes_of_revolution(study, n_levels)
                                              : axes_of_solid(study, n_levels);
