@@ -1,8 +1,8 @@
 #include "ring_model/angular_load.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/require.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -15,8 +15,6 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
-
 /// Where @p load passes through 0 between two angles at which its signs differ, to 1e-9: what lies on the
 /// wrong side then is of the square of that.
 double sign_change(const AngularLoad &load, double from, double to)

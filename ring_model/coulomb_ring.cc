@@ -1,9 +1,8 @@
 #include "ring_model/coulomb_ring.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/require.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <cmath>
 
@@ -62,7 +61,7 @@ Wrench CoulombRing::wrench_by_quadrature(const AngularLoad &load, double omega, 
   const double rim = omega * load.radius();
   require(std::isfinite(rim) && std::isfinite(speed) && speed >= 0., "the ring slides with ", speed,
           " m/s and spins with ", omega, " rad/s, but both must be finite and the speed not negative");
-  const double width = boost::math::constants::two_pi<double>() / n_points;
+  const double width = 2 * pi / n_points;
   Wrench sum{ 0., 0., 0. };
   for (unsigned int i = 0; i < n_points; ++i)
   {

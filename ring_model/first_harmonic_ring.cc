@@ -1,15 +1,13 @@
 #include "ring_model/first_harmonic_ring.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/require.h"
-
-#include <boost/math/constants/constants.hpp>
 
 namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
 }
 
 FirstHarmonicRing::FirstHarmonicRing(Closure closure, const Motion &motion, double radius)

@@ -1,9 +1,9 @@
 #include "ring_model/free_sliding.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/require.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
@@ -17,8 +17,6 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
-
 /// Integrated over sigma: angle between sliding and spinning, heading, yaw, x, y, time.
 using State = std::array<double, 6>;
 

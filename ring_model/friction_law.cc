@@ -1,8 +1,8 @@
 #include "ring_model/friction_law.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/require.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <algorithm>
@@ -12,8 +12,6 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
-
 /// Slip of the ring's points, psi measured from the point where it is least.
 struct SlipField
 {

@@ -1,8 +1,7 @@
 #include "ring_model/response_curve.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/require.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +11,6 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
-
 /// Moment ratio with the nominal radius.
 double ratio_of(const AngularLoad &load, double nominal_radius)
 {

@@ -1,11 +1,11 @@
 #include "ring_model/self_consistent_ring.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/require.h"
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,8 +92,8 @@ BalanceStart SelfConsistentRing::first_harmonic_start(double omega) const
 {
   // The residual G(M) - M of a first harmonic: G_x depends on M_y through T_y, G_y on M_x through T_x.
   const FrictionKernels kernels(omega * model->radius(), motion.orbit_speed, 1);
-  const double coupling = motion.friction_coefficient * friction_arm(closure, motion) /
-                          (boost::math::constants::pi<double>() * model->radius());
+  const double coupling =
+    motion.friction_coefficient * friction_arm(closure, motion) / (pi * model->radius());
   BalanceStart start;
   start.moment = FirstHarmonicRing(closure, motion, model->radius()).load(omega).moment();
   start.jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;

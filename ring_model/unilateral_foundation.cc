@@ -1,8 +1,8 @@
 #include "ring_model/unilateral_foundation.h"
 
+#include "ring_model/constants.h"
 #include "ring_model/require.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -15,8 +15,6 @@ namespace stemware::ring
 {
 namespace
 {
-constexpr double pi = boost::math::constants::pi<double>();
-
 /// Double exponential quadrature: the integrands have a root or nearly one at an end of the interval.
 template <typename Integrand>
 double integral(const Integrand &integrand, double upper)

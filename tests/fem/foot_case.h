@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/angular_load.h"
-#include "fem/foot_mesh.h"
-#include "fem/solid_body.h"
+#include "fem/contact/load_harmonics.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/solid/solid_body.h"
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,6 +1,6 @@
-#include "reference.h"
 #include "ring_model/closures.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "tests/ring_model/reference.h"
 
 #include <limits>
 #include <stdexcept>

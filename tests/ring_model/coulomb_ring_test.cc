@@ -1,6 +1,6 @@
-#include "reference.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/friction_kernels.h"
+#include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
 

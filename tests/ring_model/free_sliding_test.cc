@@ -1,6 +1,6 @@
-#include "reference.h"
 #include "ring_model/free_sliding.h"
 #include "ring_model/friction_kernels.h"
+#include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>

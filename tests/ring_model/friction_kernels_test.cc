@@ -1,5 +1,5 @@
-#include "reference.h"
 #include "ring_model/friction_kernels.h"
+#include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>

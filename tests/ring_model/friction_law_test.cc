@@ -1,6 +1,6 @@
-#include "reference.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/terminal_spin.h"
+#include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
 

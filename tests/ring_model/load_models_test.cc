@@ -1,7 +1,7 @@
-#include "reference.h"
 #include "ring_model/load_model.h"
 #include "ring_model/response_curve.h"
 #include "ring_model/unilateral_foundation.h"
+#include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/gamma.hpp>

@@ -1,8 +1,8 @@
-#include "reference.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
+#include "tests/ring_model/reference.h"
 
 #include <stdexcept>
 

@@ -1,8 +1,8 @@
-#include "reference.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/truncated_model.h"
 #include "ring_model/unilateral_foundation.h"
+#include "tests/ring_model/reference.h"
 
 #include <cmath>
 #include <stdexcept>

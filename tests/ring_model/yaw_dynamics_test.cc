@@ -1,9 +1,9 @@
-#include "reference.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/hand_drive.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/unilateral_foundation.h"
 #include "ring_model/yaw_dynamics.h"
+#include "tests/ring_model/reference.h"
 
 #include <stdexcept>
 

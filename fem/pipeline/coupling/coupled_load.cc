@@ -4,8 +4,8 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/foot_response_curve.h"
 #include "fem/pipeline/coupling/load_curve.h"
-#include "fem/pipeline/failures.h"
-#include "fem/pipeline/friction_coupling.h"
+#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/support/failures.h"
 
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/foot_contact.h"
-#include "fem/pipeline/ring_load.h"
+#include "fem/pipeline/coupling/foot_contact.h"
+#include "fem/pipeline/coupling/ring_load.h"
 
 #include <functional>
 #include <memory>

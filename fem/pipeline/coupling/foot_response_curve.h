@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/foot_contact.h"
+#include "fem/pipeline/coupling/foot_contact.h"
 #include "ring_model/response_curve.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Elements of every degree, 1 to 4: the same statements with the same oracles.
-#include "fem/foot_response.h"
-#include "fem/rigid_foot.h"
-#include "revolution_case.h"
+#include "fem/contact/rigid_foot.h"
+#include "fem/revolution/revolution_foot.h"
+#include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>
 

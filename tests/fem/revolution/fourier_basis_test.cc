@@ -1,4 +1,4 @@
-#include "fem/fourier_basis.h"
+#include "fem/revolution/fourier_basis.h"
 
 #include <gtest/gtest.h>
 

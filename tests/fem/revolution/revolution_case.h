@@ -1,9 +1,9 @@
 #pragma once
 
-#include "fem/angular_load.h"
-#include "fem/body_of_revolution.h"
-#include "fem/meridian_mesh.h"
-#include "fem/meridian_problem.h"
+#include "fem/contact/load_harmonics.h"
+#include "fem/geometry/meridian_mesh.h"
+#include "fem/revolution/body_of_revolution.h"
+#include "fem/revolution/meridian_problem.h"
 
 #include <deal.II/grid/tria.h>
 

@@ -1,9 +1,9 @@
 // The picture of a foot of revolution: its fields against the contact solution, the balance of forces, and
 // the solid body's picture.
-#include "../foot_case.h"
-#include "fem/foot_response.h"
-#include "revolution_case.h"
-#include "vtu_file.h"
+#include "fem/revolution/revolution_foot.h"
+#include "tests/fem/foot_case.h"
+#include "tests/fem/revolution/revolution_case.h"
+#include "tests/fem/revolution/vtu_file.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

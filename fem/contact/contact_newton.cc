@@ -1,0 +1,395 @@
+#include "fem/contact/contact_newton.h"
+
+#include "fem/contact/rigid_foot.h"
+
+#include <Eigen/Eigenvalues>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+namespace stemware::fem
+{
+
+std::string to_string(ContactOutcome outcome)
+{
+  switch (outcome)
+  {
+  case ContactOutcome::converged:
+    return "converged";
+  case ContactOutcome::narrow_contact:
+    return "narrow contact";
+  case ContactOutcome::tipping:
+    return "tipping";
+  case ContactOutcome::repeated_set:
+    return "repeated contact set";
+  case ContactOutcome::singular_set:
+    return "singular contact set";
+  case ContactOutcome::too_many_steps:
+    return "too many contact steps";
+  case ContactOutcome::unbalanced:
+    return "unbalanced contact forces";
+  case ContactOutcome::linear_solver_failed:
+    return "linear solver failed";
+  case ContactOutcome::overflow:
+    return "overflow";
+  }
+  throw std::logic_error("unnamed contact outcome");
+}
+
+namespace
+{
+
+/// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
+constexpr unsigned int fewest_nodes_across = 4;
+
+/// Prescribed resultants (N, sum x f, sum y f).
+Eigen::Vector3d resultants(const ContactLoad &load)
+{
+  return { load.normal_force, -load.moment_y, load.moment_x };
+}
+
+void require_possible(const ContactLoad &load, const ContactSurface &surface)
+{
+  const Eigen::Vector3d target = resultants(load);
+  if (!(target.allFinite() && load.normal_force > 0))
+    throw std::invalid_argument(
+      "The normal force must be a finite number greater than 0 N and the moment finite.");
+  const Eigen::Vector2d centre = target.tail<2>() / load.normal_force;
+  if (centre.norm() == 0)
+    return;
+  const double reach = (surface.node_position * centre.normalized()).maxCoeff();
+  if (centre.norm() < reach)
+    return;
+  std::ostringstream message;
+  message << "the centre of pressure lies " << centre.norm()
+          << " m from the axis, but the contact zone reaches only " << reach
+          << " m in that direction; reduce the moment (the foot tips at |M_N| = N R).";
+  throw ContactFailure(ContactOutcome::tipping, message.str());
+}
+
+/// The damped Newton iteration on the energy of one body and one table.
+class ContactNewton
+{
+public:
+  ContactNewton(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
+                const ContactControl &control, const Eigen::Vector3d &motion)
+      : body(body)
+      , law(law)
+      , control(control)
+      , target(resultants(load))
+      , radius(radius)
+      , modes(body.contact_surface().motion_modes())
+      , motion(motion)
+  {
+    approach = body.contact_displacement() + modes * motion;
+    respond();
+  }
+
+  /// Newton steps until the law's linear branch and the balance of forces are both found.
+  void converge()
+  {
+    bool balanced_before = false;
+    double imbalance_before = std::numeric_limits<double>::infinity();
+    double least_imbalance = std::numeric_limits<double>::infinity();
+    unsigned int n_idle = 0;
+    std::map<ContactSet, double> visited;
+    for (;;)
+    {
+      const double imbalance = residual();
+      n_idle = imbalance > 0.5 * least_imbalance ? n_idle + 1 : 0;
+      least_imbalance = std::min(least_imbalance, imbalance);
+      const bool balanced = is_balanced() || rests_at_rounding(imbalance, imbalance_before, n_idle);
+      // A set that still flips between two balanced iterates flips at places whose force is zero to within
+      // the tolerance.
+      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before))
+        return;
+      require_new_set(visited, imbalance);
+      balanced_before = balanced;
+      imbalance_before = imbalance;
+      step();
+    }
+  }
+
+  /// Converges, then lets the law correct its multipliers, until they rest.
+  void converge_with_multipliers()
+  {
+    for (;;)
+    {
+      converge();
+      const double violation = law.update_multipliers(approach);
+      if (violation == 0)
+        return;
+      respond();
+      // Not the approach itself: on a flat land it tends to zero together with the violation.
+      const double moved = std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
+                                    (modes * motion).lpNorm<Eigen::Infinity>());
+      if (violation <= control.tolerance * moved)
+        return;
+    }
+  }
+
+  ContactSolution solution() const
+  {
+    ContactSolution result;
+    result.forces = response.forces;
+    result.approach = approach;
+    result.motion = motion;
+    result.n_iterations = n_steps;
+    result.n_linear_iterations = n_linear_iterations;
+    const Eigen::VectorXd pressure = law.nodal_pressure(approach);
+    result.n_loaded_nodes = static_cast<unsigned int>((pressure.array() > 0).count());
+    result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
+    if (result.n_nodes_across < fewest_nodes_across)
+      result.outcome = ContactOutcome::narrow_contact;
+    result.force_residual = std::abs(excess(0)) / target(0);
+    result.moment_residual = excess.tail<2>().norm() / (target(0) * radius);
+    result.equilibrium_residual = equilibrium;
+    return result;
+  }
+
+private:
+  /// Evaluates the law and the balance at the present approach.
+  void respond()
+  {
+    law.respond(approach, response);
+    weigh();
+  }
+
+  /// Evaluates the balance of the response's forces.
+  void weigh()
+  {
+    excess = modes.transpose() * response.forces - target;
+    equilibrium = body.equilibrium_residual(response.forces);
+  }
+
+  double resultant_residual() const
+  {
+    return Eigen::Vector3d(excess(0), excess(1) / radius, excess(2) / radius).norm() / target(0);
+  }
+
+  double residual() const { return std::max(resultant_residual(), equilibrium); }
+
+  bool is_balanced() const
+  {
+    return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
+  }
+
+  /// Whether a whole step has changed neither the contact set nor an imbalance that the final check lets
+  /// pass, or @p n_idle steps in a row have not improved on it: the stiff penalties of a rigid table leave
+  /// more rounding than the tolerance may allow, and places without force may flip in it.
+  bool rests_at_rounding(double imbalance, double imbalance_before, unsigned int n_idle) const
+  {
+    constexpr unsigned int patience = 10;
+    const bool at_rest = n_changed == 0 && last_fraction == 1 && imbalance > 0.5 * imbalance_before;
+    return n_steps > 0 && (at_rest || n_idle >= patience) &&
+           resultant_residual() <= control.resultant_tolerance &&
+           equilibrium <= control.equilibrium_tolerance;
+  }
+
+  void require_new_set(std::map<ContactSet, double> &visited, double imbalance) const
+  {
+    const auto [visit, is_new] = visited.emplace(response.contact_set, imbalance);
+    // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
+    if (is_new || imbalance < 0.5 * visit->second || last_fraction < 1)
+    {
+      visit->second = imbalance;
+      return;
+    }
+    std::ostringstream message;
+    message << "after " << n_steps << " steps the same " << n_loaded()
+            << " loaded places came back with a relative imbalance of " << imbalance << " (allowed "
+            << control.equilibrium_tolerance << "); refine the mesh or loosen the tolerance.";
+    throw ContactFailure(ContactOutcome::repeated_set, message.str());
+  }
+
+  void require_support() const
+  {
+    const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
+    const Eigen::Matrix3d support = scale * support_of(response.tangent, modes) * scale;
+    const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
+    if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
+      return;
+    std::ostringstream message;
+    message << "the " << n_loaded()
+            << " loaded places of the contact zone do not support the foot against tilting; "
+            << "the contact is too narrow for this mesh: refine the land.";
+    throw ContactFailure(ContactOutcome::singular_set, message.str());
+  }
+
+  unsigned int n_loaded() const
+  {
+    return static_cast<unsigned int>(
+      std::count(response.contact_set.begin(), response.contact_set.end(), true));
+  }
+
+  void step()
+  {
+    if (n_steps >= control.max_steps)
+    {
+      std::ostringstream message;
+      message << control.max_steps << " Newton steps left a relative imbalance of " << residual()
+              << " (allowed " << control.equilibrium_tolerance
+              << "; refine the land or reduce the load's moment).";
+      throw ContactFailure(ContactOutcome::too_many_steps, message.str());
+    }
+    if (n_steps == 0 || n_changed > 0) // other places than those found to support it
+      require_support();
+    const ContactStep increment = solve();
+    const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
+    law.respond(approach + direction, other_response);
+    const double fraction = line_search(increment, direction, other_response.forces);
+    body.accept(fraction);
+    motion += fraction * increment.motion;
+    approach += fraction * direction;
+    // Most steps are taken whole: the response at their end is then the one that the line search has looked
+    // at.
+    if (fraction != 1)
+      law.respond(approach, other_response);
+    response.swap(other_response);
+    weigh();
+    report(increment, fraction, other_response.contact_set);
+  }
+
+  ContactStep solve()
+  {
+    try
+    {
+      return body.solve(response.tangent, response.forces, excess);
+    }
+    catch (const std::runtime_error &error)
+    {
+      throw ContactFailure(ContactOutcome::linear_solver_failed, error.what());
+    }
+  }
+
+  /// Share of the increment to take: all of it unless the energy rises again towards its end, then where it
+  /// is stationary.
+  double line_search(const ContactStep &increment, const Eigen::VectorXd &direction,
+                     const Eigen::VectorXd &forces_at_end) const
+  {
+    const double outer = target.dot(increment.motion);
+    const auto slope_under = [&](double fraction, const Eigen::VectorXd &forces) {
+      return increment.energy_slope + fraction * increment.energy_curvature + outer - forces.dot(direction);
+    };
+    LawResponse between;
+    const auto slope = [&](double fraction)
+    {
+      law.respond(approach + fraction * direction, between);
+      return slope_under(fraction, between.forces);
+    };
+    const double start = slope_under(0, response.forces);
+    const double end = slope_under(1, forces_at_end);
+    if (!std::isfinite(start) || !std::isfinite(end))
+      throw ContactFailure(ContactOutcome::overflow,
+                           "the contact's energy is not a finite number; bring loads, lengths and moduli to "
+                           "usual orders of magnitude.");
+    const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
+    // Close to the solution the slopes are differences of large numbers: below their noise the full step is
+    // the best there is.
+    if (end <= 0.5 * std::abs(start) + noise || start >= 0)
+      return 1;
+    boost::uintmax_t max_evaluations = 60;
+    const auto close_enough = [](double a, double b) { return b - a < 1e-3 * b; };
+    const auto bracket =
+      boost::math::tools::toms748_solve(slope, 0., 1., start, end, close_enough, max_evaluations);
+    return (bracket.first + bracket.second) / 2;
+  }
+
+  void report(const ContactStep &increment, double fraction, const ContactSet &set_before)
+  {
+    ++n_steps;
+    n_changed = 0;
+    for (std::size_t i = 0; i < set_before.size(); ++i)
+      n_changed += set_before[i] != response.contact_set[i];
+    last_fraction = fraction;
+    n_linear_iterations += increment.linear_iterations;
+    if (!control.progress)
+      return;
+    ContactIteration iteration;
+    iteration.number = n_steps;
+    iteration.n_loaded = n_loaded();
+    iteration.n_changed = n_changed;
+    iteration.residual = residual();
+    iteration.step_fraction = fraction;
+    iteration.linear_iterations = increment.linear_iterations;
+    control.progress(iteration);
+  }
+
+  ElasticBody &body;
+  TableLaw &law;
+  const ContactControl &control;
+  const Eigen::Vector3d target; ///< (N, sum x f, sum y f)
+  const double radius;
+  const Eigen::MatrixX3d modes;
+
+  Eigen::Vector3d motion;
+  Eigen::VectorXd approach;
+  LawResponse response;
+  LawResponse other_response; ///< at the end of a step to come, or at the beginning of the last one
+  Eigen::Vector3d excess;     ///< resultants of the response's forces less `target`
+  double equilibrium = 0;     ///< the body's relative residual under the response's forces
+  unsigned int n_steps = 0;
+  unsigned int n_changed = 0;
+  unsigned int n_linear_iterations = 0;
+  double last_fraction = 1;
+};
+
+/// Table motions under a foot that does not deform: pressed in so far that the whole zone carries, then
+/// released to balance.
+Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, const ContactLoad &load,
+                                  double radius)
+{
+  RigidFoot foot(surface);
+  ContactControl control;
+  control.tolerance = 1e-6;
+  const double depth = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
+  const double softness = 1e-6 * radius;
+  const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + depth + softness), 0, 0);
+  ContactNewton newton(foot, law, load, radius, control, pressed_in);
+  newton.converge();
+  Eigen::Vector3d motion = newton.solution().motion;
+  // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
+  const double negligible = 1e-12 * motion.cwiseProduct(Eigen::Vector3d(1, radius, radius)).norm();
+  for (const Eigen::Index tilt : { 1, 2 })
+    if (std::abs(motion(tilt)) * radius < negligible)
+      motion(tilt) = 0;
+  return motion;
+}
+
+void require_balance(const ContactSolution &solution, const ContactControl &control)
+{
+  if (solution.force_residual <= control.resultant_tolerance &&
+      solution.moment_residual <= control.resultant_tolerance)
+    return;
+  std::ostringstream message;
+  message << "the normal forces miss the prescribed resultants by " << solution.force_residual << " of N and "
+          << solution.moment_residual << " of N R; allowed is " << control.resultant_tolerance << ".";
+  throw ContactFailure(ContactOutcome::unbalanced, message.str());
+}
+
+} // namespace
+
+ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
+                              const ContactControl &control, const Eigen::Vector3d *start)
+{
+  require_possible(load, body.contact_surface());
+  Eigen::Vector3d motion;
+  if (start)
+    motion = *start;
+  else
+  {
+    body.reset();
+    motion = rigid_foot_motion(body.contact_surface(), law, load, radius);
+  }
+  ContactNewton newton(body, law, load, radius, control, motion);
+  newton.converge_with_multipliers();
+  const ContactSolution solution = newton.solution();
+  require_balance(solution, control);
+  return solution;
+}
+
+} // namespace stemware::fem

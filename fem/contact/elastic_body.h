@@ -1,0 +1,55 @@
+#pragma once
+
+#include "fem/contact/contact_surface.h"
+
+#include <Eigen/SparseCore>
+
+namespace stemware::fem
+{
+
+/// Newton increment of a body and of the table under it.
+struct ContactStep
+{
+  Eigen::VectorXd displacement; ///< change of u_z at the contact nodes [m]
+  Eigen::Vector3d motion;       ///< change of the table motions q0 [m], q1, q2 [rad]
+  double energy_slope =
+    0; ///< du . K u [J]: with `energy_curvature` the body's part of the energy along the step
+  double energy_curvature = 0; ///< du . K du [J]
+  unsigned int linear_iterations = 0;
+};
+
+/// An elastic foot, stem cut clamped, seen from its contact nodes (docs/method.md, "Newton's method").
+///
+/// The body keeps its displacement u, K u being its elastic forces, as state; the contact driver asks for
+/// increments and accepts a part of each. B picks the vertical displacement of the contact nodes, Q = (1, x,
+/// y) there.
+class ElasticBody
+{
+public:
+  virtual ~ElasticBody() = default;
+
+  virtual const ContactSurface &contact_surface() const = 0;
+
+  /// B u: vertical displacement of the contact nodes, upward > 0 [m].
+  virtual Eigen::VectorXd contact_displacement() const = 0;
+
+  /// Solves [K + B'TB, B'TQ; Q'TB, Q'TQ] [du; dq] = [B' forces - K u; resultant_excess], symmetric positive
+  /// definite while the loaded places are not on one line. @p tangent T as in LawResponse; @p
+  /// resultant_excess = Q' forces - prescribed (N, sum x f, sum y f). Throws std::runtime_error when the
+  /// linear solver does not converge or the system is singular.
+  virtual ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                            const Eigen::Vector3d &resultant_excess) = 0;
+
+  /// Adds @p fraction of the last step to the state.
+  virtual void accept(double fraction) = 0;
+
+  /// Forgets the state: u = 0.
+  virtual void reset() = 0;
+
+  /// |B' forces - K u| / |B' forces|.
+  virtual double equilibrium_residual(const Eigen::VectorXd &forces) const = 0;
+
+  virtual unsigned int n_unknowns() const = 0;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,52 @@
+#include "fem/contact/line_integral.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::fem
+{
+
+namespace
+{
+/// Roots of c0 + c1 x + c2 x^2 inside (-1, 1), ascending, by the form that does not cancel.
+unsigned int interior_roots(double c0, double c1, double c2, std::array<double, 2> &roots)
+{
+  const double discriminant = c1 * c1 - 4 * c2 * c0;
+  if (!(discriminant > 0))
+    return 0;
+  const double q = -(c1 + std::copysign(std::sqrt(discriminant), c1)) / 2;
+  const std::array<double, 2> candidates = { c2 != 0 ? q / c2 : 2., q != 0 ? c0 / q : 2. };
+  unsigned int n_roots = 0;
+  for (const double candidate : candidates)
+    if (candidate > -1 && candidate < 1)
+      roots[n_roots++] = candidate;
+  if (n_roots == 2 && roots[0] > roots[1])
+    std::swap(roots[0], roots[1]);
+  return n_roots;
+}
+} // namespace
+
+PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
+{
+  // A quadratic lies below its control points; most lines of a contact zone are far from contact.
+  const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
+  if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
+    return;
+  const double c0 = samples(1);
+  const double c1 = (samples(2) - samples(0)) / 2;
+  const double c2 = (samples(2) + samples(0)) / 2 - samples(1);
+  std::array<double, 2> roots{};
+  const unsigned int n_roots = interior_roots(c0, c1, c2, roots);
+
+  double begin = -1;
+  for (unsigned int i = 0; i <= n_roots; ++i)
+  {
+    const double end = i < n_roots ? roots[i] : 1;
+    const double middle = (begin + end) / 2;
+    if (c0 + middle * (c1 + middle * c2) > 0)
+      segments[n_segments++] = { begin, end };
+    begin = end;
+  }
+}
+
+} // namespace stemware::fem

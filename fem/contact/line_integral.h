@@ -1,0 +1,83 @@
+#pragma once
+
+#include "fem/contact/contact_surface.h"
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace stemware::fem
+{
+
+/// Quadratic Lagrange polynomials of the nodes -1, 0, 1 at @p xi.
+inline Eigen::Vector3d line_shape(double xi)
+{
+  return { xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2 };
+}
+
+/// Part of a contact line, within [-1, 1].
+struct LineSegment
+{
+  double begin = 0;
+  double end = 0;
+};
+
+/// The at most two segments of [-1, 1] where the quadratic through @p samples (at -1, 0, 1) is positive.
+struct PositiveSegments
+{
+  explicit PositiveSegments(const Eigen::Vector3d &samples);
+  std::array<LineSegment, 2> segments;
+  unsigned int n_segments = 0;
+};
+
+/// A quadrature point on a loaded segment.
+struct LinePoint
+{
+  Eigen::Vector3d shape;       ///< of the three samples
+  double area = 0;             ///< table area that it stands for, > 0 [m^2]
+  Eigen::RowVector2d position; ///< (x, y) [m]
+};
+
+/// Calls visit(const LinePoint &) at the four Gauss points of one segment of @p line: exact for polynomials
+/// in the local coordinate of degree 7, the area element included.
+template <typename Visitor>
+void for_each_point(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+{
+  static constexpr std::array<double, 4> points = { -0.8611363115940526, -0.3399810435848563,
+                                                    0.3399810435848563, 0.8611363115940526 };
+  static constexpr std::array<double, 4> weights = { 0.3478548451374538, 0.6521451548625461,
+                                                     0.6521451548625461, 0.3478548451374538 };
+  const double half_length = (segment.end - segment.begin) / 2;
+  for (unsigned int q = 0; q < points.size(); ++q)
+  {
+    const double xi = (segment.begin + segment.end) / 2 + half_length * points[q];
+    LinePoint point;
+    point.shape = line_shape(xi);
+    const Eigen::Vector3d slope(xi - 0.5, -2 * xi, xi + 0.5);
+    const Eigen::RowVector2d along = slope.transpose() * line.position;
+    const Eigen::RowVector2d across = point.shape.transpose() * line.breadth;
+    point.area = std::abs(along(0) * across(1) - along(1) * across(0)) * half_length * weights[q];
+    point.position = point.shape.transpose() * line.position;
+    visit(point);
+  }
+}
+
+/// The same on @p n_panels equal parts of the whole line.
+template <typename Visitor>
+void for_each_point(const ContactLine &line, unsigned int n_panels, const Visitor &visit)
+{
+  for (unsigned int panel = 0; panel < n_panels; ++panel)
+    for_each_point(line, LineSegment{ 2. * panel / n_panels - 1, 2. * (panel + 1) / n_panels - 1 }, visit);
+}
+
+/// The same on every segment where the quadratic through @p penetration is positive: exact for (shape)^2
+/// times a penetration and a cubic area element, i.e. closed form on a straight line.
+template <typename Visitor>
+void for_each_loaded_point(const ContactLine &line, const Eigen::Vector3d &penetration, const Visitor &visit)
+{
+  const PositiveSegments loaded(penetration);
+  for (unsigned int s = 0; s < loaded.n_segments; ++s)
+    for_each_point(line, loaded.segments[s], visit);
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "fem/contact/contact_surface.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// Where the 3 x 3 tangents of contact lines go in the sparse tangent of a surface: looked up once, since
+/// laws assemble at every Newton step.
+class LinePattern
+{
+public:
+  /// From the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
+  explicit LinePattern(const ContactSurface &surface);
+
+  /// Gives @p tangent all couplings of nodes on common lines, all zero. It is empty or was filled by this
+  /// pattern before.
+  void set_zero(Eigen::SparseMatrix<double> &tangent) const;
+
+  /// Adds the forces [N] and the tangent [N/m] of @p line, given at its samples, to those of its nodes, and
+  /// to those of its mirror @p image if that is another line. @p tangent must have come from set_zero().
+  void add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
+           const Eigen::Matrix3d &sample_tangent, Eigen::VectorXd &forces,
+           Eigen::SparseMatrix<double> &tangent) const;
+
+private:
+  /// Adds what a line's nodes get to the nodes themselves.
+  template <typename Forces, typename Tangent>
+  void add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
+                    Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
+
+  const ContactSurface &surface;
+  Eigen::SparseMatrix<double> empty;
+  std::vector<std::vector<int>>
+    places; ///< of a line's node pairs (row-major) in the values of the sparse matrix
+};
+
+} // namespace stemware::fem

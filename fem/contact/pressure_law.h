@@ -1,0 +1,135 @@
+#pragma once
+
+#include "fem/contact/line_integral.h"
+#include "fem/contact/line_pattern.h"
+#include "fem/contact/table_law.h"
+
+namespace stemware::fem
+{
+
+/// A table whose pressure depends on the local penetration alone, integrated along the contact lines. What
+/// mat and rough interface share.
+///
+/// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
+/// dp/dd [Pa/m]; and `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
+/// points of a line that carry load.
+template <typename Pressure>
+class PressureLaw : public TableLaw
+{
+public:
+  /// Keeps a reference to @p surface.
+  PressureLaw(const ContactSurface &surface, const Pressure &pressure)
+      : surface(surface)
+      , pattern(surface)
+      , law(pressure)
+  {
+  }
+
+  void respond(const Eigen::VectorXd &approach, LawResponse &response) const override
+  {
+    response.forces.setZero(surface.n_nodes());
+    pattern.set_zero(response.tangent);
+    response.contact_set.resize(surface.lines.size());
+    for (std::size_t l = 0; l < surface.lines.size(); ++l)
+    {
+      const std::size_t image = mirror_image(l, approach);
+      if (image >= l) // else the two are done
+        add_line(l, image, approach, response);
+    }
+  }
+
+  TableLoad load(const Eigen::VectorXd &approach) const override
+  {
+    TableLoad result;
+    std::vector<double> line_forces;
+    line_forces.reserve(surface.lines.size());
+    for (const ContactLine &line : surface.lines)
+    {
+      const Eigen::Vector3d depth = penetration(line, approach);
+      double line_force = 0;
+      law.integrate(line, depth,
+                    [&](const LinePoint &point)
+                    {
+                      const double force = law.pressure(point.shape.dot(depth)) * point.area;
+                      result.points.push_back({ point.position(0), point.position(1), force });
+                      line_force += force;
+                    });
+      line_forces.push_back(line_force);
+    }
+    result.density = density_of_lines(surface, line_forces);
+    return result;
+  }
+
+  Footprint footprint(const Eigen::VectorXd &approach) const override
+  {
+    return footprint_of_lines(surface, approach, [this](double depth) { return law.pressure(depth); });
+  }
+
+  Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override
+  {
+    return (-(surface.node_gap + approach)).unaryExpr([this](double depth) { return law.pressure(depth); });
+  }
+
+  std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
+
+private:
+  static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &approach)
+  {
+    Eigen::Vector3d depth = -line.gap;
+    if (line.samples_are_nodes)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        depth(i) -= approach(line.nodes[i]);
+      return depth;
+    }
+    for (unsigned int i = 0; i < line.nodes.size(); ++i)
+      depth -= line.shape.col(i) * approach(line.nodes[i]);
+    return depth;
+  }
+
+  /// The line that has the geometry, gap and approach of line @p l mirrored at y = 0, to the last bit; @p l
+  /// itself if there is none.
+  std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &approach) const
+  {
+    if (surface.mirrored_lines.empty())
+      return l;
+    const std::size_t image = surface.mirrored_lines[l];
+    const ContactLine &line = surface.lines[l];
+    const ContactLine &mirrored = surface.lines[image];
+    bool alike = line.gap == mirrored.gap;
+    for (std::size_t i = 0; alike && i < line.nodes.size(); ++i)
+      alike = approach(line.nodes[i]) == approach(mirrored.nodes[i]);
+    return alike ? image : l;
+  }
+
+  /// Adds the forces and the tangent of line @p l to its nodes, and to those of its @p image if that is
+  /// another one.
+  void add_line(std::size_t l, std::size_t image, const Eigen::VectorXd &approach,
+                LawResponse &response) const
+  {
+    const ContactLine &line = surface.lines[l];
+    const Eigen::Vector3d depth = penetration(line, approach);
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+    bool loaded = false;
+    law.integrate(line, depth,
+                  [&](const LinePoint &point)
+                  {
+                    loaded = true;
+                    const double local_depth = point.shape.dot(depth);
+                    force += law.pressure(local_depth) * point.area * point.shape;
+                    tangent +=
+                      law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
+                  });
+    for (const std::size_t place : { l, image })
+      response.contact_set[place] = loaded;
+    if (loaded)
+      pattern.add(l, image, force, tangent, response.forces, response.tangent);
+  }
+
+  const ContactSurface &surface;
+  const LinePattern pattern;
+  const Pressure law;
+};
+
+} // namespace stemware::fem

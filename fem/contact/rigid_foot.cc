@@ -1,0 +1,44 @@
+#include "fem/contact/rigid_foot.h"
+
+#include <Eigen/Cholesky>
+
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &modes)
+{
+  Eigen::Matrix3d support = Eigen::Matrix3d::Zero();
+  for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
+  {
+    Eigen::RowVector3d resisted = Eigen::RowVector3d::Zero();
+    bool loaded = false;
+    // Most entries of a law's pattern are zero: places that carry no load.
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
+      if (entry.value() != 0)
+      {
+        loaded = true;
+        resisted += entry.value() * modes.row(entry.row());
+      }
+    if (loaded)
+      support += modes.row(column).transpose() * resisted;
+  }
+  return support;
+}
+
+ContactStep RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd & /*forces*/,
+                             const Eigen::Vector3d &resultant_excess)
+{
+  const Eigen::Matrix3d stiffness = support_of(tangent, modes);
+  const Eigen::LDLT<Eigen::Matrix3d> factors(stiffness);
+  if (factors.info() != Eigen::Success || !factors.isPositive())
+    throw std::runtime_error(
+      "The table's tangent does not support a rigid foot: the loaded places lie on one line.");
+  ContactStep step;
+  step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
+  step.motion = factors.solve(resultant_excess);
+  return step;
+}
+
+} // namespace stemware::fem

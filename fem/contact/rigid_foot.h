@@ -1,0 +1,38 @@
+#pragma once
+
+#include "fem/contact/elastic_body.h"
+
+namespace stemware::fem
+{
+
+/// What a table of the given tangent puts up against the motions of a foot that does not deform: Q' T Q, @p
+/// modes Q as ContactSurface::motion_modes().
+Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &modes);
+
+/// The limit of a very stiff foot: a body that does not deform, so that only the table moves. Start of every
+/// elastic solve, and an oracle.
+class RigidFoot : public ElasticBody
+{
+public:
+  /// Keeps a reference to @p surface.
+  explicit RigidFoot(const ContactSurface &surface)
+      : surface(surface)
+      , modes(surface.motion_modes())
+  {
+  }
+
+  const ContactSurface &contact_surface() const override { return surface; }
+  Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
+  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                    const Eigen::Vector3d &resultant_excess) override;
+  void accept(double) override {}
+  void reset() override {}
+  double equilibrium_residual(const Eigen::VectorXd &) const override { return 0; }
+  unsigned int n_unknowns() const override { return 3; }
+
+private:
+  const ContactSurface &surface;
+  const Eigen::MatrixX3d modes;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,33 @@
+#include "fem/contact/sliding_traction.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+Eigen::Vector2d SlidingTraction::direction(double radius, double azimuth) const
+{
+  // Radial and azimuthal components of v_rel / v = (1, 0) + (omega / v) r e_theta.
+  const Eigen::Vector2d slip(std::cos(azimuth), -std::sin(azimuth) + spin_per_speed * radius);
+  const double size = slip.norm();
+  if (size == 0)
+    return Eigen::Vector2d::Zero();
+  return -friction_coefficient / size * slip;
+}
+
+void SlidingTraction::validate() const
+{
+  std::ostringstream message;
+  if (!(std::isfinite(friction_coefficient) && friction_coefficient >= 0))
+    message << "Friction coefficient = " << friction_coefficient
+            << " is not allowed; give a finite number of at least 0.";
+  else if (!std::isfinite(spin_per_speed))
+    message << "The yaw rate per speed, " << spin_per_speed
+            << " 1/m, must be finite: friction of a foot that only spins has no direction of travel.";
+  if (!message.str().empty())
+    throw std::invalid_argument(message.str());
+}
+
+} // namespace stemware::fem

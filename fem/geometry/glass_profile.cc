@@ -1,0 +1,181 @@
+#include "fem/geometry/glass_profile.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+namespace
+{
+double square(double x)
+{
+  return x * x;
+}
+
+void require_positive(const char *entry, double value)
+{
+  if (std::isfinite(value) && value > 0)
+    return;
+  std::ostringstream message;
+  message << "Glass/" << entry << " = " << value
+          << " m is not a length of the glass; give a finite number greater than 0.";
+  throw std::invalid_argument(message.str());
+}
+
+/// @p meaning_of_zero as in "a flat land".
+void require_not_negative(const char *entry, double value, const char *meaning_of_zero)
+{
+  if (std::isfinite(value) && value >= 0)
+    return;
+  std::ostringstream message;
+  message << "Glass/" << entry << " = " << value
+          << " m is not a length of the glass; give a finite number greater than 0, or 0 for "
+          << meaning_of_zero << '.';
+  throw std::invalid_argument(message.str());
+}
+
+void require_less(const char *name, double value, const char *limit_name, double limit)
+{
+  if (value < limit)
+    return;
+  std::ostringstream message;
+  message << name << " = " << value << " m does not fit the foot: it must be smaller than the " << limit_name
+          << ", " << limit << " m; change one of the two.";
+  throw std::invalid_argument(message.str());
+}
+} // namespace
+
+double GlassProfile::foot_top() const
+{
+  return (shape == GlassShape::step ? land_height : underside(stem_radius)) + foot_thickness;
+}
+
+double GlassProfile::underside(double radius) const
+{
+  const double inner = land_inner_radius();
+  const double outer = land_outer_radius();
+  if (radius >= inner && radius <= outer)
+    return 0;
+  if (shape == GlassShape::step)
+    return land_height;
+  return radius < inner ? underside_rise * square(1 - square(radius / inner))
+                        : land_height * square((radius - outer) / (foot_radius - outer));
+}
+
+double GlassProfile::cone_slope() const
+{
+  return (land_height + edge_thickness - foot_top()) / (foot_radius - stem_radius);
+}
+
+double GlassProfile::cone(double radius) const
+{
+  return foot_top() + cone_slope() * (radius - stem_radius);
+}
+
+Fillet GlassProfile::fillet() const
+{
+  Fillet fillet;
+  if (shape == GlassShape::step || fillet_radius == 0)
+  {
+    fillet.centre_radius = fillet.middle_radius = fillet.end_radius = stem_radius;
+    fillet.centre_height = fillet.middle_height = foot_top();
+    return fillet;
+  }
+  // The centre has the distance of one radius from the stem's surface and from the cone; the arc runs from
+  // straight left of it to the foot of the perpendicular on the cone, which stands tilted by the cone's
+  // angle.
+  const double tilt = std::atan(cone_slope());
+  const double middle = tilt / 2 - boost::math::double_constants::pi * 3 / 4;
+  fillet.radius = fillet_radius;
+  fillet.centre_radius = stem_radius + fillet_radius;
+  fillet.centre_height = cone(fillet.centre_radius) + fillet_radius / std::cos(tilt);
+  fillet.middle_radius = fillet.centre_radius + fillet_radius * std::cos(middle);
+  fillet.middle_height = fillet.centre_height + fillet_radius * std::sin(middle);
+  fillet.end_radius = fillet.centre_radius + fillet_radius * std::sin(tilt);
+  return fillet;
+}
+
+double GlassProfile::topside(double radius) const
+{
+  if (radius < stem_radius)
+    return height();
+  if (shape == GlassShape::step)
+    return foot_top();
+  const Fillet arc = fillet();
+  if (radius >= arc.end_radius)
+    return cone(radius);
+  return arc.centre_height - std::sqrt(square(arc.radius) - square(arc.centre_radius - radius));
+}
+
+double GlassProfile::stem_surface(double height) const
+{
+  const Fillet arc = fillet();
+  if (height >= arc.centre_height)
+    return stem_radius;
+  return arc.centre_radius - std::sqrt(square(arc.radius) - square(arc.centre_height - height));
+}
+
+double GlassProfile::gap(double radius) const
+{
+  if (crown_radius == 0)
+    return 0;
+  return square(radius - contact_radius) / (2 * crown_radius);
+}
+
+void GlassProfile::validate() const
+{
+  require_positive("Contact radius", contact_radius);
+  require_positive("Foot radius", foot_radius);
+  require_positive("Foot thickness", foot_thickness);
+  require_positive("Land width", land_width);
+  require_positive("Land height", land_height);
+  require_positive("Stem radius", stem_radius);
+  require_positive("Stem height", stem_height);
+  require_not_negative("Crown radius", crown_radius, "a flat land");
+  require_less("Glass/Stem radius", stem_radius, "inner radius of the land", land_inner_radius());
+  require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
+               land_outer_radius(), "Glass/Foot radius", foot_radius);
+  if (shape == GlassShape::foot)
+    validate_foot();
+}
+
+void GlassProfile::validate_foot() const
+{
+  require_positive("Edge thickness", edge_thickness);
+  require_not_negative("Underside rise", underside_rise, "a plane underside");
+  require_not_negative("Fillet radius", fillet_radius, "a sharp corner");
+  const Fillet arc = fillet();
+  std::ostringstream message;
+  if (!(arc.end_radius < land_inner_radius()))
+    message << "Glass/Fillet radius = " << fillet_radius
+            << " m does not fit between stem and land: the rounding would end at a radius of "
+            << arc.end_radius << " m, and the land begins at " << land_inner_radius()
+            << " m; give a smaller one.";
+  else if (!(arc.centre_height < height()))
+    message << "Glass/Fillet radius = " << fillet_radius << " m rounds the stem up to "
+            << arc.centre_height - foot_top()
+            << " m above the foot, beyond its cut at Glass/Stem height = " << stem_height
+            << " m; give a smaller fillet or a longer stem.";
+  else
+  {
+    // Below the land and outside it there is always glass; inside it a dome may reach a straight top.
+    constexpr unsigned int n_samples = 1000;
+    for (unsigned int i = 0; i < n_samples && message.str().empty(); ++i)
+    {
+      const double radius = land_inner_radius() * i / n_samples;
+      const double top = radius < arc.middle_radius ? arc.middle_height : topside(radius);
+      if (!(underside(radius) < top))
+        message << "Glass/Underside rise = " << underside_rise
+                << " m leaves no glass below the top of the foot at a radius of " << radius
+                << " m; give a smaller rise or a larger Glass/Foot thickness.";
+    }
+  }
+  if (!message.str().empty())
+    throw std::invalid_argument(message.str());
+}
+
+} // namespace stemware::fem

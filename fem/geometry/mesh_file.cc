@@ -1,0 +1,141 @@
+#include "fem/geometry/foot_mesh.h"
+
+#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/manifold_lib.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+constexpr types::manifold_id cylinder_id = 1;
+constexpr auto contact_id = static_cast<types::boundary_id>(FootBoundary::contact_zone);
+constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
+
+void parse(const std::string &file_name, Triangulation<3> &triangulation)
+{
+  std::ifstream file(file_name);
+  if (!file)
+    throw std::invalid_argument("Mesh file = " + file_name +
+                                " cannot be read; give the path of a .msh file.");
+  GridIn<3> reader(triangulation);
+  try
+  {
+    reader.read_msh(file);
+  }
+  catch (const std::exception &)
+  {
+    throw std::invalid_argument(
+      "Mesh file = " + file_name +
+      " is not a Gmsh .msh mesh of hexahedra; export linear hexahedra in format 2 or 4.");
+  }
+}
+
+unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_id id)
+{
+  unsigned int n_faces = 0;
+  for (const auto &face : triangulation.active_face_iterators())
+    n_faces += face->at_boundary() && face->boundary_id() == id;
+  return n_faces;
+}
+
+void require_boundaries(const std::string &file_name, const Triangulation<3> &triangulation)
+{
+  if (count_faces(triangulation, contact_id) == 0)
+    throw std::invalid_argument(
+      "Mesh file = " + file_name +
+      " has no contact zone; give the faces that may touch the table the physical id 2.");
+  if (count_faces(triangulation, stem_cut_id) == 0)
+    throw std::invalid_argument("Mesh file = " + file_name +
+                                " has no stem cut; give the faces where the stem was cut the physical id 1.");
+}
+
+/// The edges round the contact zone: those that belong to one contact face only.
+struct RimBorder
+{
+  explicit RimBorder(const Triangulation<3> &triangulation)
+  {
+    std::map<unsigned int, std::pair<unsigned int, std::array<Point<3>, 2>>> edges;
+    for (const auto &face : triangulation.active_face_iterators())
+      if (face->at_boundary() && face->boundary_id() == contact_id)
+        for (unsigned int l = 0; l < 4; ++l)
+        {
+          auto &[n_faces, ends] = edges[face->line(l)->index()];
+          ++n_faces;
+          ends = { face->line(l)->vertex(0), face->line(l)->vertex(1) };
+        }
+    double sum_of_deficits = 0;
+    unsigned int n_edges = 0;
+    for (const auto &[index, edge] : edges)
+    {
+      if (edge.first != 1)
+        continue;
+      const auto &[begin, end] = edge.second;
+      radii.push_back(std::hypot(begin[0], begin[1]));
+      radii.push_back(std::hypot(end[0], end[1]));
+      const double turn =
+        std::abs(std::atan2(begin[0] * end[1] - begin[1] * end[0], begin[0] * end[0] + begin[1] * end[1]));
+      sum_of_deficits += turn > 0 ? 1 - std::sin(turn) / turn : 0;
+      ++n_edges;
+    }
+    area_deficit = sum_of_deficits / n_edges;
+    std::sort(radii.begin(), radii.end());
+  }
+
+  /// Whether the radii are those of two circles, to 1e-6 of their mean.
+  bool is_round() const
+  {
+    const double tolerance = 1e-6 * middle();
+    return std::all_of(radii.begin(), radii.end(),
+                       [&](double radius)
+                       { return radius - radii.front() < tolerance || radii.back() - radius < tolerance; });
+  }
+
+  double middle() const { return (radii.front() + radii.back()) / 2; }
+
+  std::vector<double> radii; ///< ascending
+  double area_deficit = 0;   ///< of an annulus whose borders are chords that turn by as much as these edges
+};
+
+void attach_cylinder(Triangulation<3> &triangulation)
+{
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == contact_id)
+        cell->set_all_manifold_ids(cylinder_id);
+}
+
+} // namespace
+
+MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triangulation)
+{
+  Triangulation<3> serial;
+  parse(file_name, serial);
+  require_boundaries(file_name, serial);
+  const RimBorder border(serial);
+
+  MeshReport report;
+  report.n_cells = serial.n_active_cells();
+  report.n_contact_faces = count_faces(serial, contact_id);
+  report.round_rim = border.is_round();
+  report.rim_radius = border.middle();
+  report.land_area_deficit = report.round_rim ? 0 : border.area_deficit;
+  if (report.round_rim)
+    attach_cylinder(serial);
+  triangulation.copy_triangulation(serial);
+  if (report.round_rim)
+    triangulation.set_manifold(cylinder_id, CylindricalManifold<3>(2));
+  return report;
+}
+
+} // namespace stemware::fem

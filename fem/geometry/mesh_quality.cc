@@ -1,0 +1,153 @@
+#include "fem/geometry/mesh_quality.h"
+
+#include "fem/geometry/foot_mesh.h"
+
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Least scaled Jacobian at the corners of one cell.
+double scaled_jacobian(const Triangulation<3>::active_cell_iterator &cell)
+{
+  double least = 1;
+  for (const unsigned int v : cell->vertex_indices())
+  {
+    // In deal.II's order the bits of a vertex number are its coordinates on the reference cell.
+    std::array<Tensor<1, 3>, 3> edges;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const unsigned int bit = 1u << d;
+      edges[d] = (cell->vertex(v | bit) - cell->vertex(v & ~bit));
+    }
+    const double lengths = edges[0].norm() * edges[1].norm() * edges[2].norm();
+    const double product = cross_product_3d(edges[0], edges[1]) * edges[2];
+    least = std::min(least, lengths > 0 ? product / lengths : -1);
+  }
+  return least;
+}
+
+void check_cells(const Triangulation<3> &triangulation, MeshCheck &check)
+{
+  const std::vector<double> jacobians = scaled_jacobians(triangulation);
+  double sum = 0;
+  check.least_jacobian = std::numeric_limits<double>::infinity();
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    const double jacobian = jacobians[cell->active_cell_index()];
+    sum += jacobian;
+    check.n_inverted += jacobian <= 0;
+    if (jacobian >= check.least_jacobian)
+      continue;
+    check.least_jacobian = jacobian;
+    for (unsigned int d = 0; d < 3; ++d)
+      check.worst_place[d] = cell->center()[d];
+  }
+  check.mean_jacobian = sum / check.n_cells;
+}
+
+/// Area times unit normal of a quadrilateral with straight edges: half the cross product of its diagonals.
+Tensor<1, 3> area_of(const Triangulation<3>::cell_iterator &cell, unsigned int face_number)
+{
+  const auto face = cell->face(face_number);
+  const Tensor<1, 3> area =
+    0.5 * cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
+  return area * (face->center() - cell->center()) < 0 ? -area : area;
+}
+
+void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
+{
+  check.inner_radius = check.lowest = std::numeric_limits<double>::infinity();
+  check.outer_radius = check.highest = -std::numeric_limits<double>::infinity();
+  double upward = 0;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+    {
+      const auto face = cell->face(f);
+      if (!face->at_boundary() ||
+          face->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
+        continue;
+      const Tensor<1, 3> area = area_of(cell, f);
+      check.contact_area += area.norm();
+      upward += area[2] >= 0 ? area.norm() : 0;
+      for (unsigned int d = 0; d < 2; ++d)
+        check.centre[d] += area.norm() * face->center()[d];
+      for (const unsigned int v : face->vertex_indices())
+      {
+        const Point<3> &x = face->vertex(v);
+        const double radius = std::hypot(x[0], x[1]);
+        check.inner_radius = std::min(check.inner_radius, radius);
+        check.outer_radius = std::max(check.outer_radius, radius);
+        check.lowest = std::min(check.lowest, x[2]);
+        check.highest = std::max(check.highest, x[2]);
+      }
+    }
+  check.upward_share = upward / check.contact_area;
+  for (double &coordinate : check.centre)
+    coordinate /= check.contact_area;
+}
+
+void check_extents(const Triangulation<3> &triangulation, MeshCheck &check)
+{
+  check.lower.fill(std::numeric_limits<double>::infinity());
+  check.upper.fill(-std::numeric_limits<double>::infinity());
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        check.lower[d] = std::min(check.lower[d], cell->vertex(v)[d]);
+        check.upper[d] = std::max(check.upper[d], cell->vertex(v)[d]);
+      }
+}
+
+} // namespace
+
+std::vector<double> scaled_jacobians(const Triangulation<3> &triangulation)
+{
+  std::vector<double> jacobians(triangulation.n_active_cells());
+  for (const auto &cell : triangulation.active_cell_iterators())
+    jacobians[cell->active_cell_index()] = scaled_jacobian(cell);
+  return jacobians;
+}
+
+std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
+{
+  std::vector<Quadrilateral> faces;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() &&
+        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    {
+      Quadrilateral corners;
+      // deal.II numbers vertices by coordinates: 0 1 3 2 goes round.
+      constexpr std::array<unsigned int, 4> round = { 0, 1, 3, 2 };
+      for (unsigned int i = 0; i < 4; ++i)
+        corners[i] = { face->vertex(round[i])[0], face->vertex(round[i])[1] };
+      faces.push_back(corners);
+    }
+  return faces;
+}
+
+MeshCheck check_mesh(const Triangulation<3> &triangulation)
+{
+  MeshCheck check;
+  check.n_cells = triangulation.n_active_cells();
+  check.n_vertices = triangulation.n_used_vertices();
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+      ++check.n_faces[face->boundary_id()];
+  check_extents(triangulation, check);
+  check_contact_zone(triangulation, check);
+  check_cells(triangulation, check);
+  return check;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "fem/geometry/glass_profile.h"
+
+#include <memory>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class Manifold;
+}
+
+namespace stemware::fem
+{
+
+/// A point of the meridional section of a glass [m].
+struct SectionPoint
+{
+  double radius = 0;
+  double height = 0; ///< above the land
+};
+
+/// A point of the straightened section: radius [m] and level. The foot is the rectangle radius <=
+/// foot_radius, 0 <= level <= 1, the stem above it the rectangle radius <= Fillet::middle_radius, 1 <= level
+/// <= 2.
+struct StraightPoint
+{
+  double radius = 0;
+  double level = 0;
+};
+
+/// Coordinates in which the section of a GlassShape::foot is straight, so that meshes can be made and refined
+/// there (docs/method/profile.md, "Mesh").
+///
+/// In the foot level runs from the underside to the top; under the stem the top is the height of the fillet's
+/// middle. In the stem level runs from there to the cut, and radii stretch with the stem's surface. Smooth
+/// but for the radii where the section itself has a corner or a jump of curvature, and for level 1.
+class ProfileChart
+{
+public:
+  /// @p profile must be valid.
+  explicit ProfileChart(const GlassProfile &profile);
+
+  SectionPoint push_forward(const StraightPoint &point) const;
+  StraightPoint pull_back(const SectionPoint &point) const;
+
+private:
+  bool within_stem(double radius) const;
+  double top(double radius) const;
+
+  GlassProfile profile;
+  Fillet fillet;
+};
+
+/// Manifold of the section in (r, z): points lie on straight lines of the chart, those of the boundary on the
+/// profile.
+std::unique_ptr<dealii::Manifold<2, 2>> make_section_manifold(const GlassProfile &profile);
+
+/// Manifold of the foot in (x, y, z) where cells run round the axis: straight lines in straight radius,
+/// azimuth and level.
+std::unique_ptr<dealii::Manifold<3, 3>> make_ring_manifold(const GlassProfile &profile);
+
+/// Manifold of the foot in (x, y, z) round the axis, where the plan view is Cartesian: straight lines in
+/// level and in x and y stretched with the straight radius.
+std::unique_ptr<dealii::Manifold<3, 3>> make_core_manifold(const GlassProfile &profile);
+
+} // namespace stemware::fem

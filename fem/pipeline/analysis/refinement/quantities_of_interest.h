@@ -1,0 +1,64 @@
+#pragma once
+
+#include "fem/pipeline/coupling/ring_load.h"
+#include "ring_model/motion.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A quantity whose discretisation error is estimated.
+struct FollowedFigure
+{
+  std::string key;  ///< in summary.json: "omega_terminal"
+  std::string name; ///< for people: "terminal spin"
+  std::string unit; ///< "1" for pure numbers
+  double value = 0;
+  double rounding = 0; ///< differences of this size are those of solver tolerances, not of a discretisation
+};
+
+/// A quantity of the study with its error band.
+struct BandedFigure
+{
+  FollowedFigure figure;
+  double band = 0;       ///< half-width: the exact value of the model lies within figure.value -/+ band
+  double richardson = 0; ///< the value with the errors of all axes taken away as far as they are known
+
+  /// Whether the value is zero to within rounding, as that of a harmonic which symmetry forbids.
+  bool is_zero() const;
+};
+
+/// What is no discretisation error and yet differs between discretisations.
+struct FigureNoise
+{
+  double relative = 1e-9;        ///< tolerances of contact and balances, relative to the mean load
+  unsigned int n_azimuths = 256; ///< at which the contact can tell loaded from free
+};
+
+/// The quantities that a refinement study follows: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact
+/// fraction, least load, torque at rest and at @p spins [rad/s], terminal spin, time constant. Always the
+/// same ones in the same order for equally many spins.
+///
+/// @p near, where given, is a spin close to the terminal one, from which it is searched. Throws as @p load
+/// and ring::terminal_spin().
+std::vector<FollowedFigure> followed_figures(const RingLoad &load, const ring::Motion &motion,
+                                             const std::vector<double> &spins,
+                                             const std::optional<double> &near, const FigureNoise &noise);
+
+/// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
+/// the terminal spin @p omega_terminal.
+std::vector<double> followed_spins(double omega_terminal);
+
+/// Highest harmonic that is followed.
+constexpr unsigned int n_followed_harmonics = 8;
+
+/// The figure with that key; throws std::out_of_range when there is none.
+const FollowedFigure &figure_of(const std::vector<FollowedFigure> &figures, const std::string &key);
+
+/// The half-width of the error band of the figure with that key; nothing where there is no such figure.
+std::optional<double> band_of(const std::vector<BandedFigure> &figures, const std::string &key);
+
+} // namespace stemware::pipeline

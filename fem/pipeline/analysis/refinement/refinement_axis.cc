@@ -1,0 +1,202 @@
+#include "fem/pipeline/analysis/refinement/refinement_axis.h"
+
+#include "fem/pipeline/support/failures.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr unsigned int highest_degree = 4;
+constexpr unsigned int most_halvings = 6;
+
+/// Tables that allow no penetration take as many lines as there are amplitudes.
+bool lines_follow_harmonics(const Study &study)
+{
+  return study.table.kind == TableKind::rigid || study.table.kind == TableKind::elastic;
+}
+
+/// A member of a study, as something that can be set.
+using Parameter = std::function<unsigned int &(Study &)>;
+
+/// Adds the levels @p sizes to @p axis and keeps it unless it is only the study itself.
+void add_axis(RefinementAxis axis, const Study &study, const Parameter &parameter,
+              const std::vector<unsigned int> &sizes, std::vector<RefinementAxis> &axes)
+{
+  Study copy = study;
+  const unsigned int own = parameter(copy);
+  for (const unsigned int size : sizes)
+  {
+    parameter(copy) = size;
+    if (size == own)
+      axis.own = axis.levels.size();
+    axis.levels.push_back({ size, copy });
+  }
+  if (axis.levels.size() > 1)
+    axes.push_back(std::move(axis));
+}
+
+/// @p own, @p own + 1, ... : at most @p n of them, none above @p most.
+std::vector<unsigned int> counted(unsigned int own, unsigned int n, unsigned int most)
+{
+  std::vector<unsigned int> sizes;
+  for (unsigned int size = own; size < own + n && size <= most; ++size)
+    sizes.push_back(size);
+  return sizes;
+}
+
+/// Numbers that a parameter may take: multiples of `step` from `least` to `most`.
+struct Allowed
+{
+  unsigned int least = 1;
+  unsigned int most = 1000000;
+  unsigned int step = 1;
+};
+
+/// Half of @p own where that is allowed, then @p own and its doubles: at most @p n of them.
+std::vector<unsigned int> doubled(unsigned int own, unsigned int n, const Allowed &allowed)
+{
+  std::vector<unsigned int> sizes;
+  if (own % (2 * allowed.step) == 0 && own / 2 >= allowed.least)
+    sizes.push_back(own / 2);
+  for (unsigned int size = own; sizes.size() < n && (size == own || size <= allowed.most); size *= 2)
+    sizes.push_back(size);
+  return sizes;
+}
+
+/// The degree below the study's own, its own and those above.
+std::vector<unsigned int> degrees(unsigned int own, unsigned int highest)
+{
+  const unsigned int lowest = own > 1 ? own - 1 : 1;
+  return counted(lowest, highest - lowest + 1, highest);
+}
+
+const RefinementAxis mesh_axis = { "meridional_mesh",
+                                   "meridional mesh",
+                                   "halvings of every cell",
+                                   false,
+                                   Decay::algebraic,
+                                   AxisRole::space,
+                                   {},
+                                   0 };
+const RefinementAxis degree_axis = { "degree",        "degree of the elements", "degree", false,
+                                     Decay::spectral, AxisRole::order,          {},       0 };
+const RefinementAxis harmonics_axis = { "harmonics",     "elastic harmonics", "harmonics", true,
+                                        Decay::spectral, AxisRole::azimuth,   {},          0 };
+const RefinementAxis lines_axis = { "azimuth_lines", "azimuth lines",   "lines", true,
+                                    Decay::spectral, AxisRole::azimuth, {},      0 };
+
+unsigned int &refinements(Study &study)
+{
+  return study.contact.refinements;
+}
+unsigned int &degree(Study &study)
+{
+  return study.contact.degree;
+}
+unsigned int &harmonics(Study &study)
+{
+  return study.contact.harmonics;
+}
+unsigned int &azimuth_lines(Study &study)
+{
+  return study.contact.azimuth_lines;
+}
+
+void add_harmonics_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
+{
+  const ContactSection &contact = study.contact;
+  Allowed numbers;
+  if (!lines_follow_harmonics(study))
+    numbers.most = (contact.azimuth_lines - 1) / 2;
+  add_axis(harmonics_axis, study, harmonics, doubled(contact.harmonics, n_levels, numbers), axes);
+}
+
+void add_lines_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
+{
+  const ContactSection &contact = study.contact;
+  Allowed numbers;
+  numbers.least = std::max(16u, 2 * contact.harmonics + 1);
+  add_axis(lines_axis, study, azimuth_lines, doubled(contact.azimuth_lines, n_levels, numbers), axes);
+}
+
+std::vector<RefinementAxis> axes_of_revolution(const Study &study, unsigned int n_levels)
+{
+  const ContactSection &contact = study.contact;
+  std::vector<RefinementAxis> axes;
+  add_axis(mesh_axis, study, refinements, counted(contact.refinements, n_levels, most_halvings), axes);
+  add_axis(degree_axis, study, degree, degrees(contact.degree, highest_degree), axes);
+  add_harmonics_axis(study, n_levels, axes);
+  if (!lines_follow_harmonics(study))
+    add_lines_axis(study, n_levels, axes);
+  return axes;
+}
+
+std::vector<RefinementAxis> axes_of_solid(const Study &study, unsigned int n_levels)
+{
+  const fem::FootResolution &resolution = study.contact.resolution;
+  const auto axis = [](const std::string &key, const std::string &name)
+  { return RefinementAxis{ key, name, "cells", true, Decay::algebraic, AxisRole::space, {}, 0 }; };
+  std::vector<RefinementAxis> axes;
+  if (study.contact.mesh_file.empty())
+  {
+    add_axis(
+      axis("azimuthal_cells", "cells round the rim"), study,
+      [](Study &copy) -> unsigned int & { return copy.contact.resolution.azimuthal_cells; },
+      doubled(resolution.azimuthal_cells, n_levels, { 8, 2000, 4 }), axes);
+    add_axis(
+      axis("radial_cells", "cells across the land"), study,
+      [](Study &copy) -> unsigned int & { return copy.contact.resolution.radial_cells; },
+      doubled(resolution.radial_cells, n_levels, { 2, 200, 2 }), axes);
+    add_axis(
+      axis("foot_layers", "cells through the foot"), study,
+      [](Study &copy) -> unsigned int & { return copy.contact.resolution.foot_layers; },
+      doubled(resolution.foot_layers, n_levels, { 1, 100, 1 }), axes);
+  }
+  add_axis(degree_axis, study, degree, degrees(study.contact.degree, 2), axes);
+  return axes;
+}
+
+} // namespace
+
+std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_levels)
+{
+  if (study.load.source != LoadSource::contact)
+    throw BadInput("This study's load does not come from a contact, so it has no discretisation to refine; "
+                   "set Load/Source = contact.");
+  if (study.has_waviness())
+    throw BadInput(
+      "A refinement study takes a rim and a table that are flat; leave the waviness of Glass and "
+      "Table empty.");
+  const std::vector<RefinementAxis> axes = study.contact.body == BodyKind::revolution
+                                             ? axes_of_revolution(study, n_levels)
+                                             : axes_of_solid(study, n_levels);
+  for (const RefinementAxis &axis : axes)
+    for (const RefinementLevel &level : axis.levels)
+      check_study(level.study);
+  return axes;
+}
+
+std::vector<RefinementAxis> quick_axes(const Study &study)
+{
+  const ContactSection &contact = study.contact;
+  std::vector<RefinementAxis> axes;
+  add_axis(mesh_axis, study, refinements, counted(contact.refinements, 2, most_halvings), axes);
+  add_harmonics_axis(study, 2, axes);
+  // Twice the lines may by chance end the contact at the same place.
+  add_axis(lines_axis, study, azimuth_lines, { contact.azimuth_lines, 4 * contact.azimuth_lines }, axes);
+  return axes;
+}
+
+unsigned int n_contact_azimuths(const Study &study)
+{
+  if (study.contact.body == BodyKind::solid)
+    return study.contact.resolution.azimuthal_cells;
+  return lines_follow_harmonics(study) ? 2 * study.contact.harmonics + 1 : study.contact.azimuth_lines;
+}
+
+} // namespace stemware::pipeline

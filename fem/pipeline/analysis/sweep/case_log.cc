@@ -1,0 +1,140 @@
+#include "fem/pipeline/analysis/sweep/case_log.h"
+
+#include "fem/pipeline/support/failures.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+/// In the line of a case that was solved, and in no other: quotes within a message have a backslash before
+/// them.
+constexpr char no_message[] = "\"message\":\"\",";
+
+[[noreturn]] void fail_to_keep(const fs::path &file)
+{
+  throw OutputFailure("The finished cases cannot be kept in " + file.string() + " (" + std::strerror(errno) +
+                      "); make room, or choose another folder with --output.");
+}
+
+std::string line_of(std::size_t index, const CaseResult &result)
+{
+  Json line = { { "case", index }, { "outcome", result.outcome }, { "message", result.message } };
+  Json &values = line["values"] = Json::array();
+  for (const std::optional<double> &value : result.values)
+    values.push_back(value ? Json(*value) : Json(nullptr));
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// The case of a line, or nothing where it is not whole.
+std::optional<std::pair<std::size_t, CaseResult>> case_of(const std::string &line)
+{
+  try
+  {
+    const Json json = Json::parse(line);
+    CaseResult result;
+    result.outcome = json.at("outcome").get<std::string>();
+    result.message = json.at("message").get<std::string>();
+    for (const Json &value : json.at("values"))
+      result.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
+    if (result.values.size() != (result.is_solved() ? sweep_quantities().size() : 0))
+      return std::nullopt;
+    return std::pair(json.at("case").get<std::size_t>(), result);
+  }
+  catch (const Json::exception &)
+  {
+    return std::nullopt;
+  }
+}
+
+} // namespace
+
+CaseLog::CaseLog(const fs::path &file)
+    : file(file)
+    , descriptor(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666))
+    , last_sync(std::chrono::steady_clock::now())
+{
+  if (descriptor < 0)
+    fail_to_keep(file);
+}
+
+CaseLog::~CaseLog()
+{
+  ::fdatasync(descriptor);
+  ::close(descriptor);
+}
+
+void CaseLog::append(std::size_t index, const CaseResult &result)
+{
+  const std::string line = line_of(index, result);
+  for (std::size_t n_written = 0; n_written < line.size();)
+  {
+    const auto n = ::write(descriptor, line.data() + n_written, line.size() - n_written);
+    if (n >= 0)
+      n_written += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      fail_to_keep(file);
+  }
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_sync < std::chrono::seconds(1))
+    return;
+  last_sync = now;
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS) // some file systems cannot be asked
+    fail_to_keep(file);
+}
+
+FinishedCases recover_cases(const fs::path &log)
+{
+  FinishedCases cases;
+  std::ifstream stream(log, std::ios::binary);
+  std::uintmax_t n_good = 0;
+  bool has_rest = false;
+  for (std::string line; !has_rest && std::getline(stream, line);)
+  {
+    const auto finished = stream.eof() ? std::nullopt : case_of(line); // at the end of the file: no line end
+    has_rest = !finished.has_value();
+    if (has_rest)
+      break;
+    cases.insert(*finished);
+    n_good += line.size() + 1;
+  }
+  stream.close();
+  if (has_rest)
+  {
+    std::error_code error;
+    fs::resize_file(log, n_good, error);
+    if (error)
+    {
+      errno = error.value();
+      fail_to_keep(log);
+    }
+  }
+  return cases;
+}
+
+const CaseCount &LogCounter::count()
+{
+  std::ifstream stream(log, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(n_bytes));
+  for (std::string line; std::getline(stream, line) && !stream.eof();) // the last line has its end already
+  {
+    n_bytes += line.size() + 1;
+    ++cases.n_finished;
+    cases.n_failed += line.find(no_message) == std::string::npos ? 1 : 0;
+  }
+  return cases;
+}
+
+} // namespace stemware::pipeline

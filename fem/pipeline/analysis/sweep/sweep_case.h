@@ -1,0 +1,40 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A number that is found for every case of a sweep.
+struct SweepQuantity
+{
+  std::string name;
+  std::string unit; ///< "1" for pure numbers
+};
+
+/// All of them, in the order of the table.
+const std::vector<SweepQuantity> &sweep_quantities();
+
+/// Position of the quantity of that name; throws std::logic_error where there is none.
+std::size_t quantity_index(const std::string &name);
+
+/// What became of one case.
+struct CaseResult
+{
+  std::string outcome;                       ///< of the contact; empty where there was none
+  std::string message;                       ///< why the case failed, one sentence; empty where it did not
+  std::vector<std::optional<double>> values; ///< of sweep_quantities(); empty where the case failed
+
+  bool is_solved() const { return message.empty(); }
+};
+
+/// Solves one study from a cold start: equal studies have equal results, whatever was solved before or beside
+/// them. Feet of revolution share what they can in @p store. Throws as find_load() and terminal_spin().
+CaseResult solve_case(const Study &study, fem::ComplianceStore &store);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,203 @@
+#include "fem/pipeline/analysis/sweep/sweep_plan.h"
+
+#include "fem/pipeline/analysis/sweep/varied_entry.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/program.h"
+
+#include <boost/crc.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+constexpr std::size_t most_cases = 1000000;
+
+void require_different(const std::vector<SweptEntry> &entries)
+{
+  std::set<std::string> paths;
+  for (const SweptEntry &entry : entries)
+    require(paths.insert(entry.path).second,
+            "The sweep varies " + entry.path + " twice; give all its values in one place.");
+}
+
+SweepPlan make_grid(const std::vector<std::string> &requests)
+{
+  require(requests.size() <= 2, "The sweep varies " + std::to_string(requests.size()) +
+                                  " entries; --vary takes one or two of them, --random any number.");
+  SweepPlan plan;
+  plan.cases = { {} };
+  for (const std::string &request : requests)
+  {
+    const VariedEntry varied = parse_varied_entry(request);
+    plan.entries.push_back(
+      { varied.path, find_entry("--vary", varied.path).unit, varied.values, varied.by_factors });
+    require(plan.cases.size() * varied.values.size() <= most_cases,
+            "The sweep has more than " + std::to_string(most_cases) + " cases; ask for fewer values.");
+    std::vector<std::vector<std::string>> cases;
+    for (const auto &before : plan.cases)
+      for (const std::string &value : varied.values)
+      {
+        cases.push_back(before);
+        cases.back().push_back(value);
+      }
+    plan.cases = std::move(cases);
+  }
+  return plan;
+}
+
+SweepPlan make_sample(const SweepRequest &request)
+{
+  require(2 <= request.n_samples && request.n_samples <= most_cases,
+          "--samples " + std::to_string(request.n_samples) +
+            " is not allowed; give a whole number from 2 to " + std::to_string(most_cases) + ".");
+  SweepPlan plan;
+  plan.seed = request.seed;
+  for (const std::string &text : request.random)
+  {
+    const Spread spread = parse_spread(text);
+    const StudyEntry entry = find_entry("--random", spread.path);
+    require(entry.is_quantity, "--random: " + spread.path + " takes " + entry.allowed +
+                                 ", which cannot be drawn from a spread; list its values with --vary.");
+    plan.entries.push_back({ spread.path, entry.unit, {}, spread.is_by_factors() });
+    plan.spreads.push_back(spread);
+  }
+  for (const std::vector<double> &sample : draw_samples(plan.spreads, request.n_samples, request.seed))
+  {
+    std::vector<std::string> values;
+    for (const double value : sample)
+      values.push_back(to_text(value));
+    plan.cases.push_back(values);
+  }
+  return plan;
+}
+
+/// Values as numbers where they are some.
+Json value_as_json(const SweptEntry &entry, const std::string &value)
+{
+  const auto number = entry.unit.empty() ? std::nullopt : parse_number(value);
+  return number ? Json(*number) : Json(value);
+}
+
+Json spread_as_json(const Spread &spread)
+{
+  switch (spread.kind)
+  {
+  case Spread::Kind::normal:
+    return { { "distribution", "normal" },
+             { "mean", spread.first },
+             { "standard_deviation", spread.second } };
+  case Spread::Kind::lognormal:
+    return { { "distribution", "lognormal" }, { "median", spread.first }, { "factor", spread.second } };
+  case Spread::Kind::uniform:
+    return { { "distribution", "uniform" }, { "least", spread.first }, { "most", spread.second } };
+  case Spread::Kind::log_uniform:
+    return { { "distribution", "log-uniform" }, { "least", spread.first }, { "most", spread.second } };
+  }
+  throw std::logic_error("a spread without a distribution");
+}
+
+/// Size and check sum of a file; null for one that cannot be read.
+Json digest(const std::string &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (!stream)
+    return nullptr;
+  const std::string bytes = content.str();
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return { { "bytes", bytes.size() }, { "crc32", crc.checksum() } };
+}
+
+/// The files that some case reads.
+std::set<std::string> files_of(const SweepPlan &plan)
+{
+  std::set<std::string> files;
+  const auto add = [&](const Study &study)
+  {
+    for (const std::string &file : files_of(study))
+      files.insert(file);
+  };
+  add(plan.base);
+  const auto is_word = [](const SweptEntry &entry) { return entry.unit.empty(); };
+  if (std::any_of(plan.entries.begin(), plan.entries.end(), is_word))
+    for (std::size_t i = 0; i < plan.cases.size(); ++i)
+      try
+      {
+        add(plan.study_of(i));
+      }
+      catch (const BadInput &)
+      {
+        // A case that cannot be computed reads no files.
+      }
+  return files;
+}
+
+} // namespace
+
+Study SweepPlan::study_of(std::size_t index) const
+{
+  std::vector<std::pair<std::string, std::string>> values;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    values.emplace_back(entries[i].path, cases.at(index)[i]);
+  return with_values(base, is_random() ? "--random" : "--vary", values);
+}
+
+SweepPlan make_plan(const SweepRequest &request)
+{
+  require(!request.varied.empty() || !request.random.empty(),
+          "There is nothing to vary; give --vary \"Section/Entry=first:last:number\" or --random "
+          "\"Section/Entry=mean+-deviation\".");
+  require(request.varied.empty() || request.random.empty(),
+          "--vary and --random do not go together; run one sweep for the grid and one for the samples.");
+  SweepPlan plan = request.random.empty() ? make_grid(request.varied) : make_sample(request);
+  require_different(plan.entries);
+  return plan;
+}
+
+Json plan_as_json(const SweepPlan &plan)
+{
+  Json json = { { "kind", plan.is_random() ? "random" : "grid" }, { "cases", plan.cases.size() } };
+  if (plan.is_random())
+    json["seed"] = plan.seed;
+  Json entries = Json::array();
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+  {
+    const SweptEntry &entry = plan.entries[i];
+    Json one = { { "entry", entry.path }, { "unit", entry.unit } };
+    if (plan.is_random())
+      one.update(spread_as_json(plan.spreads[i]));
+    else
+      for (const std::string &value : entry.values)
+        one["values"].push_back(value_as_json(entry, value));
+    entries.push_back(one);
+  }
+  json["entries"] = entries;
+  return json;
+}
+
+Json identity_of(const SweepPlan &plan)
+{
+  Json files = Json::object();
+  for (const std::string &file : files_of(plan))
+    files[file] = digest(file);
+  return { { "program", { { "version", program_version() }, { "revision", program_revision() } } },
+           { "parameters", study_as_json(plan.base) },
+           { "sweep", plan_as_json(plan) },
+           { "cases", plan.cases },
+           { "files", files } };
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "fem/pipeline/analysis/sweep/distribution.h"
+#include "fem/pipeline/study/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// What `stemware sweep` is asked to vary, as it stands on the command line.
+struct SweepRequest
+{
+  std::vector<std::string> varied; ///< --vary, see parse_varied_entry()
+  std::vector<std::string> random; ///< --random, see parse_spread()
+  unsigned int n_samples = 200;    ///< --samples
+  std::uint64_t seed = 1;          ///< --seed
+};
+
+/// An entry that differs from case to case.
+struct SweptEntry
+{
+  std::string path;                ///< Section/Entry
+  std::string unit;                ///< "1" for pure numbers, empty for words
+  std::vector<std::string> values; ///< of a grid; empty for random samples
+  bool by_factors = false;         ///< whether a logarithmic axis suits it
+};
+
+/// The cases of a sweep: one study, and for each case the values of some of its entries.
+struct SweepPlan
+{
+  Study base;                      ///< whose other entries hold for all cases
+  std::vector<SweptEntry> entries; ///< one or two for a grid, any number for samples
+  std::vector<std::vector<std::string>>
+    cases;                     ///< values [case][entry]; of a grid, the last entry changes fastest
+  std::vector<Spread> spreads; ///< of the entries; empty for a grid
+  std::uint64_t seed = 0;
+
+  bool is_random() const { return !spreads.empty(); }
+
+  /// The study of one case. Throws BadInput where its values are not allowed.
+  Study study_of(std::size_t index) const;
+};
+
+/// The plan without its base. Throws BadInput, with one sentence, for requests that cannot be understood,
+/// entries that do not exist or cannot be sampled, and more than a million cases.
+SweepPlan make_plan(const SweepRequest &request);
+
+/// How the cases came about, for sweep.json.
+nlohmann::ordered_json plan_as_json(const SweepPlan &plan);
+
+/// All that the results depend on: program, base, cases, contents of the files that the cases read. Plans
+/// with equal identities have equal results.
+nlohmann::ordered_json identity_of(const SweepPlan &plan);
+
+} // namespace stemware::pipeline

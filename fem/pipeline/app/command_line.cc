@@ -1,0 +1,109 @@
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/spelling.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace stemware::pipeline
+{
+
+void describe_program(CLI::App &program)
+{
+  program.require_subcommand(1);
+  program.get_formatter()->label("SUBCOMMAND", "VERB");
+  program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
+  program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
+  program.footer(R"(Examples:
+  stemware run docs/cookbooks/paper.prm      the paper's glass; results in results/paper
+  stemware defaults > my_glass.prm           a commented study file to start from
+  stemware run my_glass.prm --set "Table/Foundation modulus=1e11"
+
+Exit codes:
+  0   done
+  1   usage, or something wrong in the study, mesh or load file
+  2   no solution: the contact or the spin did not converge, or memory ran out
+  3   the results cannot be written
+  130 interrupted; no results are left behind)");
+}
+
+namespace
+{
+
+/// "a, b and c".
+std::string enumerated(const std::vector<std::string> &words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    (text += i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") += words[i];
+  return text;
+}
+
+std::vector<std::string> verbs_of(const CLI::App &program)
+{
+  std::vector<std::string> names;
+  for (const CLI::App *verb : program.get_subcommands([](const CLI::App *) { return true; }))
+    names.push_back(verb->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App &verb)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option *option : verb.get_options())
+    for (const std::string &name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+/// A word that fits nowhere, and what may have been meant; ends with "see".
+std::string not_known(const std::string &word, const std::vector<std::string> &known,
+                      const std::string &otherwise)
+{
+  const auto meant = likeliest(word, known);
+  return "\"" + word + "\" is " + otherwise + (meant ? "; did you mean " + *meant + "? See" : "; see");
+}
+
+/// What is wrong with the command line, up to the word "see".
+std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
+{
+  const auto chosen = program.get_subcommands();
+  const CLI::App &verb = chosen.empty() ? program : *chosen.front();
+  const std::vector<std::string> known = chosen.empty() ? verbs_of(program) : options_of(verb);
+  const std::vector<std::string> rest = verb.remaining();
+  if (!rest.empty())
+    return not_known(rest.front(), known,
+                     chosen.empty() ? "not one of the verbs " + enumerated(known)
+                                    : "not expected by " + verb.get_name());
+  return chosen.empty() ? "say what to do: one of " + enumerated(known) + "; see"
+                        : on_one_line(error.what()) + "; see";
+}
+
+} // namespace
+
+std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
+{
+  for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
+    verb->group("Verbs");
+  try
+  {
+    program.parse(argc, argv);
+    return std::nullopt;
+  }
+  catch (const CLI::Success &request)
+  {
+    program.exit(request);
+    return ExitCode::success;
+  }
+  catch (const CLI::ParseError &error)
+  {
+    const auto verbs = program.get_subcommands();
+    std::cerr << "stemware: " << trouble_with(program, error) << " `stemware "
+              << (verbs.empty() ? "" : verbs.front()->get_name() + " ") << "--help` for examples."
+              << std::endl;
+    return ExitCode::bad_input;
+  }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,86 @@
+#include "fem/pipeline/app/options.h"
+
+#include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/ranks.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iostream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A spin that is a number.
+std::string why_no_spin(const std::string &text)
+{
+  double omega = 0;
+  return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
+           ? ""
+           : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
+}
+
+} // namespace
+
+void add_study_options(CLI::App &verb, StudyOptions &options)
+{
+  options.verb = verb.get_name();
+  verb.add_option("STUDY", options.study_file, "Study file, .prm or .json")->required();
+  verb
+    .add_option("--output", options.output,
+                "Folder of the results; default: results/<name of the study>" +
+                  std::string(options.verb == "run" ? "" : "-" + options.verb))
+    ->type_name("DIR");
+  add_override_option(verb, options);
+  add_console_options(verb, options);
+}
+
+void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty)
+{
+  verb
+    .add_option("--at", omega,
+                "Spin at which the torque is wanted (rad/s), may be repeated;\ndefault: " + when_empty)
+    ->type_name("OMEGA")
+    ->check(why_no_spin)
+    ->allow_extra_args(false);
+}
+
+void add_override_option(CLI::App &verb, StudyOptions &options)
+{
+  verb.add_option("--set", options.overrides, "Replaces one entry of the study file; may be repeated")
+    ->type_name("\"Section/Entry=value\"")
+    ->allow_extra_args(false);
+}
+
+void add_console_options(CLI::App &verb, StudyOptions &options)
+{
+  verb.add_flag("--quiet", options.quiet, "Print nothing unless something is wrong");
+  verb.add_flag("--json", options.json,
+                "Print one JSON object on standard output, with paths and key figures;\n"
+                "the text for people goes to standard error");
+}
+
+Study begin_study(const StudyOptions &options, bool needs_mpi)
+{
+  direct_console(options.quiet, options.json);
+  Study study = read_study(options.study_file, options.overrides);
+  demanded_load(study); // refuses a glass that would tip
+  if (needs_mpi || study.load.source == LoadSource::contact)
+    start_mpi();
+  watch_for_interruption(); // after MPI, which puts handlers of its own in place
+  console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
+            << "Study     " << options.study_file << std::endl;
+  if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
+    std::cerr << "stemware: " << trouble << std::endl;
+  return study;
+}
+
+} // namespace stemware::pipeline

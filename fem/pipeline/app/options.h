@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_options.h"
+
+#include <string>
+#include <vector>
+
+// NOLINTNEXTLINE(readability-identifier-naming): the library's name
+namespace CLI
+{
+class App;
+}
+
+namespace stemware::pipeline
+{
+
+/// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
+void add_study_options(CLI::App &verb, StudyOptions &options);
+
+/// Declares --at, spins [rad/s] at which the torque is wanted, to be stored in @p omega; @p when_empty says
+/// which ones a study chooses itself.
+void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty);
+
+/// Declares --set alone.
+void add_override_option(CLI::App &verb, StudyOptions &options);
+
+/// Declares --quiet and --json alone.
+void add_console_options(CLI::App &verb, StudyOptions &options);
+
+/// What every verb begins with: directs the console, reads and checks the study, starts MPI where @p
+/// needs_mpi or a contact asks for it, and watches for interruptions. Refuses everything that can be refused
+/// before the work; throws BadInput.
+Study begin_study(const StudyOptions &options, bool needs_mpi = false);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,220 @@
+#include "fem/pipeline/app/sweep.h"
+
+#include "fem/pipeline/analysis/sweep/case_workers.h"
+#include "fem/pipeline/analysis/sweep/sweep_folder.h"
+#include "fem/pipeline/output/publish.h"
+#include "fem/pipeline/output/sweep_report.h"
+#include "fem/pipeline/output/sweep_table.h"
+#include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text_file.h"
+#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/work_progress.h"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <thread>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+/// What an interrupted sweep says: how many cases are kept, and how to go on.
+std::string farewell(const fs::path &folder, std::size_t n_cases)
+{
+  std::vector<LogCounter> logs = SweepFolder::logs_in(folder, 0);
+  const std::size_t n_kept = SweepFolder::count(logs).n_finished;
+  if (n_kept == 0)
+    return "interrupted; no results were written.";
+  return "interrupted; " + std::to_string(n_kept) + " of " + std::to_string(n_cases) + " cases are kept in " +
+         folder.string() + ", and the same command goes on from there.";
+}
+
+/// The folder of finished cases as all ranks see it; the first one owns it.
+class SharedCases
+{
+  std::shared_ptr<SweepFolder> owned; // before what is read from it
+
+public:
+  SharedCases(const SweepOptions &options, const SweepPlan &plan)
+      : path(on_first_rank(
+          [&]
+          {
+            const auto lock = postpone_interruption();
+            owned =
+              std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
+            clean_up_on_interruption([folder = owned] { folder->remove_if_empty(); });
+            say_on_interruption([folder = owned->path(), n_cases = plan.cases.size()]
+                                { return farewell(folder, n_cases); });
+            return owned->path().string();
+          }))
+  {
+    // Told by the first rank: the others may be late, and see cases that are finished after this.
+    const Json finished = Json::parse(on_first_rank([&] { return finished_so_far().dump(); }));
+    n_before = finished.size();
+    std::vector<bool> is_finished(plan.cases.size(), false);
+    for (const std::size_t index : finished)
+      is_finished.at(index) = true;
+    for (std::size_t index = 0; index < plan.cases.size(); ++index)
+      if (!is_finished[index])
+        to_do.push_back(index);
+  }
+
+  /// All cases, on the first rank; nothing on the others.
+  FinishedCases all() const { return owned ? owned->finished_cases() : FinishedCases(); }
+
+  /// When the results are whole.
+  void remove()
+  {
+    const auto lock = postpone_interruption();
+    say_on_interruption({});
+    if (owned)
+      owned->remove();
+  }
+
+  const fs::path path;
+  std::vector<std::size_t> to_do; ///< cases that are not finished yet
+  std::size_t n_before = 0;       ///< cases that were finished by an earlier run
+
+private:
+  Json finished_so_far() const
+  {
+    Json numbers = Json::array();
+    for (const auto &[index, result] : owned->finished_cases())
+      numbers.push_back(index);
+    return numbers;
+  }
+};
+
+unsigned int n_threads_of(const SweepOptions &options)
+{
+  if (options.n_jobs > 0)
+    return options.n_jobs;
+  return n_ranks() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Every n_ranks()-th case, so that ranks share what is cheap and what is dear.
+std::vector<std::size_t> share_of_this_rank(const std::vector<std::size_t> &indices)
+{
+  std::vector<std::size_t> share;
+  for (std::size_t i = this_rank(); i < indices.size(); i += n_ranks())
+    share.push_back(indices[i]);
+  return share;
+}
+
+/// Shows on the first rank how far all of them have come.
+class SweepWatch
+{
+public:
+  SweepWatch(const SharedCases &cases, std::size_t n_cases)
+      : logs(SweepFolder::logs_in(cases.path, n_ranks()))
+      , progress(n_cases, cases.n_before)
+  {
+  }
+
+  void operator()()
+  {
+    if (!is_first_rank())
+      return;
+    const CaseCount cases = SweepFolder::count(logs);
+    progress.show(cases.n_finished, cases.n_failed);
+  }
+
+private:
+  std::vector<LogCounter> logs;
+  WorkProgress progress;
+};
+
+/// Cases that each rank solves by itself, and cases for all ranks together.
+std::pair<std::vector<std::size_t>, std::vector<std::size_t>> split(const SweepPlan &plan,
+                                                                    const std::vector<std::size_t> &indices)
+{
+  std::pair<std::vector<std::size_t>, std::vector<std::size_t>> parts;
+  for (const std::size_t index : indices)
+    (needs_all_ranks(plan, index) ? parts.second : parts.first).push_back(index);
+  return parts;
+}
+
+void solve(const SweepPlan &plan, const SharedCases &cases, unsigned int n_threads)
+{
+  const auto [for_one, for_all] = split(plan, cases.to_do);
+  const std::vector<std::size_t> share = share_of_this_rank(for_one);
+  CaseLog log(SweepFolder::log_of(cases.path, this_rank()));
+  SweepWatch watch(cases, plan.cases.size());
+  on_every_rank([&] { solve_on_threads(plan, share, n_threads, log, std::ref(watch)); });
+  solve_together(plan, for_all, log, std::ref(watch));
+}
+
+void write_tables(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings,
+                  const fs::path &place)
+{
+  write_text_file(place / "sweep.csv", sweep_csv(plan, cases));
+  write_text_file(place / "sweep.json", plan_as_json(plan).dump(2) + "\n");
+  if (plan.is_random())
+    write_text_file(place / "statistics.csv", statistics_csv(plan, findings));
+  write_report(sweep_report(plan, cases, findings), place);
+}
+
+/// The numbers for the last line of --json.
+Json key_figures(const SweepFindings &findings)
+{
+  Json figures = { { "cases", findings.n_cases }, { "failed", findings.n_failed } };
+  for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
+                                       std::pair("harmonic_effect_percent", "harmonic effect") })
+    if (const QuantityFindings *about = findings.about(quantity))
+      figures[key] =
+        about->band ? Json{ about->band->lower, about->band->upper } : Json{ about->least, about->most };
+  return figures;
+}
+
+/// A sweep without a single answer has failed.
+void require_one_solved(const FinishedCases &cases, const SweepFindings &findings)
+{
+  const std::string trouble = on_first_rank(
+    [&] { return findings.n_failed < findings.n_cases ? "" : cases.at(*findings.first_failure).message; });
+  if (!trouble.empty())
+    throw std::runtime_error("All " + std::to_string(findings.n_cases) +
+                             " cases failed, the first one because: " + trouble);
+}
+
+} // namespace
+
+void sweep(const SweepOptions &options)
+{
+  // 1. What is asked for; everything that can be refused is refused here.
+  Stopwatch stopwatch;
+  SweepPlan plan = make_plan(options.request);
+  plan.base = begin_study(options, true);
+  SharedFolder(options.results_place()); // refuses a place that cannot be written
+  SharedCases cases(options, plan);
+  const unsigned int n_threads = n_threads_of(options);
+  console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
+  if (cases.n_before > 0)
+    console() << "          " << cases.n_before << " of them are kept from an interrupted run" << std::endl;
+  stopwatch.finish("input");
+
+  // 2. The cases.
+  solve(plan, cases, n_threads);
+  stopwatch.finish("cases");
+
+  // 3. The results, all at once.
+  SharedFolder folder(options.results_place());
+  const FinishedCases finished = cases.all();
+  const SweepFindings found = find_out(plan, finished);
+  folder.write([&](ResultsFolder &owned) { write_tables(plan, finished, found, owned.working_folder()); });
+  if (is_first_rank())
+    console() << '\n' << wrapped(sweep_answer(plan, found)) << "\n\n" << findings_table(found) << std::endl;
+  publish(options, plan.base, { findings_as_json(plan, found), key_figures(found) }, folder, stopwatch);
+  cases.remove();
+  require_one_solved(finished, found);
+}
+
+} // namespace stemware::pipeline

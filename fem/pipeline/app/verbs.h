@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fem/pipeline/support/failures.h"
+
+#include <functional>
+#include <optional>
+
+// NOLINTNEXTLINE(readability-identifier-naming): the library's name
+namespace CLI
+{
+class App;
+}
+
+namespace stemware::pipeline
+{
+
+/// The work of the verb that was chosen on the command line, its options included.
+using Verb = std::function<void()>;
+
+/// What all verbs share: version, exit codes, first examples.
+void describe_program(CLI::App &program);
+
+/// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
+void add_run_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware truncate`: a study with fewer and fewer harmonics of its load.
+void add_truncate_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware compare`: closures, loads and truncations side by side.
+void add_compare_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware sweep`: a study many times, with other values each time.
+void add_sweep_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware mesh`: a foot mesh, written or looked at.
+void add_mesh_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware converge`: a study on ever finer levels; observed orders and error bands.
+void add_converge_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware defaults`: a commented study file of all defaults on standard output.
+void add_defaults_verb(CLI::App &program, Verb &chosen);
+
+/// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
+/// error, which is reported in one sentence.
+std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[]);
+
+} // namespace stemware::pipeline

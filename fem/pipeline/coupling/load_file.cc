@@ -1,0 +1,98 @@
+#include "fem/pipeline/coupling/load_file.h"
+
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// What has been read so far.
+struct Coefficients
+{
+  std::vector<double> a;
+  std::vector<double> b;
+  std::optional<double> radius;
+};
+
+void read_comment(const std::string &line, Coefficients &coefficients)
+{
+  const std::string key = "# ring radius:";
+  const std::string unit = "(m)";
+  const auto end = line.rfind(unit);
+  if (line.compare(0, key.size(), key) == 0 && end != std::string::npos)
+    coefficients.radius = parse_number(line.substr(key.size(), end - key.size()));
+}
+
+/// Whether the line is the next row.
+bool read_row(const std::string &line, Coefficients &coefficients)
+{
+  std::istringstream words(line);
+  std::string n_text, a_text, b_text;
+  words >> n_text >> a_text >> b_text;
+  const auto n = parse_count(n_text);
+  const auto a = parse_number(a_text);
+  const auto b = parse_number(b_text);
+  if (!n || !a || !b || *n != coefficients.a.size() || (*n == 0 && (*a <= 0 || *b != 0)))
+    return false;
+  coefficients.a.push_back(*a);
+  coefficients.b.push_back(*b);
+  return true;
+}
+
+} // namespace
+
+ring::AngularLoad read_load_file(const std::string &file)
+{
+  std::ifstream stream(file);
+  if (!stream)
+    throw BadInput("The load file " + file + " cannot be read; check its path and permissions.");
+  Coefficients coefficients;
+  std::string line;
+  for (unsigned int number = 1; std::getline(stream, line); ++number)
+  {
+    const auto begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos)
+      continue;
+    if (line[begin] == '#')
+      read_comment(line.substr(begin), coefficients);
+    else if (!read_row(line, coefficients))
+      throw BadInput(file + ", line " + std::to_string(number) + ": expected \"" +
+                     std::to_string(coefficients.a.size()) + " a b\" with finite numbers in N/rad" +
+                     (coefficients.a.empty() ? ", a greater than 0 and b = 0." : "."));
+  }
+  if (!coefficients.radius || *coefficients.radius <= 0)
+    throw BadInput("The load file " + file +
+                   " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
+  if (coefficients.a.size() < 2)
+    throw BadInput("The load file " + file +
+                   " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
+  return { coefficients.a, coefficients.b, *coefficients.radius };
+}
+
+std::string load_file_text(const ring::AngularLoad &load)
+{
+  DataColumn order = { "n", "1", {} }, a = { "a_n", "N/rad", {} }, b = { "b_n", "N/rad", {} },
+             share = { "amplitude / a_0", "1", {} }, crest = { "direction of a crest", "rad", {} };
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+  {
+    order.values.push_back(n);
+    a.values.push_back(load.a(n));
+    b.values.push_back(load.b(n));
+    share.values.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
+    crest.values.push_back(n == 0 ? 0 : std::atan2(load.b(n), load.a(n)) / n);
+  }
+  return "# ring radius: " + to_text(load.radius()) + " (m)\n" +
+         data_table("lambda(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta)",
+                    { order, a, b, share, crest });
+}
+
+} // namespace stemware::pipeline

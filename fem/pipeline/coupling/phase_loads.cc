@@ -1,0 +1,225 @@
+#include "fem/pipeline/coupling/phase_loads.h"
+
+#include "fem/pipeline/support/number_text.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr double tolerance = 1e-7; ///< sampling goes on until the difference is below it
+constexpr double largest_allowed = 1e-3;
+constexpr unsigned int most_phases = 128;
+constexpr unsigned int most_steps = 16; ///< on an interval of spins
+
+/// a_0 ... a_n, b_1 ... b_n, ring radius.
+Eigen::VectorXd column_of(const ring::AngularLoad &load)
+{
+  const unsigned int n = load.n_harmonics();
+  Eigen::VectorXd column(2 * n + 2);
+  for (unsigned int i = 0; i <= n; ++i)
+    column(i) = load.a(i);
+  for (unsigned int i = 1; i <= n; ++i)
+    column(n + i) = load.b(i);
+  column(2 * n + 1) = load.radius();
+  return column;
+}
+
+ring::AngularLoad load_of(const Eigen::VectorXd &column)
+{
+  const auto n = static_cast<unsigned int>(column.size() - 2) / 2;
+  std::vector<double> a(n + 1), b(n + 1, 0.);
+  for (unsigned int i = 0; i <= n; ++i)
+    a[i] = column(i);
+  for (unsigned int i = 1; i <= n; ++i)
+    b[i] = column(n + i);
+  return ring::AngularLoad(std::move(a), std::move(b), column(2 * n + 1));
+}
+
+double difference(const Eigen::VectorXd &one, const Eigen::VectorXd &other)
+{
+  const Eigen::Index last = one.size() - 1;
+  return std::max((one - other).head(last).cwiseAbs().maxCoeff() / one(0),
+                  std::abs(other(last) / one(last) - 1));
+}
+
+PeriodicGrid first_grid(double period)
+{
+  return period > 0 ? PeriodicGrid(period, 8) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
+}
+
+/// Largest difference halfway between the phases of one of the two grids.
+double error_between(const LoadAtPhase &load, const PhaseGrids &grids, double glass_step, double table_step)
+{
+  const PhaseLoads loads(load, grids, 0);
+  double error = 0;
+  for (unsigned int i = 0; i < grids.size(); ++i)
+  {
+    fem::FootPhase between = grids.phase(i);
+    between.glass += glass_step / 2;
+    between.table += table_step / 2;
+    error = std::max(error, difference(column_of(load(0, between)), column_of(loads.at(0, between))));
+  }
+  return error;
+}
+
+} // namespace
+
+fem::FootPhase PhaseGrids::phase(unsigned int i) const
+{
+  return { glass.node(i / table.size()), table.node(i % table.size()) };
+}
+
+PhaseGrids PhaseGrids::halved() const
+{
+  return { glass.halved(), table.halved(), error };
+}
+
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
+{
+  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), 0 };
+  const auto refine = [&](PeriodicGrid &grid, const auto &error_of_grid)
+  {
+    if (grid.size() == 1)
+      return;
+    double error = error_of_grid();
+    for (; error > tolerance && grid.size() < most_phases; error = error_of_grid())
+      grid = grid.refined();
+    grids.error = std::max(grids.error, error);
+  };
+  refine(grids.glass, [&] { return error_between(load, grids, grids.glass.step(), 0); });
+  refine(grids.table, [&] { return error_between(load, grids, 0, grids.table.step()); });
+  if (!(grids.error <= largest_allowed))
+    throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
+                             std::to_string(grids.size()) + " phases it is off by " +
+                             to_short_text(grids.error) +
+                             " of its mean; give more Contact/Azimuth lines, or a smaller waviness.");
+  return grids;
+}
+
+PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double spin_unit)
+    : load(std::move(load_given))
+    , grids(grids)
+    , spin_unit(spin_unit)
+    , at_rest(sample(0))
+    , largest_error(grids.error)
+{
+}
+
+Eigen::MatrixXd PhaseLoads::sample(double omega) const
+{
+  Eigen::MatrixXd columns;
+  for (unsigned int i = 0; i < grids.size(); ++i)
+  {
+    const Eigen::VectorXd column = column_of(load(omega, grids.phase(i)));
+    columns.conservativeResize(column.size(), grids.size());
+    columns.col(i) = column;
+  }
+  return columns;
+}
+
+SpinInterval PhaseLoads::find_spins(long interval) const
+{
+  // How the load depends on the spin is much the same at every phase: one decides on the spins.
+  const auto at_one_phase = [&](double omega) { return column_of(load(omega, grids.phase(0))); };
+  const double lower = static_cast<double>(interval) * spin_unit;
+  SpinInterval spins(lower, lower + spin_unit, 4);
+  while (true)
+  {
+    double error = 0;
+    for (const double omega : spins.between())
+    {
+      const Eigen::VectorXd weights = spins.weights(omega), exact = at_one_phase(omega);
+      Eigen::VectorXd interpolated = Eigen::VectorXd::Zero(exact.size());
+      for (unsigned int k = 0; k < spins.size(); ++k)
+        interpolated += weights(k) * at_one_phase(spins.node(k));
+      error = std::max(error, difference(exact, interpolated));
+    }
+    if (error <= tolerance || 2 * (spins.size() - 1) > most_steps)
+    {
+      largest_error = std::max(largest_error, error);
+      return spins;
+    }
+    spins = spins.refined();
+  }
+}
+
+const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
+{
+  const auto interval = static_cast<long>(std::floor(omega / spin_unit));
+  const auto known = intervals.find(interval);
+  if (known != intervals.end())
+    return known->second;
+  Samples samples = { find_spins(interval), {} };
+  for (unsigned int k = 0; k < samples.spins.size(); ++k)
+    samples.columns.push_back(sample(samples.spins.node(k)));
+  return intervals.emplace(interval, std::move(samples)).first->second;
+}
+
+Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
+{
+  if (spin_unit == 0 || omega == 0)
+    return at_rest;
+  const Samples &samples = samples_around(omega);
+  const Eigen::VectorXd weights = samples.spins.weights(omega);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(at_rest.rows(), at_rest.cols());
+  for (unsigned int k = 0; k < samples.spins.size(); ++k)
+    sum += weights(k) * samples.columns[k];
+  return sum;
+}
+
+ring::AngularLoad PhaseLoads::at(double omega, const fem::FootPhase &phase) const
+{
+  const Eigen::VectorXd of_glass = grids.glass.weights(phase.glass),
+                        of_table = grids.table.weights(phase.table);
+  Eigen::VectorXd of_phase(grids.size());
+  for (Eigen::Index i = 0; i < of_glass.size(); ++i)
+    of_phase.segment(i * of_table.size(), of_table.size()) = of_glass(i) * of_table;
+  if (spin_unit == 0 || omega == 0)
+    return load_of(at_rest * of_phase);
+  const Samples &samples = samples_around(omega);
+  const Eigen::VectorXd weights = samples.spins.weights(omega);
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(at_rest.rows());
+  for (unsigned int k = 0; k < samples.spins.size(); ++k)
+    column += weights(k) * (samples.columns[k] * of_phase);
+  return load_of(column);
+}
+
+ring::AngularLoad PhaseLoads::mean(double omega) const
+{
+  const Eigen::MatrixXd loads = at_spin(omega);
+  Eigen::VectorXd mean = loads.rowwise().mean();
+  // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
+  const Eigen::Index n = (mean.size() - 2) / 2, radius = mean.size() - 1;
+  const double size = std::hypot(mean(1), mean(n + 1));
+  if (size > 0)
+    mean(radius) = std::hypot(loads.row(1).dot(loads.row(radius)), loads.row(n + 1).dot(loads.row(radius))) /
+                   (static_cast<double>(loads.cols()) * size);
+  return load_of(mean);
+}
+
+std::vector<ring::AngularLoad> PhaseLoads::samples(double omega) const
+{
+  const Eigen::MatrixXd loads = at_spin(omega);
+  std::vector<ring::AngularLoad> all;
+  for (Eigen::Index i = 0; i < loads.cols(); ++i)
+    all.push_back(load_of(loads.col(i)));
+  return all;
+}
+
+std::size_t PhaseLoads::n_spins() const
+{
+  std::size_t n = 1;
+  for (const auto &[interval, samples] : intervals)
+    n += samples.columns.size();
+  return n;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/periodic_grid.h"
+#include "fem/pipeline/coupling/spin_interval.h"
+#include "ring_model/angular_load.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
+using LoadAtPhase = std::function<ring::AngularLoad(double omega, const fem::FootPhase &phase)>;
+
+/// Phases of glass and table at which a load is sampled.
+struct PhaseGrids
+{
+  PeriodicGrid glass;
+  PeriodicGrid table;
+  double error = 0; ///< of the load at rest between them, over a_0 (of the ring radius: over it)
+
+  unsigned int size() const { return glass.size() * table.size(); }
+  fem::FootPhase phase(unsigned int i) const;
+  /// With half the phases: enough for the mean over them.
+  PhaseGrids halved() const;
+};
+
+/// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to 1e-7
+/// of a_0, at most 128 in each angle. Throws std::runtime_error, with a sentence, where the difference stays
+/// above 1e-3.
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods);
+
+/// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled on a grid
+/// of phases and, interval by interval as spins are asked for, on Chebyshev points; interpolated in between,
+/// trigonometrically in the phases and by polynomials in the spin.
+class PhaseLoads
+{
+public:
+  /// @p spin_unit is the length of the intervals of spins, which begin at 0 [rad/s]; 0 for a load that does
+  /// not depend on the spin. @p load is kept.
+  PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit);
+
+  ring::AngularLoad at(double omega, const fem::FootPhase &phase) const;
+
+  /// Mean over all phases. It carries the mean moment.
+  ring::AngularLoad mean(double omega) const;
+
+  /// The loads at all sampled phases.
+  std::vector<ring::AngularLoad> samples(double omega) const;
+  const PhaseGrids &phases() const { return grids; }
+
+  std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
+  /// Largest difference from the load found halfway between samples, over a_0 (of the ring radius: over it).
+  double error() const { return largest_error; }
+
+private:
+  /// Samples on one interval of spins: per spin a matrix with a column per phase, of a_0 ... a_n, b_1 ... b_n
+  /// and the ring radius.
+  struct Samples
+  {
+    SpinInterval spins;
+    std::vector<Eigen::MatrixXd> columns;
+  };
+
+  Eigen::MatrixXd sample(double omega) const;
+  SpinInterval find_spins(long interval) const;
+  const Samples &samples_around(double omega) const;
+  Eigen::MatrixXd at_spin(double omega) const;
+
+  const LoadAtPhase load;
+  const PhaseGrids grids;
+  const double spin_unit;
+  const Eigen::MatrixXd at_rest;
+  mutable std::map<long, Samples> intervals;
+  mutable double largest_error;
+};
+
+} // namespace stemware::pipeline

@@ -1,0 +1,128 @@
+#include "fem/pipeline/output/render/plot_script.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Cuts that are drawn of a footprint with many: a picture needs no more.
+constexpr std::size_t n_drawn_cuts = 72;
+
+/// Largest pressure decides between kPa and MPa.
+struct PressureUnit
+{
+  explicit PressureUnit(double largest)
+      : pascals(largest < 1e6 ? 1e3 : 1e6)
+      , name(largest < 1e6 ? "kPa" : "MPa")
+  {
+  }
+
+  double pascals;
+  std::string name;
+};
+
+double largest_pressure(const fem::Footprint &footprint)
+{
+  double largest = 0;
+  for (const auto &cut : footprint.cuts)
+    for (const fem::FootprintPoint &point : cut)
+      largest = std::max(largest, point.pressure);
+  return largest;
+}
+
+/// Every so many cuts, and the first one again after a whole turn.
+std::vector<std::vector<fem::FootprintPoint>> drawn_cuts(const fem::Footprint &footprint)
+{
+  if (!footprint.is_grid)
+    return footprint.cuts;
+  std::vector<std::vector<fem::FootprintPoint>> cuts;
+  const std::size_t stride = (footprint.cuts.size() - 1) / n_drawn_cuts + 1;
+  for (std::size_t c = 0; c < footprint.cuts.size(); c += stride)
+    cuts.push_back(footprint.cuts[c]);
+  cuts.push_back(cuts.front());
+  for (fem::FootprintPoint &point : cuts.back())
+    point.azimuth += boost::math::double_constants::two_pi;
+  return cuts;
+}
+
+/// Columns azimuth, distance from the contact radius, pressure, and the bounds of the cell that a point of a
+/// grid stands for, a little wider than it is: that closes the seams in the picture.
+std::vector<DataColumn> drawn_points(const std::vector<std::vector<fem::FootprintPoint>> &cuts,
+                                     double contact_radius, const PressureUnit &unit)
+{
+  constexpr double overlap = 1.03;
+  std::vector<DataColumn> columns = { { "theta", "degrees", {} },
+                                      { "r - R", "µm", {} },
+                                      { "pressure", unit.name, {} },
+                                      { "from theta", "degrees", {} },
+                                      { "to", "degrees", {} },
+                                      { "from r - R", "µm", {} },
+                                      { "to", "µm", {} } };
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    const double azimuth = cuts[c].front().azimuth;
+    const double before = c > 0 ? azimuth - cuts[c - 1].front().azimuth : 0;
+    const double after = c + 1 < cuts.size() ? cuts[c + 1].front().azimuth - azimuth : 0;
+    const double half_step = cuts[c].size() > 1 ? (cuts[c][1].radius - cuts[c][0].radius) / 2 : 0;
+    for (const fem::FootprintPoint &point : cuts[c])
+    {
+      if (!(point.pressure > 0))
+        continue;
+      const double r = point.radius - contact_radius;
+      const double row[] = { point.azimuth / boost::math::double_constants::degree,
+                             1e6 * r,
+                             point.pressure / unit.pascals,
+                             (azimuth - overlap * before / 2) / boost::math::double_constants::degree,
+                             (azimuth + overlap * after / 2) / boost::math::double_constants::degree,
+                             1e6 * (r - overlap * half_step),
+                             1e6 * (r + overlap * half_step) };
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        columns[i].values.push_back(row[i]);
+    }
+  }
+  return columns;
+}
+
+/// What the vertical axis has to show; never less than a micrometre to both sides.
+std::pair<double, double> height_of(const std::vector<DataColumn> &columns)
+{
+  const std::vector<double> &lower = columns[5].values;
+  const std::vector<double> &upper = columns[6].values;
+  if (lower.empty())
+    return { -1, 1 };
+  const double least = *std::min_element(lower.begin(), lower.end());
+  const double most = *std::max_element(upper.begin(), upper.end());
+  const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);
+  return { least - margin, most + margin };
+}
+
+} // namespace
+
+ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_radius)
+{
+  const double largest = largest_pressure(footprint);
+  const PressureUnit unit(largest);
+  const std::vector<DataColumn> columns = drawn_points(drawn_cuts(footprint), contact_radius, unit);
+  const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
+  const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
+                                        : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
+  const std::string caption =
+    "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
+  return { "footprint",
+           caption,
+           "data = \"figures/footprint.dat\"\n" +
+             axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
+             axis_commands("y", { "r - R (µm)", false, height_of(columns) }) +
+             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
+             "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
+           540,
+           360,
+           data_table(caption, columns) };
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,217 @@
+#include "fem/pipeline/output/render/plots.h"
+#include "fem/pipeline/output/sweep_report.h"
+#include "fem/pipeline/support/csv_text.h"
+#include "fem/pipeline/support/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Something to draw: a quantity of the table, or a harmonic's amplitude.
+struct Drawing
+{
+  std::string name;  ///< of the figure
+  std::string label; ///< of the axis, with its unit
+  std::string caption;
+  std::function<std::optional<double>(const CaseResult &)> value;
+};
+
+std::function<std::optional<double>(const CaseResult &)> value_of(const std::string &quantity)
+{
+  return [index = quantity_index(quantity)](const CaseResult &result) { return result.values[index]; };
+}
+
+std::function<std::optional<double>(const CaseResult &)> amplitude_of(unsigned int n)
+{
+  const std::string tail = std::to_string(n) + "/a_0";
+  return [a = quantity_index("a_" + tail), b = quantity_index("b_" + tail)](const CaseResult &result)
+  { return std::hypot(result.values[a].value(), result.values[b].value()); };
+}
+
+std::vector<Drawing> drawings()
+{
+  return { { "terminal_spin", "terminal spin (rad/s)", "Terminal spin under all harmonics of the load",
+             value_of("terminal spin") },
+           { "harmonic_effect", "harmonic effect (%)",
+             "How much faster the harmonics of the load beyond the first make the glass",
+             value_of("harmonic effect") },
+           { "second_harmonic", "√(a_2² + b_2²) / a_0",
+             "Amplitude of the load's second harmonic over its mean", amplitude_of(2) },
+           { "third_harmonic", "√(a_3² + b_3²) / a_0", "Amplitude of the load's third harmonic over its mean",
+             amplitude_of(3) },
+           { "contact_fraction", "share of the rim that carries load", "Share of the rim that carries load",
+             value_of("contact fraction") },
+           { "torque_at_rest", "τ_z at rest (N m)", "Torque of friction on the glass that does not spin yet",
+             value_of("torque at rest") } };
+}
+
+double nan_where_missing(const std::optional<double> &value)
+{
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+double value_in(const FinishedCases &cases, std::size_t index, const Drawing &drawing)
+{
+  const CaseResult &result = cases.at(index);
+  return nan_where_missing(result.is_solved() ? drawing.value(result) : std::nullopt);
+}
+
+/// Whether there is something to see: values, and not all of them the same.
+bool is_worth_drawing(const FinishedCases &cases, const Drawing &drawing)
+{
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const auto &[index, result] : cases)
+    if (const double value = value_in(cases, index, drawing); std::isfinite(value))
+    {
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  return most - least > 1e-9 * std::max(std::abs(most), std::abs(least));
+}
+
+/// Numbers of an entry of numbers.
+std::vector<double> numbers_of(const SweptEntry &entry)
+{
+  std::vector<double> numbers;
+  for (const std::string &value : entry.values)
+    numbers.push_back(nan_where_missing(parse_number(value)));
+  return numbers;
+}
+
+bool is_numeric(const SweptEntry &entry)
+{
+  return !entry.unit.empty() && entry.values.size() > 1;
+}
+
+Axis axis_of(const SweptEntry &entry)
+{
+  const std::string name = entry.path.substr(entry.path.find('/') + 1);
+  return { column_title(name, entry.unit == "1" ? "" : entry.unit), entry.by_factors };
+}
+
+/// The entries as the axis of curves and the one that tells curves apart, by their positions.
+struct Roles
+{
+  std::size_t along = 0;
+  std::optional<std::size_t> across;
+};
+
+/// Number of the case with these values.
+std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along, std::size_t across)
+{
+  if (!roles.across)
+    return along;
+  const std::size_t first = roles.along == 0 ? along : across;
+  const std::size_t second = roles.along == 0 ? across : along;
+  return first * plan.entries[1].values.size() + second;
+}
+
+ReportFigure family_figure(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
+                           const Drawing &drawing)
+{
+  const SweptEntry &along = plan.entries[roles.along];
+  CurvePlot plot = { drawing.name, drawing.caption, axis_of(along), { drawing.label }, {} };
+  const std::size_t n_curves = roles.across ? plan.entries[*roles.across].values.size() : 1;
+  for (std::size_t across = 0; across < n_curves; ++across)
+  {
+    Curve curve;
+    if (roles.across)
+      curve.title =
+        axis_of(plan.entries[*roles.across]).label + " = " + plan.entries[*roles.across].values[across];
+    curve.x = numbers_of(along);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      curve.y.push_back(value_in(cases, case_at(plan, roles, i, across), drawing));
+    curve.style = curve.x.size() <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
+    plot.curves.push_back(curve);
+  }
+  return curve_figure(plot);
+}
+
+/// Terminal spins of the models side by side, over one entry.
+ReportFigure model_figure(const SweepPlan &plan, const FinishedCases &cases)
+{
+  const Roles roles;
+  CurvePlot plot = {
+    "terminal_spin",
+    "Terminal spin under all harmonics of the load, under the first alone, and of a first-harmonic load "
+    "in balance at every spin",
+    axis_of(plan.entries[0]),
+    { "terminal spin (rad/s)" },
+    {}
+  };
+  for (const auto &[title, quantity] :
+       { std::pair("all harmonics", "terminal spin"),
+         std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
+         std::pair("first harmonic of the closure", "terminal spin of the closure's first harmonic") })
+  {
+    const Drawing drawing = { "", "", "", value_of(quantity) };
+    Curve curve;
+    curve.title = title;
+    curve.x = numbers_of(plan.entries[0]);
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      curve.y.push_back(value_in(cases, case_at(plan, roles, i, 0), drawing));
+    plot.curves.push_back(curve);
+  }
+  return curve_figure(plot);
+}
+
+ReportFigure map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &drawing)
+{
+  SweepMap map = { drawing.name,
+                   drawing.caption,
+                   axis_of(plan.entries[0]),
+                   axis_of(plan.entries[1]),
+                   drawing.label,
+                   numbers_of(plan.entries[0]),
+                   numbers_of(plan.entries[1]),
+                   {} };
+  const Roles roles = { 0, 1 };
+  for (std::size_t j = 0; j < map.y_values.size(); ++j)
+  {
+    std::vector<double> &row = map.values.emplace_back();
+    for (std::size_t i = 0; i < map.x_values.size(); ++i)
+      row.push_back(value_in(cases, case_at(plan, roles, i, j), drawing));
+  }
+  return map_figure(map);
+}
+
+} // namespace
+
+std::vector<ReportFigure> grid_figures(const SweepPlan &plan, const FinishedCases &cases)
+{
+  constexpr std::size_t most_curves = 7;
+  const std::vector<SweptEntry> &entries = plan.entries;
+  const bool has_two = entries.size() == 2;
+  Roles roles;
+  if (!is_numeric(entries[0]) ||
+      (has_two && is_numeric(entries[1]) && entries[0].values.size() <= most_curves &&
+       entries[0].values.size() < entries[1].values.size()))
+    roles.along = has_two ? 1 : 0;
+  if (!is_numeric(entries[roles.along]))
+    return {};
+  if (has_two)
+    roles.across = 1 - roles.along;
+  const bool as_map =
+    has_two && is_numeric(entries[*roles.across]) && entries[*roles.across].values.size() > most_curves;
+
+  std::vector<ReportFigure> figures;
+  for (const Drawing &drawing : drawings())
+    if (!is_worth_drawing(cases, drawing))
+      continue;
+    else if (as_map)
+      figures.push_back(map_of(plan, cases, drawing));
+    else if (!has_two && drawing.name == "terminal_spin")
+      figures.push_back(model_figure(plan, cases));
+    else
+      figures.push_back(family_figure(plan, cases, roles, drawing));
+  return figures;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,159 @@
+#include "fem/pipeline/output/render/gnuplot.h"
+#include "fem/pipeline/output/render/plot_script.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Azimuths at which series are drawn.
+std::vector<double> azimuths()
+{
+  constexpr unsigned int n_intervals = 360;
+  std::vector<double> theta;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    theta.push_back(boost::math::double_constants::two_pi * i / n_intervals);
+  return theta;
+}
+
+/// The truncations that pictures show: after 1, 2 and 3 harmonics, then all.
+std::vector<unsigned int> shown_truncations(const ring::AngularLoad &load)
+{
+  std::vector<unsigned int> orders;
+  for (const unsigned int n : { 1u, 2u, 3u })
+    if (n < load.n_harmonics())
+      orders.push_back(n);
+  orders.push_back(load.n_harmonics());
+  return orders;
+}
+
+/// Logarithmic range that shows @p values down to where rounding begins.
+std::pair<double, double> amplitude_range(const std::vector<double> &values)
+{
+  double smallest = 1e-2;
+  for (const double value : values)
+    if (value > 1e-12)
+      smallest = std::min(smallest, value);
+  return { std::pow(10, std::floor(std::log10(smallest))), 10 };
+}
+
+/// 1 where the rim carries load, nan elsewhere, so that gnuplot interrupts the line.
+DataBlock contact_arc(const ring::AngularLoad &load, std::vector<LoadSample> samples)
+{
+  if (samples.empty())
+    for (const double theta : azimuths())
+      samples.push_back({ theta, load(theta) });
+  else // closed
+    samples.push_back(
+      { samples.front().theta + boost::math::double_constants::two_pi, samples.front().lambda });
+  DataBlock block = { "Arc of the rim that carries load",
+                      { { "theta", "rad", {} }, { "1 under load, nan elsewhere", "1", {} } } };
+  for (const LoadSample &sample : samples)
+  {
+    block.columns[0].values.push_back(sample.theta);
+    block.columns[1].values.push_back(sample.lambda > 0 ? 1 : std::numeric_limits<double>::quiet_NaN());
+  }
+  return block;
+}
+
+/// The rim has radius 1 and the load is drawn outwards from it, its mean as half a radius.
+constexpr char view_from_above[] = R"gp(data = "figures/load.dat"
+x(theta, load) = (1 + load / 2.) * cos(theta) # the rim has radius 1, the mean load half of that
+y(theta, load) = (1 + load / 2.) * sin(theta)
+set size ratio -1
+set lmargin at screen 0.02; set rmargin at screen 0.65; set tmargin at screen 0.97; set bmargin at screen 0.03
+unset border; unset tics; unset grid
+set offsets 0.1, 0.1, 0.1, 0.1
+set key at screen 0.67, screen 0.72 left top vertical
+set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
+set label 1 "v" at 0.46,0 left
+set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(boost::math::double_constants::pi * i / 2),0.78 * sin(boost::math::double_constants::pi * i / 2) center font ",12"
+set parametric; set trange [0:2 * boost::math::double_constants::pi]; set samples 181
+plot cos(t), sin(t) with lines lt 8 title "rim", \
+     data index arc using ($2 * cos($1)):($2 * sin($1)) with lines lt 7 lw 5 title "under load", \
+     x(t, 1), y(t, 1) with lines lt 8 dt 3 title "mean load")gp";
+
+} // namespace
+
+ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSample> &pointwise)
+{
+  const std::vector<double> theta = azimuths();
+  const std::vector<unsigned int> orders = shown_truncations(load);
+  std::vector<DataBlock> blocks;
+  std::string curves;
+  for (std::size_t i = 0; i < orders.size(); ++i)
+  {
+    const ring::AngularLoad truncated = load.truncated(orders[i]);
+    std::vector<double> values;
+    for (const double angle : theta)
+      values.push_back(truncated(angle) / load.a(0));
+    const std::string name = truncation_title(orders[i], load.n_harmonics());
+    blocks.push_back({ "λ(θ)/a_0, " + name, { { "theta", "rad", theta }, { "lambda / a_0", "1", values } } });
+    curves += ", \\\n     data index " + std::to_string(i) + " using (x($1, $2)):(y($1, $2)) with lines lt " +
+              std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
+  }
+  blocks.push_back(contact_arc(load, pointwise));
+  return { "load",
+           "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of "
+           "travel, n the "
+           "harmonics kept. A curve inside the rim would pull on the table.",
+           "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
+           540,
+           380,
+           data_blocks(blocks) };
+}
+
+ReportFigure higher_harmonics_figure(const ring::AngularLoad &load)
+{
+  std::vector<double> degrees;
+  for (const double theta : azimuths())
+    degrees.push_back(theta * 360 / boost::math::double_constants::two_pi);
+  const ring::AngularLoad first = load.truncated(1);
+  CurvePlot plot = {
+    "higher_harmonics",
+    "What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.",
+    { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) },
+    { "(λ - λ_1) / a_0" },
+    {},
+    "set xtics 90; set xzeroaxis lt 8\n"
+  };
+  for (const unsigned int n : shown_truncations(load))
+    if (n > 1)
+    {
+      Curve curve = { truncation_title(n, load.n_harmonics()), degrees, {} };
+      curve.line_type = n == load.n_harmonics() ? 1 : n + 1;
+      for (const double theta : azimuths())
+        curve.y.push_back((load.truncated(n)(theta) - first(theta)) / load.a(0));
+      plot.curves.push_back(curve);
+    }
+  return curve_figure(plot);
+}
+
+ReportFigure spectrum_figure(const ring::AngularLoad &load, const std::vector<double> &band)
+{
+  Curve curve = { "", {}, {}, CurveStyle::points };
+  for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
+  {
+    curve.x.push_back(n);
+    curve.y.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
+    if (!band.empty())
+      curve.band.push_back(band.at(n));
+  }
+  CurvePlot plot = {
+    "spectrum",
+    "Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.",
+    { "harmonic n", false, std::pair(0.5, load.n_harmonics() + 0.5) },
+    { "√(a_n² + b_n²) / a_0", true, amplitude_range(curve.y) },
+    { curve }
+  };
+  return curve_figure(plot);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,159 @@
+#include "fem/pipeline/output/render/gnuplot.h"
+
+#include "fem/pipeline/output/render/formula_text.h"
+#include "fem/pipeline/output/render/gnuplot_style.h"
+#include "fem/pipeline/support/child_process.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr std::array formats = { "svg", "pdf" };
+
+fs::path figure_file(const ReportFigure &figure, const std::string &extension)
+{
+  return fs::path("figures") / (figure.name + "." + extension);
+}
+
+std::string as_comment(const std::string &text)
+{
+  std::string comment = "# ";
+  for (const char character : text)
+    comment += character == '\n' ? std::string("\n# ") : std::string(1, character);
+  return comment + "\n";
+}
+
+std::string script_of(const ReportFigure &figure)
+{
+  const std::string file = figure_file(figure, "gp").string();
+  std::ostringstream script;
+  script << as_comment(figure.caption) << "# Drawn again, as SVG or as PDF, in the folder of the results:\n"
+         << "#   gnuplot " << file << "\n#   gnuplot -e 'format = \"pdf\"' " << file << "\n"
+         << "name = \"" << figure.name << "\"; width = " << figure.width << "; height = " << figure.height
+         << "\nload \"figures/style.gnuplot\"\n\n"
+         << figure.script << (figure.script.empty() || figure.script.back() != '\n' ? "\n" : "");
+  return script.str();
+}
+
+void write_scripts(const std::vector<ReportFigure> &figures, const fs::path &folder)
+{
+  fs::create_directories(folder / "figures");
+  write_text_file(folder / "figures/style.gnuplot", gnuplot_style);
+  for (const ReportFigure &figure : figures)
+  {
+    write_text_file(folder / figure_file(figure, "gp"), script_of(figure));
+    if (!figure.data.empty())
+      write_text_file(folder / figure_file(figure, "dat"), figure.data);
+  }
+}
+
+/// A gnuplot that draws some figures one after the other; a user's own start-up files have no say.
+std::unique_ptr<ChildProcess> start_drawing(const std::string &gnuplot, const std::string &format,
+                                            const std::vector<ReportFigure> &figures, const fs::path &folder)
+{
+  std::vector<std::string> command = { gnuplot, "-d", "-e", "format = \"" + format + "\"" };
+  for (const ReportFigure &figure : figures)
+    command.push_back(figure_file(figure, "gp").string());
+  return std::make_unique<ChildProcess>(command, folder);
+}
+
+/// Draws one figure in one format, alone. Returns what gnuplot says when it fails; what it has drawn by then
+/// is not kept.
+std::string draw_alone(const std::string &gnuplot, const std::string &format, const ReportFigure &figure,
+                       const fs::path &folder)
+{
+  const ChildProcess::Ended ended = start_drawing(gnuplot, format, { figure }, folder)->wait();
+  if (ended.exit_status == 0)
+    return "";
+  fs::remove(folder / figure_file(figure, format));
+  return "gnuplot could not draw " + figure_file(figure, format).string() + " (" +
+         (ended.messages.empty() ? "exit status " + std::to_string(ended.exit_status)
+                                 : on_one_line(ended.messages)) +
+         "). ";
+}
+
+/// Text within gnuplot's double quotes without what means something there or to its markup.
+std::string quotable(const std::string &text)
+{
+  std::string quoted;
+  for (const char character : text)
+  {
+    if (std::string("_^{}@&~").find(character) != std::string::npos)
+      quoted += "\\\\"; // once for the string, once for the markup
+    else if (character == '"')
+      quoted += '\\';
+    else if (character == '\\')
+      quoted += "\\\\\\";
+    quoted += character;
+  }
+  return quoted;
+}
+
+/// The hour at which a PDF was made is the only thing in it that differs between equal runs: blanks instead.
+void remove_date(const fs::path &pdf)
+{
+  std::fstream stream(pdf, std::ios::binary | std::ios::in | std::ios::out);
+  std::ostringstream whole;
+  whole << stream.rdbuf();
+  const std::string text = whole.str();
+  const auto begin = text.rfind("/CreationDate");
+  const auto end = text.find(')', begin);
+  if (begin == std::string::npos || end == std::string::npos)
+    return;
+  stream.clear();
+  stream.seekp(static_cast<std::streamoff>(begin));
+  stream << std::string(end + 1 - begin, ' ');
+}
+
+} // namespace
+
+std::string missing_plotter()
+{
+  if (find_program("gnuplot"))
+    return "";
+  return "gnuplot is not in the PATH: there will be no pictures, only their scripts and data; install it "
+         "(Debian: apt-get install gnuplot-nox).";
+}
+
+std::string draw_figures(const std::vector<ReportFigure> &figures, const fs::path &folder)
+{
+  write_scripts(figures, folder);
+  const auto gnuplot = find_program("gnuplot");
+  if (!gnuplot)
+    return missing_plotter();
+  if (figures.empty())
+    return "";
+  std::array<std::unique_ptr<ChildProcess>, formats.size()> processes;
+  for (std::size_t f = 0; f < formats.size(); ++f)
+    processes[f] = start_drawing(gnuplot->string(), formats[f], figures, folder);
+  std::string trouble;
+  for (std::size_t f = 0; f < formats.size(); ++f)
+    if (processes[f]->wait().exit_status != 0)
+      for (const ReportFigure &figure : figures) // gnuplot stops at the first that fails
+        trouble += draw_alone(gnuplot->string(), formats[f], figure, folder);
+  for (const ReportFigure &figure : figures)
+    if (const fs::path pdf = folder / figure_file(figure, "pdf"); fs::exists(pdf))
+      remove_date(pdf);
+  return trouble;
+}
+
+std::string gnuplot_text(const std::string &text)
+{
+  std::string quoted = "\"";
+  for (const TextPiece &piece : formula_pieces(text))
+    quoted += piece.subscript ? "_{" + quotable(piece.text) + "}" : quotable(piece.text);
+  return quoted + "\"";
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,221 @@
+#include "fem/pipeline/output/render/html_page.h"
+
+#include "fem/pipeline/output/render/formula_text.h"
+#include "fem/pipeline/output/render/html_style.h"
+#include "fem/pipeline/support/program.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// An element with its content.
+std::string element(const std::string &tag, const std::string &content)
+{
+  return "<" + tag + ">" + content + "</" + tag.substr(0, tag.find(' ')) + ">\n";
+}
+
+std::string link(const std::string &file, const std::string &text)
+{
+  return "<a href=\"" + html_text(file) + "\">" + html_text(text) + "</a>";
+}
+
+std::string paragraphs(const std::string &text)
+{
+  std::string html;
+  for (std::size_t begin = 0; begin < text.size();)
+  {
+    const std::size_t end = std::min(text.find("\n\n", begin), text.size());
+    html += element("p", html_formula(text.substr(begin, end - begin)));
+    begin = end + 2;
+  }
+  return html;
+}
+
+std::string figure(const ReportFigure &figure, const std::map<std::string, std::string> &pictures)
+{
+  const std::string stem = "figures/" + figure.name + ".";
+  const auto picture = pictures.find(figure.name);
+  const bool drawn = picture != pictures.end();
+  std::string files;
+  if (drawn)
+    files = link(stem + "svg", "SVG") + " · " + link(stem + "pdf", "PDF") + " · ";
+  if (!figure.data.empty())
+    files += link(stem + "dat", "data") + " · ";
+  files += link(stem + "gp", "script");
+  return element(
+    "figure id=\"" + figure.name + "\"",
+    "\n" +
+      (drawn ? inline_svg(picture->second, figure.name, figure.caption)
+             : element("p class=\"missing\"", "This figure has not been drawn.")) +
+      element("figcaption", html_formula(figure.caption) + " <span class=\"files\">" + files + "</span>"));
+}
+
+bool is_number(const std::string &cell)
+{
+  const std::size_t digit = cell.find_first_not_of("+-");
+  return cell.empty() || cell == "–" || cell == "-" ||
+         (digit != std::string::npos && digit < 2 && std::isdigit(static_cast<unsigned char>(cell[digit])));
+}
+
+std::string table(const ReportTable &table)
+{
+  std::vector<std::string> attributes;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+  {
+    const bool numbers = std::all_of(table.rows.begin(), table.rows.end(),
+                                     [&](const auto &row) { return is_number(row.at(c)); });
+    attributes.push_back(numbers ? " class=\"number\"" : "");
+  }
+  std::string head, body;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    head += "<th scope=\"col\"" + attributes[c] + ">" + html_formula(table.header[c]) + "</th>";
+  for (const auto &row : table.rows)
+  {
+    std::string cells;
+    for (std::size_t c = 0; c < table.header.size(); ++c)
+      cells += "<td" + attributes[c] + ">" + html_formula(row.at(c)) + "</td>";
+    body += element("tr", cells);
+  }
+  const bool has_header =
+    std::any_of(table.header.begin(), table.header.end(), [](const auto &cell) { return !cell.empty(); });
+  const std::string thead = has_header ? element("thead", element("tr", head)) : "";
+  const std::string caption = table.caption.empty() ? "" : element("caption", html_formula(table.caption));
+  return element("div class=\"wide\"",
+                 element("table", "\n" + caption + thead + element("tbody", "\n" + body)));
+}
+
+std::string file_list(const std::vector<ReportFile> &files)
+{
+  std::string items;
+  for (const ReportFile &file : files)
+    items += element("dt", link(file.name, file.name)) + element("dd", html_formula(file.description));
+  return items.empty() ? "" : element("dl", "\n" + items);
+}
+
+std::string section(const ReportSection &section, const std::map<std::string, std::string> &pictures)
+{
+  std::string figures, content = paragraphs(section.text);
+  for (const ReportFigure &item : section.figures)
+    figures += figure(item, pictures);
+  if (!figures.empty())
+    content += element("div class=\"figures\"", "\n" + figures);
+  for (const ReportTable &item : section.tables)
+    content += table(item);
+  content += file_list(section.files);
+  const std::string heading = element("h2", html_formula(section.heading));
+  return element("section",
+                 "\n" + (section.folded ? element("details", "\n" + element("summary", heading) + content)
+                                        : heading + content));
+}
+
+/// The document's own beginning up to its root element, which begins at the position returned.
+std::size_t root_of(const std::string &svg)
+{
+  return std::min(svg.find("<svg"), svg.size());
+}
+
+std::string attribute(const std::string &tag, const std::string &name)
+{
+  const auto begin = tag.find(" " + name + "=\"");
+  if (begin == std::string::npos)
+    return "";
+  const auto value = begin + name.size() + 3;
+  return tag.substr(value, tag.find('"', value) - value);
+}
+
+void replace_all(std::string &text, const std::string &old, const std::string &by)
+{
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
+    text.replace(at, old.size(), by);
+}
+
+/// Removes the first element with this tag.
+void remove_element(std::string &text, const std::string &tag)
+{
+  const auto begin = text.find("<" + tag + ">");
+  const auto end = text.find("</" + tag + ">", begin);
+  if (begin != std::string::npos && end != std::string::npos)
+    text.erase(begin, end + tag.size() + 3 - begin);
+}
+
+} // namespace
+
+std::string html_text(const std::string &text)
+{
+  std::string safe;
+  for (const char character : text)
+    switch (character)
+    {
+    case '&':
+      safe += "&amp;";
+      break;
+    case '<':
+      safe += "&lt;";
+      break;
+    case '>':
+      safe += "&gt;";
+      break;
+    case '"':
+      safe += "&quot;";
+      break;
+    case '\'':
+      safe += "&#39;";
+      break;
+    default:
+      safe += character;
+    }
+  return safe;
+}
+
+std::string html_formula(const std::string &text)
+{
+  std::string html;
+  for (const TextPiece &piece : formula_pieces(text))
+    html += piece.subscript ? "<sub>" + html_text(piece.text) + "</sub>" : html_text(piece.text);
+  return html;
+}
+
+std::string inline_svg(const std::string &svg, const std::string &name, const std::string &label)
+{
+  const std::size_t root = root_of(svg);
+  const std::size_t content = std::min(svg.find('>', root), svg.size() - 1) + 1;
+  const std::string tag = svg.substr(root, content - root);
+  std::string body = svg.substr(content);
+  remove_element(body, "title"); // browsers would show these when the mouse rests
+  remove_element(body, "desc");
+  for (const char *quote : { "'", "\"" })
+  {
+    replace_all(body, " id=" + std::string(quote), " id=" + std::string(quote) + name + "-");
+    replace_all(body, "href=" + std::string(quote) + "#", "href=" + std::string(quote) + "#" + name + "-");
+  }
+  replace_all(body, "url(#", "url(#" + name + "-");
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"" +
+         attribute(tag, "viewBox") + "\" role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
+}
+
+std::string html_page(const Report &report, const std::map<std::string, std::string> &pictures,
+                      const std::string &notice)
+{
+  std::string content =
+    element("h1", html_formula(report.title)) + element("p class=\"answer\"", html_formula(report.answer));
+  if (!notice.empty())
+    content += element("p class=\"notice\" role=\"note\"", html_text(notice));
+  for (const ReportSection &item : report.sections)
+    content += section(item, pictures);
+  content += element("footer", "Stemware " + html_text(program_version() + " (" + program_revision() + ")"));
+  return "<!DOCTYPE html>\n" +
+         element("html lang=\"en\"",
+                 "\n<head>\n<meta charset=\"utf-8\"/>\n"
+                 "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+                 "<link rel=\"icon\" href=\"data:,\"/>\n" +
+                   element("title", html_text(report.title)) + element("style", html_style) + "</head>\n" +
+                   element("body", "\n" + element("main", "\n" + content)));
+}
+
+} // namespace stemware::pipeline

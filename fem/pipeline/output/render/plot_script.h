@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fem/pipeline/output/render/plots.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// gnuplot's commands for the axis "x" or "y".
+std::string axis_commands(const std::string &which, const Axis &axis);
+
+/// gnuplot's commands for at most five tics of the linear axis "x", "y" or "cb" between @p low and @p high,
+/// with the decimals that tell them apart: gnuplot itself lets long labels overlap.
+std::string tic_commands(const std::string &which, double low, double high);
+
+/// gnuplot's commands for a colour scale from @p low to @p high with its label.
+std::string colour_commands(const std::string &label, double low, double high);
+
+/// A table within a data file.
+struct DataBlock
+{
+  std::string title;
+  std::vector<DataColumn> columns;
+};
+
+/// Tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
+std::string data_blocks(const std::vector<DataBlock> &blocks);
+
+} // namespace stemware::pipeline

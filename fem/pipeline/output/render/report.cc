@@ -1,0 +1,37 @@
+#include "fem/pipeline/output/render/report.h"
+
+#include "fem/pipeline/output/render/gnuplot.h"
+#include "fem/pipeline/output/render/html_page.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+void write_report(const Report &report, const fs::path &folder)
+{
+  std::vector<ReportFigure> figures;
+  for (const ReportSection &section : report.sections)
+    figures.insert(figures.end(), section.figures.begin(), section.figures.end());
+  const std::string notice = draw_figures(figures, folder);
+  if (!notice.empty() && notice != missing_plotter())
+    std::cerr << "stemware: " << notice << std::endl;
+
+  std::map<std::string, std::string> pictures;
+  for (const ReportFigure &figure : figures)
+  {
+    std::ifstream stream(folder / "figures" / (figure.name + ".svg"), std::ios::binary);
+    std::ostringstream svg;
+    svg << stream.rdbuf();
+    if (stream)
+      pictures[figure.name] = svg.str();
+  }
+  write_text_file(folder / "report.html", html_page(report, pictures, notice));
+}
+
+} // namespace stemware::pipeline

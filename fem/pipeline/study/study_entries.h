@@ -1,0 +1,38 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// One entry of a study file, tied to the member of a Study that it sets.
+struct StudyEntry
+{
+  std::string section;
+  std::string name;
+  std::string allowed;                          ///< as part of a sentence: "a number greater than 0 (m)"
+  std::string help;                             ///< sentences, units included
+  std::string unit;                             ///< "1" for pure numbers, empty for words and paths
+  bool is_quantity = false;                     ///< takes any number, not only whole ones
+  std::function<std::string()> text;            ///< the present value as a study file writes it
+  std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
+  std::function<bool(const std::string &)> is_allowed; ///< whether assign() takes this text
+  std::function<void(const std::string &)> assign;     ///< sets the value from an allowed text
+
+  /// Section/Entry, as in --set.
+  std::string path() const { return section + '/' + name; }
+};
+
+/// All entries of @p study in the order of the study file. They refer to the study, which must outlive them.
+std::vector<StudyEntry> study_entries(Study &study);
+
+/// Effective values as nested JSON objects: section, entry, value.
+nlohmann::ordered_json study_as_json(const Study &study);
+
+} // namespace stemware::pipeline

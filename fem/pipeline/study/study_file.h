@@ -1,0 +1,41 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_entries.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Reads a study file (.prm or .json; entries that it does not state keep their defaults), applies @p
+/// overrides, each "Section/Entry=value", and checks the whole. Relative paths in the file start at its
+/// folder, those of overrides where the program was started. Throws BadInput with one sentence about the
+/// first thing that is wrong.
+Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
+
+/// Gives entries of @p study other values, each "Section/Entry" with its text, and checks the whole. Throws
+/// BadInput that names @p option as where they come from.
+Study with_values(Study study, const std::string &option,
+                  const std::vector<std::pair<std::string, std::string>> &values);
+
+/// The entry of that path; throws BadInput, with a suggestion, where there is none. @p option is named as
+/// where it comes from. The functions of the entry must not be called.
+StudyEntry find_entry(const std::string &option, const std::string &path);
+
+/// The files that the study reads.
+std::vector<std::string> files_of(const Study &study);
+
+/// The same study with its paths as a study file in @p folder has to write them.
+Study with_paths_from(const std::filesystem::path &folder, Study study);
+
+/// The study as a .prm file that gives the same study again.
+std::string study_as_prm(const Study &study);
+
+/// A .prm file of all defaults, every entry with its help, unit and allowed values as comments.
+std::string commented_defaults();
+
+} // namespace stemware::pipeline

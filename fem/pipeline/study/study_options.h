@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// What every verb that works on a study is told.
+struct StudyOptions
+{
+  std::string verb; ///< its name, "run"
+  std::string study_file;
+  std::string output;                 ///< of --output; empty: the default place
+  std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
+  bool quiet = false;                 ///< nothing for people but failures
+  bool json = false;                  ///< standard output holds one JSON object and nothing else
+
+  /// The folder of the results: --output, or results/<stem of the study> for `run` and
+  /// results/<stem of the study>-<verb> for the others.
+  std::filesystem::path results_place() const;
+};
+
+} // namespace stemware::pipeline

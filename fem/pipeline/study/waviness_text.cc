@@ -1,0 +1,84 @@
+#include "fem/pipeline/study/waviness_text.h"
+
+#include "fem/pipeline/support/number_text.h"
+
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The text before and after the first @p separator, trimmed; nothing for the second where there is none.
+std::pair<std::string, std::optional<std::string>> cut(const std::string &text, char separator)
+{
+  const auto place = text.find(separator);
+  if (place == std::string::npos)
+    return { boost::trim_copy(text), std::nullopt };
+  return { boost::trim_copy(text.substr(0, place)), boost::trim_copy(text.substr(place + 1)) };
+}
+
+std::optional<WavinessHarmonic> parse_harmonic(const std::string &text)
+{
+  const auto [order_text, rest] = cut(text, ':');
+  if (!rest)
+    return std::nullopt;
+  const auto [amplitude_text, azimuth_text] = cut(*rest, '@');
+  const auto order = parse_count(order_text);
+  const auto amplitude = parse_number(amplitude_text);
+  const auto azimuth = azimuth_text ? parse_number(*azimuth_text) : 0.;
+  if (!order || *order < 2 || !amplitude || !azimuth)
+    return std::nullopt;
+  return WavinessHarmonic{ *order, *amplitude, *azimuth };
+}
+
+} // namespace
+
+const char *const waviness_words =
+  "harmonics \"n: amplitude in m @ azimuth in rad\" separated by commas, such as 2: 5e-6 @ 0.3, 3: 2e-6, "
+  "with n "
+  "from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb), or nothing";
+
+std::optional<Waviness> parse_waviness(const std::string &text)
+{
+  Waviness waviness;
+  if (boost::trim_copy(text).empty())
+    return waviness;
+  std::vector<std::string> parts;
+  boost::split(parts, text, boost::is_any_of(","));
+  for (const std::string &part : parts)
+  {
+    const auto harmonic = parse_harmonic(part);
+    if (!harmonic)
+      return std::nullopt;
+    waviness.push_back(*harmonic);
+  }
+  return waviness;
+}
+
+std::string waviness_text(const Waviness &waviness)
+{
+  std::string text;
+  for (const WavinessHarmonic &harmonic : waviness)
+  {
+    text += (text.empty() ? "" : ", ") + std::to_string(harmonic.n) + ": " + to_text(harmonic.amplitude);
+    if (harmonic.azimuth != 0)
+      text += " @ " + to_text(harmonic.azimuth);
+  }
+  return text;
+}
+
+std::vector<fem::GapHarmonic> gap_harmonics(const Waviness &waviness)
+{
+  std::vector<fem::GapHarmonic> gap;
+  for (const auto &[n, amplitude, azimuth] : waviness)
+    gap.push_back({ n, amplitude * std::cos(n * azimuth), amplitude * std::sin(n * azimuth) });
+  return gap;
+}
+
+} // namespace stemware::pipeline

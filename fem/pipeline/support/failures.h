@@ -1,0 +1,41 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// How the program ends, as its exit status.
+enum class ExitCode : int
+{
+  success = 0,
+  bad_input = 1,         ///< usage, study file, mesh file, load file
+  numerical_failure = 2, ///< no contact solution, no terminal spin, out of memory
+  output_failure = 3,    ///< the results cannot be written
+  interrupted = 130      ///< SIGINT, SIGTERM or SIGHUP
+};
+
+/// Something that the user gave is not allowed; what() is one sentence: what was given, what is allowed, what
+/// to do.
+class BadInput : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The results cannot be written; what() is one sentence.
+class OutputFailure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws BadInput with @p sentence unless @p condition holds.
+void require(bool condition, const std::string &sentence);
+
+/// Runs of white space, line ends included, as single blanks: multi-line messages of other libraries on one
+/// line.
+std::string on_one_line(const std::string &text);
+
+} // namespace stemware::pipeline

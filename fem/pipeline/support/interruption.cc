@@ -1,0 +1,132 @@
+#include "fem/pipeline/support/interruption.h"
+
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/ranks.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// What the watching thread shares with the others. Never destroyed: the thread may outlive main().
+struct Watch
+{
+  std::mutex mutex;
+  std::function<void()> clean_up;
+  std::function<std::string()> sentence;
+  std::set<pid_t> children;
+  bool first_rank = true; ///< asked in advance: MPI may be busy, or over, when the signal comes
+};
+
+Watch &watch()
+{
+  static auto *const the_watch = new Watch;
+  return *the_watch;
+}
+
+int wake_up_pipe[2] = { -1, -1 };
+
+/// Which of the signals were ignored when the program started (nohup, jobs in the background): they stay so.
+/// Asked before main(), because MPI changes them.
+const std::map<int, bool> ignored_from_the_start = []
+{
+  std::map<int, bool> ignored;
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction action = {};
+    ::sigaction(signal, nullptr, &action);
+    ignored[signal] = action.sa_handler == SIG_IGN;
+  }
+  return ignored;
+}();
+
+extern "C" void wake_up(int)
+{
+  const int saved_errno = errno;
+  const char byte = 1;
+  // A full pipe means that the thread is awake already.
+  [[maybe_unused]] const auto n_written = ::write(wake_up_pipe[1], &byte, 1);
+  errno = saved_errno;
+}
+
+[[noreturn]] void end_program()
+{
+  // Kept until the end, so that the working thread cannot publish results, or report that its folder is gone,
+  // meanwhile.
+  watch().mutex.lock();
+  for (const pid_t child : watch().children)
+    ::kill(child, SIGKILL);
+  if (watch().clean_up)
+    watch().clean_up();
+  // mpirun kills the remaining ranks as soon as one has ended: the first rank, which owns the folder, gets
+  // time to tidy up.
+  if (!watch().first_rank)
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  const std::string usual = "interrupted; no results were written.";
+  const std::string message = "\nstemware: " + (watch().sentence ? watch().sentence() : usual) + "\n";
+  if (watch().first_rank) [[maybe_unused]]
+    const auto n_written = ::write(STDERR_FILENO, message.data(), message.size());
+  ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+void wait_for_signal()
+{
+  char byte;
+  while (::read(wake_up_pipe[0], &byte, 1) < 0 && errno == EINTR)
+    ;
+  end_program();
+}
+
+} // namespace
+
+void watch_for_interruption()
+{
+  if (::pipe(wake_up_pipe) != 0)
+    throw std::system_error(errno, std::generic_category(), "the watch for interruptions cannot start");
+  watch().first_rank = is_first_rank();
+  std::thread(wait_for_signal).detach();
+  for (const auto &[signal, ignored] : ignored_from_the_start)
+  {
+    struct sigaction action = {};
+    action.sa_handler = ignored ? SIG_IGN : wake_up;
+    action.sa_flags = SA_RESTART;
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+std::unique_lock<std::mutex> postpone_interruption()
+{
+  return std::unique_lock<std::mutex>(watch().mutex);
+}
+
+void clean_up_on_interruption(std::function<void()> clean_up)
+{
+  watch().clean_up = std::move(clean_up);
+}
+
+void say_on_interruption(std::function<std::string()> sentence)
+{
+  watch().sentence = std::move(sentence);
+}
+
+void kill_on_interruption(pid_t child)
+{
+  watch().children.insert(child);
+}
+
+void spare_on_interruption(pid_t child)
+{
+  watch().children.erase(child);
+}
+
+} // namespace stemware::pipeline

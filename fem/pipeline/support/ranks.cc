@@ -1,0 +1,155 @@
+#include "fem/pipeline/support/ranks.h"
+
+#include "fem/pipeline/support/failures.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/utility.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+namespace stemware::pipeline
+{
+
+namespace mpi = dealii::Utilities::MPI;
+
+namespace
+{
+
+/// deal.II's session with the command line that it wants to see.
+struct RunningSession
+{
+  // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
+  // machine.
+  RunningSession()
+      : session(n_arguments, arguments, 1)
+  {
+  }
+
+  int n_arguments = 0;
+  char **arguments = nullptr;
+  mpi::MPI_InitFinalize session;
+};
+
+std::unique_ptr<RunningSession> running_session;
+
+/// Open MPI, PMIx and MPICH launchers tell their processes so.
+bool launched_by_mpirun()
+{
+  for (const char *variable : { "OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK" })
+    if (std::getenv(variable) != nullptr)
+      return true;
+  return false;
+}
+
+} // namespace
+
+MpiSession::MpiSession()
+{
+  if (launched_by_mpirun())
+    start_mpi();
+}
+
+MpiSession::~MpiSession()
+{
+  running_session.reset();
+}
+
+void start_mpi()
+{
+  if (!running_session)
+    running_session = std::make_unique<RunningSession>();
+}
+
+bool is_first_rank()
+{
+  return !running_session || mpi::this_mpi_process(MPI_COMM_WORLD) == 0;
+}
+
+unsigned int n_ranks()
+{
+  return running_session ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
+}
+
+namespace
+{
+
+enum class Outcome : int
+{
+  done,
+  output_failure,
+  other_failure
+};
+
+/// What became of some work, and its text or message.
+std::pair<int, std::string> outcome_of(const std::function<std::string()> &work)
+{
+  const auto with = [](Outcome outcome, const std::string &text)
+  { return std::pair(static_cast<int>(outcome), text); };
+  try
+  {
+    return with(Outcome::done, work());
+  }
+  catch (const OutputFailure &failure)
+  {
+    return with(Outcome::output_failure, failure.what());
+  }
+  catch (const std::filesystem::filesystem_error &failure)
+  {
+    return with(Outcome::output_failure, failure.what());
+  }
+  catch (const std::exception &failure)
+  {
+    return with(Outcome::other_failure, failure.what());
+  }
+}
+
+void throw_unless_done(const std::pair<int, std::string> &outcome)
+{
+  if (outcome.first == static_cast<int>(Outcome::output_failure))
+    throw OutputFailure(outcome.second);
+  if (outcome.first == static_cast<int>(Outcome::other_failure))
+    throw std::runtime_error(outcome.second);
+}
+
+} // namespace
+
+std::string on_first_rank(const std::function<std::string()> &work)
+{
+  std::pair<int, std::string> outcome;
+  if (is_first_rank())
+    outcome = outcome_of(work);
+  if (n_ranks() > 1)
+    outcome = mpi::broadcast(MPI_COMM_WORLD, outcome);
+  throw_unless_done(outcome);
+  return outcome.second;
+}
+
+void on_every_rank(const std::function<void()> &work)
+{
+  const auto outcome = outcome_of(
+    [&]
+    {
+      work();
+      return std::string();
+    });
+  if (n_ranks() == 1)
+    return throw_unless_done(outcome);
+  for (const auto &of_one : mpi::all_gather(MPI_COMM_WORLD, outcome))
+    throw_unless_done(of_one);
+}
+
+unsigned int this_rank()
+{
+  return running_session ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
+}
+
+void abort_all_ranks(int exit_status)
+{
+  MPI_Abort(MPI_COMM_WORLD, exit_status);
+  std::abort();
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,187 @@
+#include "fem/revolution/fourier_basis.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace stemware::fem
+{
+
+namespace
+{
+void require_resolved(unsigned int n_harmonics, unsigned int n_lines)
+{
+  if (n_harmonics < 1)
+    throw std::invalid_argument(
+      "Harmonics = 0 is not allowed: a moment on the foot needs at least the first one.");
+  if (n_lines < 2 * n_harmonics + 1)
+    throw std::invalid_argument(std::to_string(n_lines) + " azimuth lines cannot resolve " +
+                                std::to_string(n_harmonics) + " harmonics; give at least " +
+                                std::to_string(2 * n_harmonics + 1) + " lines.");
+}
+
+/// Functions on the lines taken apart: sums and differences of what stands on lines j and -j, j = 0 ...
+/// n_lines / 2. A line that is its own mirror image counts once.
+struct MirrorSums
+{
+  /// @p samples of shape [n_functions, n_lines].
+  explicit MirrorSums(const Eigen::Ref<const Eigen::MatrixXd> &samples)
+  {
+    const Eigen::Index n_lines = samples.cols();
+    const Eigen::Index n_pairs = (n_lines - 1) / 2;
+    const auto mirrored = samples.rightCols(n_pairs).rowwise().reverse();
+    even = samples.leftCols(n_lines / 2 + 1);
+    odd = Eigen::MatrixXd::Zero(even.rows(), even.cols());
+    odd.middleCols(1, n_pairs) = even.middleCols(1, n_pairs) - mirrored;
+    even.middleCols(1, n_pairs) += mirrored;
+    has_odd = (odd.array() != 0).any();
+  }
+
+  Eigen::MatrixXd even; ///< shape [n_functions, n_lines / 2 + 1]
+  Eigen::MatrixXd odd;
+  bool has_odd;
+};
+} // namespace
+
+FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
+    : n(n_harmonics)
+{
+  require_resolved(n_harmonics, n_lines);
+  cosines.resize(n_lines);
+  sines.resize(n_lines);
+  for (unsigned int k = 0; 2 * k <= n_lines; ++k)
+  {
+    const double angle = 2 * boost::math::double_constants::pi * k / n_lines;
+    const unsigned int mirror = (n_lines - k) % n_lines;
+    cosines[mirror] = cosines[k] = std::cos(angle);
+    sines[mirror] = -std::sin(angle);
+    sines[k] = k == mirror ? 0 : std::sin(angle);
+  }
+  mode_values.resize(n_lines, n_modes());
+  partner_values.resize(n_lines, n_modes());
+  cosine_values.resize(n_lines, 2 * n + 1);
+  sine_values.resize(n_lines, 2 * n + 1);
+  for (unsigned int j = 0; j < n_lines; ++j)
+  {
+    for (unsigned int mode = 0; mode < n_modes(); ++mode)
+    {
+      const double even = cosine(harmonic(mode), j);
+      const double odd = sine(harmonic(mode), j);
+      mode_values(j, mode) = is_sine(mode) ? odd : even;
+      partner_values(j, mode) = is_sine(mode) ? -even : odd;
+    }
+    for (unsigned int p = 0; p <= 2 * n; ++p)
+    {
+      cosine_values(j, p) = cosine(p, j);
+      sine_values(j, p) = sine(p, j);
+    }
+  }
+}
+
+double FourierBasis::azimuth(unsigned int line) const
+{
+  return 2 * boost::math::double_constants::pi * line / n_lines();
+}
+
+double FourierBasis::norm(unsigned int mode)
+{
+  return mode == 0 ? 2 * boost::math::double_constants::pi : boost::math::double_constants::pi;
+}
+
+Eigen::MatrixXd FourierBasis::project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const
+{
+  const MirrorSums mirrored(samples);
+  const Eigen::Index n_half = mirrored.even.cols();
+  const Eigen::MatrixXd even = mirrored.even * cosine_values.topLeftCorner(n_half, n + 1);
+  Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(samples.rows(), n_modes());
+  amplitudes.col(0) = even.col(0);
+  amplitudes(Eigen::all, cosine_modes()) = even.rightCols(n);
+  if (mirrored.has_odd)
+    amplitudes(Eigen::all, sine_modes()) = mirrored.odd * sine_values.block(0, 1, n_half, n);
+  return amplitudes;
+}
+
+Eigen::MatrixXd FourierBasis::project_on_partners(const Eigen::Ref<const Eigen::MatrixXd> &samples) const
+{
+  const Eigen::MatrixXd on_modes = project(samples);
+  Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(samples.rows(), n_modes());
+  amplitudes(Eigen::all, cosine_modes()) = on_modes(Eigen::all, sine_modes());
+  amplitudes(Eigen::all, sine_modes()) = -on_modes(Eigen::all, cosine_modes());
+  return amplitudes;
+}
+
+Eigen::MatrixXd FourierBasis::evaluate(const Eigen::MatrixXd &amplitudes) const
+{
+  const Eigen::Index n_half = n_lines() / 2 + 1;
+  Eigen::MatrixXd even_modes(amplitudes.rows(), n + 1);
+  even_modes << amplitudes.col(0), amplitudes(Eigen::all, cosine_modes());
+  const Eigen::MatrixXd odd_modes = amplitudes(Eigen::all, sine_modes());
+  Eigen::MatrixXd samples(amplitudes.rows(), n_lines());
+  samples.leftCols(n_half).noalias() = even_modes * cosine_values.topLeftCorner(n_half, n + 1).transpose();
+  const bool has_odd = (odd_modes.array() != 0).any();
+  Eigen::MatrixXd odd;
+  if (has_odd)
+    odd = odd_modes * sine_values.block(0, 1, n_half, n).transpose();
+  for (Eigen::Index line = 0; line < n_half; ++line)
+  {
+    const Eigen::Index mirror = (n_lines() - line) % n_lines();
+    if (mirror != line)
+      samples.col(mirror) = samples.col(line);
+    if (!has_odd)
+      continue;
+    samples.col(line) += odd.col(line);
+    if (mirror != line)
+      samples.col(mirror) -= odd.col(line);
+  }
+  return samples;
+}
+
+FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::MatrixXd &samples, bool with_sines)
+{
+  const MirrorSums mirrored(samples);
+  const Eigen::Index n_half = mirrored.even.cols();
+  even = mirrored.even * basis.cosine_table().topRows(n_half);
+  if (with_sines)
+    odd = mirrored.odd * basis.sine_table().topRows(n_half);
+}
+
+FourierProducts::OfPair FourierProducts::with_partner(unsigned int row_mode, unsigned int column_mode) const
+{
+  const bool row_is_sine = FourierBasis::is_sine(row_mode);
+  OfPair result = pair(FourierBasis::harmonic(row_mode), !row_is_sine, column_mode);
+  if (row_is_sine)
+  {
+    result.difference_factor *= -1;
+    result.sum_factor *= -1;
+  }
+  return result;
+}
+
+FourierProducts::OfPair FourierProducts::pair(unsigned int row, bool row_is_sine,
+                                              unsigned int column_mode) const
+{
+  const unsigned int column = FourierBasis::harmonic(column_mode);
+  const bool column_is_sine = FourierBasis::is_sine(column_mode);
+  const Eigen::Index difference = row > column ? row - column : column - row;
+  const bool is_even = row_is_sine == column_is_sine;
+  const bool is_zero = !is_even && odd.size() == 0;
+  const Eigen::MatrixXd &table = is_even || is_zero ? even : odd;
+  OfPair result;
+  result.differences = table.col(difference).data();
+  result.sums = table.col(row + column).data();
+  if (is_even)
+  {
+    result.difference_factor = 0.5;
+    result.sum_factor = row_is_sine ? -0.5 : 0.5;
+    return result;
+  }
+  // sin a cos b = (sin(a + b) + sin(a - b)) / 2, a being the harmonic of the sine.
+  const bool sine_is_larger = row_is_sine ? row > column : column > row;
+  result.difference_factor = is_zero ? 0 : sine_is_larger ? 0.5 : -0.5;
+  result.sum_factor = is_zero ? 0 : 0.5;
+  return result;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,176 @@
+#include "fem/revolution/meridian_space.h"
+
+#include "fem/geometry/foot_mesh.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Displacement components.
+constexpr unsigned int radial = 0;
+constexpr unsigned int azimuthal = 1;
+constexpr unsigned int vertical = 2;
+
+} // namespace
+
+MeridianSpace::MeridianSpace(const Triangulation<2> &triangulation, const ElasticMaterial &material,
+                             unsigned int degree)
+    : curves(degree)
+    , element(FE_Q<2>(degree), 3)
+    , dofs(triangulation)
+{
+  dofs.distribute_dofs(element);
+  stiffness = std::make_unique<MeridianStiffness>(curves, dofs, material);
+  find_contact_nodes();
+  find_axis();
+}
+
+double MeridianSpace::contact_radius(unsigned int i) const
+{
+  return points[contact_nodes[i][vertical]][0];
+}
+
+SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
+                                        const AffineConstraints<double> &constraints) const
+{
+  DynamicSparsityPattern dynamic_pattern(dofs.n_dofs());
+  DoFTools::make_sparsity_pattern(dofs, dynamic_pattern, constraints, false);
+  SparsityPattern pattern;
+  pattern.copy_from(dynamic_pattern);
+  SparseMatrix<double> matrix(pattern);
+  stiffness->assemble(harmonic, constraints, matrix);
+  return SparseCholesky(matrix);
+}
+
+MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmonic)
+    : constraints(space.make_constraints(harmonic))
+    , factors(space.factorise(harmonic, constraints))
+{
+}
+
+Eigen::MatrixXd MeridianSpace::Factors::solve(const Eigen::MatrixXd &forces) const
+{
+  Eigen::MatrixXd displacements = factors.solve(forces);
+  Vector<double> displacement(static_cast<unsigned int>(forces.rows()));
+  for (auto column : displacements.colwise())
+  {
+    std::copy(column.begin(), column.end(), displacement.begin());
+    constraints.distribute(displacement);
+    std::copy(displacement.begin(), displacement.end(), column.begin());
+  }
+  return displacements;
+}
+
+void MeridianSpace::Factors::solve(Vector<double> &forces) const
+{
+  Eigen::Map<Eigen::VectorXd> values(forces.begin(), forces.size());
+  values = solve(Eigen::MatrixXd(values));
+}
+
+HarmonicCompliance MeridianSpace::compliance(unsigned int harmonic) const
+{
+  const unsigned int n_nodes = n_contact_nodes();
+  Eigen::MatrixXd unit_forces = Eigen::MatrixXd::Zero(n_dofs(), n_nodes);
+  for (unsigned int j = 0; j < n_nodes; ++j)
+    unit_forces(contact_nodes[j][vertical], j) = 1;
+  const Eigen::MatrixXd displacements = Factors(*this, harmonic).solve(unit_forces);
+  HarmonicCompliance result;
+  for (Eigen::MatrixXd *part : { &result.normal, &result.radial, &result.azimuthal })
+    part->resize(n_nodes, n_nodes);
+  for (unsigned int j = 0; j < n_nodes; ++j)
+    for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      result.normal(i, j) = displacements(contact_nodes[i][vertical], j);
+      result.radial(j, i) = displacements(contact_nodes[i][radial], j);
+      result.azimuthal(j, i) = displacements(contact_nodes[i][azimuthal], j);
+    }
+  result.normal = (result.normal + result.normal.transpose()).eval() / 2;
+  return result;
+}
+
+void MeridianSpace::find_contact_nodes()
+{
+  points.resize(dofs.n_dofs());
+  DoFTools::map_dofs_to_support_points(mapping(), dofs, points);
+  std::array<std::vector<Dof>, 3> on_contact;
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    ComponentMask mask(3, false);
+    mask.set(c, true);
+    DoFTools::extract_boundary_dofs(dofs, mask,
+                                    { static_cast<types::boundary_id>(FootBoundary::contact_zone) })
+      .fill_index_vector(on_contact[c]);
+    std::sort(on_contact[c].begin(), on_contact[c].end(),
+              [&](Dof a, Dof b) { return points[a][0] < points[b][0]; });
+  }
+  if (on_contact[0].size() < 2)
+    throw std::invalid_argument(
+      "The meridional mesh has no contact zone: no boundary face carries the id 2.");
+  for (std::size_t i = 0; i < on_contact[0].size(); ++i)
+    contact_nodes.push_back({ on_contact[radial][i], on_contact[azimuthal][i], on_contact[vertical][i] });
+}
+
+void MeridianSpace::find_axis()
+{
+  const double tolerance = 1e-9 * points[contact_nodes.back()[vertical]][0];
+  std::vector<Dof> cell_dofs(element.n_dofs_per_cell());
+  std::vector<bool> seen(dofs.n_dofs(), false);
+  for (const auto &cell : dofs.active_cell_iterators())
+  {
+    cell->get_dof_indices(cell_dofs);
+    for (unsigned int k = 0; k < element.n_dofs_per_cell() / 3; ++k)
+    {
+      NodeDofs node{};
+      for (unsigned int c = 0; c < 3; ++c)
+        node[c] = cell_dofs[element.component_to_system_index(c, k)];
+      if (points[node[0]][0] > tolerance || seen[node[0]])
+        continue;
+      seen[node[0]] = true;
+      axis_nodes.push_back(node);
+    }
+  }
+}
+
+AffineConstraints<double> MeridianSpace::make_constraints(unsigned int harmonic) const
+{
+  AffineConstraints<double> constraints;
+  DoFTools::make_hanging_node_constraints(dofs, constraints);
+  const auto hold = [&](Dof dof)
+  {
+    if (!constraints.is_constrained(dof))
+      constraints.add_line(dof);
+  };
+  DoFTools::make_zero_boundary_constraints(dofs, static_cast<types::boundary_id>(FootBoundary::stem_cut),
+                                           constraints);
+  for (const NodeDofs &node : axis_nodes)
+  {
+    if (harmonic != 1)
+    {
+      hold(node[radial]);
+      hold(node[azimuthal]);
+    }
+    else if (!constraints.is_constrained(node[azimuthal]))
+    {
+      constraints.add_line(node[azimuthal]);
+      constraints.add_entry(node[azimuthal], node[radial], -1);
+    }
+    if (harmonic != 0)
+      hold(node[vertical]);
+  }
+  constraints.close();
+  return constraints;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "fem/elasticity/elastic_material.h"
+#include "fem/elasticity/sparse_cholesky.h"
+#include "fem/revolution/contact_compliance.h"
+#include "fem/revolution/meridian_stiffness.h"
+
+#include <deal.II/base/point.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// The finite-element space on one meridian: displacement amplitudes u_r, u_theta, u_z of any harmonic, with
+/// the nodes on the contact zone and on the axis. Includes deal.II; not for headers of the library's users.
+class MeridianSpace
+{
+public:
+  using Dof = dealii::types::global_dof_index;
+  using NodeDofs = std::array<Dof, 3>; ///< of one node, in the order r, theta, z
+
+  /// Keeps a reference to @p triangulation, whose contact zone has boundary id 2 and whose clamp has 1.
+  /// Throws std::invalid_argument when it has no contact zone.
+  MeridianSpace(const dealii::Triangulation<2> &triangulation, const ElasticMaterial &material,
+                unsigned int degree);
+
+  unsigned int n_dofs() const { return dofs.n_dofs(); }
+  unsigned int n_contact_nodes() const { return static_cast<unsigned int>(contact_nodes.size()); }
+  /// Of contact node @p i, ascending [m].
+  double contact_radius(unsigned int i) const;
+  const NodeDofs &contact_dofs(unsigned int i) const { return contact_nodes[i]; }
+  const dealii::DoFHandler<2> &dof_handler() const { return dofs; }
+  /// Of the elements' degree: curved cells follow the profile.
+  const dealii::Mapping<2> &mapping() const { return curves; }
+
+  /// K_n of one harmonic, factorised under the clamp and its own conditions on the axis.
+  class Factors
+  {
+  public:
+    Factors(const MeridianSpace &space, unsigned int harmonic);
+    /// Displacements times int (mode)^2 dtheta [m rad] under forces per radian on the free dofs [N/rad], a
+    /// column each.
+    Eigen::MatrixXd solve(const Eigen::MatrixXd &forces) const;
+    /// The same in place.
+    void solve(dealii::Vector<double> &forces) const;
+
+  private:
+    const dealii::AffineConstraints<double> constraints;
+    const SparseCholesky factors;
+  };
+
+  /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
+  /// reciprocity also the vertical displacements under radial and azimuthal ones.
+  HarmonicCompliance compliance(unsigned int harmonic) const;
+
+private:
+  void find_contact_nodes();
+  /// Nodes at r = 0; an annular section has none of them.
+  void find_axis();
+  /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
+  /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
+  dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
+  SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
+
+  const dealii::MappingQ<2> curves;
+  const dealii::FESystem<2> element;
+  dealii::DoFHandler<2> dofs;
+  std::unique_ptr<MeridianStiffness> stiffness;
+  std::vector<dealii::Point<2>> points; ///< of all dofs
+  std::vector<NodeDofs> contact_nodes;  ///< ascending radius
+  std::vector<NodeDofs> axis_nodes;
+};
+
+} // namespace stemware::fem

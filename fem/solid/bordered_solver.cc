@@ -1,0 +1,264 @@
+#include "fem/solid/bordered_solver.h"
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/trilinos_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Eigen/LU>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+using VectorType = TrilinosWrappers::MPI::Vector;
+using MatrixType = TrilinosWrappers::SparseMatrix;
+
+namespace
+{
+constexpr unsigned int max_iterations = 2000;
+
+class Factorization : public TangentPreconditioner
+{
+public:
+  explicit Factorization(const MatrixType &matrix)
+      : solver(control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"))
+  {
+    solver.initialize(matrix);
+  }
+  void vmult(VectorType &dst, const VectorType &src) const override { solver.solve(dst, src); }
+  // Back-substitutions cost about a sixtieth of a factorisation.
+  unsigned int patience() const override { return 30; }
+
+private:
+  SolverControl control;
+  mutable TrilinosWrappers::SolverDirect solver; // solve() is not const in deal.II, though it changes nothing
+};
+
+class Multigrid : public TangentPreconditioner
+{
+public:
+  Multigrid(const MatrixType &matrix, const RigidBodyModes &modes, bool quadratic)
+  {
+    TrilinosWrappers::PreconditionAMG::AdditionalData options;
+    options.elliptic = true;
+    options.higher_order_elements = quadratic;
+    options.smoother_type = "Chebyshev";
+    options.smoother_sweeps = quadratic ? 4 : 2;
+    options.aggregation_threshold = 1e-2;
+    Teuchos::ParameterList parameters;
+    std::unique_ptr<Epetra_MultiVector> unused_modes;
+    options.set_parameters(parameters, unused_modes, matrix);
+    // deal.II 9.4 knows translations only: hand ML the rotations as well. ML copies them while it is set up.
+    values = modes.values;
+    parameters.set("PDE equations", 3); // nodes, not single dofs, are gathered into aggregates
+    parameters.set("null space: type", "pre-computed");
+    parameters.set("null space: dimension", static_cast<int>(RigidBodyModes::n_modes));
+    parameters.set("null space: vectors", values.data());
+    amg.initialize(matrix, parameters);
+  }
+  void vmult(VectorType &dst, const VectorType &src) const override { amg.vmult(dst, src); }
+  unsigned int patience() const override { return 300; }
+
+private:
+  std::vector<double> values;
+  TrilinosWrappers::PreconditionAMG amg;
+};
+
+/// What deal.II's conjugate gradients need of a vector, for a BorderedVector: body dofs on their ranks,
+/// motions on rank 0.
+using BlockVector = TrilinosWrappers::MPI::BlockVector;
+
+BlockVector to_block(const BorderedVector &vector)
+{
+  const MPI_Comm &communicator = vector.body.get_mpi_communicator();
+  IndexSet motion_dofs(3);
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    motion_dofs.add_range(0, 3);
+  BlockVector result(std::vector<IndexSet>{ vector.body.locally_owned_elements(), motion_dofs },
+                     communicator);
+  result.block(0) = vector.body;
+  for (const auto i : motion_dofs)
+    result.block(1)(i) = vector.motion(static_cast<Eigen::Index>(i));
+  result.block(1).compress(VectorOperation::insert);
+  return result;
+}
+
+Eigen::Vector3d motion_of(const BlockVector &vector)
+{
+  std::array<double, 3> values{};
+  for (const auto i : vector.block(1).locally_owned_elements())
+    values[i] = vector.block(1)(i);
+  values = Utilities::MPI::broadcast(vector.block(0).get_mpi_communicator(), values, 0);
+  return { values[0], values[1], values[2] };
+}
+
+void set_motion(BlockVector &vector, const Eigen::Vector3d &motion)
+{
+  for (const auto i : vector.block(1).locally_owned_elements())
+    vector.block(1)(i) = motion(static_cast<Eigen::Index>(i));
+  vector.block(1).compress(VectorOperation::insert);
+}
+
+Eigen::Vector3d products(const std::array<VectorType, 3> &columns, const VectorType &vector)
+{
+  return { columns[0] * vector, columns[1] * vector, columns[2] * vector };
+}
+
+struct BorderedOperator
+{
+  const BorderedSystem &system;
+  void vmult(BlockVector &dst, const BlockVector &src) const
+  {
+    const Eigen::Vector3d motion = motion_of(src);
+    system.matrix.vmult(dst.block(0), src.block(0));
+    for (unsigned int i = 0; i < 3; ++i)
+      dst.block(0).add(motion(i), system.border[i]);
+    set_motion(dst, products(system.border, src.block(0)) + system.corner * motion);
+  }
+};
+
+/// Block elimination of the border with an approximate inverse of A: symmetric and positive definite whenever
+/// that one is.
+struct BorderedPreconditioner
+{
+  const TangentPreconditioner &inner;
+  const std::array<VectorType, 3> &eliminated_border;
+  const Eigen::Matrix3d &inverse_schur;
+  void vmult(BlockVector &dst, const BlockVector &src) const
+  {
+    const Eigen::Vector3d motion =
+      inverse_schur * (motion_of(src) - products(eliminated_border, src.block(0)));
+    inner.vmult(dst.block(0), src.block(0));
+    for (unsigned int i = 0; i < 3; ++i)
+      dst.block(0).add(-motion(i), eliminated_border[i]);
+    set_motion(dst, motion);
+  }
+};
+
+template <typename Vector, typename Operator, typename Preconditioner>
+unsigned int conjugate_gradients(const Operator &system, const Preconditioner &preconditioner,
+                                 const Vector &rhs, double reduction, Vector &solution)
+{
+  const double rhs_norm = rhs.l2_norm();
+  if (rhs_norm == 0)
+  {
+    solution = 0;
+    return 0;
+  }
+  SolverControl control(max_iterations, reduction * rhs_norm);
+  SolverCG<Vector> solver(control);
+  try
+  {
+    solver.solve(system, solution, rhs, preconditioner);
+  }
+  catch (const SolverControl::NoConvergence &failure)
+  {
+    std::ostringstream message;
+    message << "conjugate gradients left " << failure.last_residual / rhs_norm << " of the residual after "
+            << failure.last_step << " iterations (wanted " << reduction
+            << "); use the direct linear solver or a mesh with less distorted cells.";
+    throw std::runtime_error(message.str());
+  }
+  return control.last_step();
+}
+
+} // namespace
+
+RigidBodyModes::RigidBodyModes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
+                               const AffineConstraints<double> &constraints)
+{
+  const IndexSet owned = dof_handler.locally_owned_dofs();
+  std::map<types::global_dof_index, Point<3>> points;
+  DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+  std::vector<unsigned char> component(owned.n_elements());
+  for (unsigned char c = 0; c < 3; ++c)
+  {
+    ComponentMask mask(3, false);
+    mask.set(c, true);
+    for (const auto dof : DoFTools::extract_dofs(dof_handler, mask))
+      if (owned.is_element(dof))
+        component[owned.index_within_set(dof)] = c;
+  }
+  const std::size_t n_owned = owned.n_elements();
+  values.assign(n_modes * n_owned, 0);
+  for (const auto dof : owned)
+  {
+    if (constraints.is_constrained(dof))
+      continue;
+    const auto i = owned.index_within_set(dof);
+    const Point<3> &x = points.at(dof);
+    const unsigned int c = component[i];
+    values[c * n_owned + i] = 1;
+    // Rotation about axis k moves component c = k + 1 by -x[k + 2] and component c = k + 2 by x[k + 1].
+    for (unsigned int k = 0; k < 3; ++k)
+      if (c == (k + 1) % 3)
+        values[(3 + k) * n_owned + i] = -x[(k + 2) % 3];
+      else if (c == (k + 2) % 3)
+        values[(3 + k) * n_owned + i] = x[(k + 1) % 3];
+  }
+}
+
+std::unique_ptr<TangentPreconditioner> factorize(const MatrixType &matrix)
+{
+  return std::make_unique<Factorization>(matrix);
+}
+
+std::unique_ptr<TangentPreconditioner> make_multigrid(const MatrixType &matrix, const RigidBodyModes &modes,
+                                                      bool quadratic)
+{
+  return std::make_unique<Multigrid>(matrix, modes, quadratic);
+}
+
+unsigned int BorderedSolver::solve_body(const MatrixType &matrix, const VectorType &rhs, double reduction,
+                                        VectorType &solution) const
+{
+  return conjugate_gradients(matrix, *preconditioner, rhs, reduction, solution);
+}
+
+void BorderedSolver::build_preconditioner(const BorderedSystem &system)
+{
+  preconditioner.reset(); // before the new one asks for memory
+  preconditioner = make(system.matrix);
+  // The Schur complement of an inexact elimination W, in the form (-W, 1)' M (-W, 1) that stays positive
+  // definite.
+  Eigen::Matrix3d schur = system.corner;
+  std::array<VectorType, 3> images;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    eliminated_border[i].reinit(system.border[i]);
+    images[i].reinit(system.border[i]);
+    solve_body(system.matrix, system.border[i], 1e-4, eliminated_border[i]);
+    system.matrix.vmult(images[i], eliminated_border[i]);
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      schur(i, j) += eliminated_border[i] * images[j] - eliminated_border[i] * system.border[j] -
+                     system.border[i] * eliminated_border[j];
+  inverse_schur = ((schur + schur.transpose()) / 2).inverse();
+}
+
+unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
+                                   BorderedVector &solution)
+{
+  const bool fresh = !preconditioner;
+  if (fresh)
+    build_preconditioner(system);
+  const BlockVector block_rhs = to_block(rhs);
+  BlockVector block_solution = to_block(rhs);
+  block_solution = 0;
+  const unsigned int n_iterations = conjugate_gradients(
+    BorderedOperator{ system }, BorderedPreconditioner{ *preconditioner, eliminated_border, inverse_schur },
+    block_rhs, reduction, block_solution);
+  solution.body = block_solution.block(0);
+  solution.motion = motion_of(block_solution);
+  if (n_iterations > preconditioner->patience() && !fresh)
+    preconditioner.reset();
+  return n_iterations;
+}
+
+} // namespace stemware::fem

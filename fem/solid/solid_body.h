@@ -1,0 +1,73 @@
+#pragma once
+
+#include "fem/contact/elastic_body.h"
+#include "fem/elasticity/elastic_material.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
+namespace stemware::fem
+{
+
+/// How the linear systems of a SolidBody are preconditioned. The outer method is always conjugate gradients.
+enum class LinearSolver
+{
+  automatic, ///< direct up to 150 000 unknowns, multigrid above
+  direct,    ///< factorisation (MUMPS) of a recent tangent
+  multigrid  ///< algebraic multigrid (ML) that knows the six rigid-body modes
+};
+
+/// Numerical parameters of a SolidBody.
+struct SolidOptions
+{
+  unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
+  LinearSolver linear_solver = LinearSolver::automatic;
+  bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
+};
+
+/// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks.
+class SolidBody : public ElasticBody
+{
+public:
+  /// Distance of the undeformed contact zone from a plane table at (x, y), on top of what the mesh's own z
+  /// says [m].
+  using Gap = std::function<double(double x, double y)>;
+
+  /// Sets up dofs, clamps FootBoundary::stem_cut, assembles K and describes the contact zone. The
+  /// triangulation must be one that deal.II distributes over its communicator or a serial one, and must
+  /// outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no contact zone.
+  SolidBody(dealii::Triangulation<3, 3> &triangulation, const ElasticMaterial &material, const Gap &gap,
+            const SolidOptions &options = {});
+  ~SolidBody() override;
+
+  const ContactSurface &contact_surface() const override;
+  Eigen::VectorXd contact_displacement() const override;
+  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                    const Eigen::Vector3d &resultant_excess) override;
+  void accept(double fraction) override;
+  void reset() override;
+  double equilibrium_residual(const Eigen::VectorXd &forces) const override;
+  unsigned int n_unknowns() const override;
+
+  /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
+  double contact_cell_size() const;
+
+  /// Writes <folder>/<name>.vtu, all ranks into one file: displacement [m] in the slip frame with the table
+  /// at rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of @p
+  /// nodal_pressure.
+  void write_fields(const std::string &folder, const std::string &name, const Eigen::Vector3d &motion,
+                    const Eigen::VectorXd &nodal_pressure) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/solid/solid_body.h"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/mapping.h>
+
+namespace stemware::fem
+{
+
+/// The contact zone of a hexahedral mesh: its surface, and which dofs its nodes are.
+struct SolidContactZone
+{
+  ContactSurface surface;
+  std::vector<dealii::types::global_dof_index> node_dofs; ///< vertical displacement of each contact node
+  double smallest_cell = 0;                               ///< shortest edge of a contact face [m]
+};
+
+/// Describes the faces with FootBoundary::contact_zone of all ranks. Every face carries lines at Gauss points
+/// of its more azimuthal direction; the gap of a point is its own z plus @p gap(x, y). Throws
+/// std::invalid_argument when there is no such face.
+SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
+                                       const dealii::DoFHandler<3> &dof_handler, const SolidBody::Gap &gap);
+
+} // namespace stemware::fem

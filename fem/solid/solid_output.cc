@@ -1,0 +1,117 @@
+// Fields of a solid foot for ParaView.
+#include "fem/solid/solid_body_implementation.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Stress of isotropic elasticity from displacement gradients [Pa].
+class Stress : public DataPostprocessorTensor<3>
+{
+public:
+  explicit Stress(const ElasticMaterial &material)
+      : DataPostprocessorTensor<3>("stress", update_gradients)
+      , material(material)
+  {
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &stresses) const override
+  {
+    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
+    {
+      const auto &gradient = input.solution_gradients[p];
+      const double divergence = gradient[0][0] + gradient[1][1] + gradient[2][2];
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          stresses[p](Tensor<2, 3>::component_to_unrolled_index(TableIndices<2>(i, j))) =
+            material.shear_modulus() * (gradient[i][j] + gradient[j][i]) +
+            (i == j ? material.lame_lambda() * divergence : 0);
+    }
+  }
+
+private:
+  const ElasticMaterial material;
+};
+
+/// The vertical component of a vector field whose other two are not used: a scalar that lives on the contact
+/// nodes.
+class ContactPressure : public DataPostprocessorScalar<3>
+{
+public:
+  ContactPressure()
+      : DataPostprocessorScalar<3>("contact_pressure", update_values)
+  {
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &pressures) const override
+  {
+    for (unsigned int p = 0; p < input.solution_values.size(); ++p)
+      pressures[p](0) = input.solution_values[p](2);
+  }
+};
+
+/// The table's motion given back to the glass: q0 + q1 x + q2 y upward, and what a small rotation does to the
+/// rest.
+class RestoredMotion : public DataPostprocessorVector<3>
+{
+public:
+  explicit RestoredMotion(const Eigen::Vector3d &motion)
+      : DataPostprocessorVector<3>("displacement", update_values | update_quadrature_points)
+      , motion(motion)
+  {
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &displacements) const override
+  {
+    for (unsigned int p = 0; p < input.solution_values.size(); ++p)
+    {
+      const Point<3> &x = input.evaluation_points[p];
+      displacements[p](0) = input.solution_values[p](0) - motion(1) * x[2];
+      displacements[p](1) = input.solution_values[p](1) - motion(2) * x[2];
+      displacements[p](2) = input.solution_values[p](2) + motion(0) + motion(1) * x[0] + motion(2) * x[1];
+    }
+  }
+
+private:
+  const Eigen::Vector3d motion;
+};
+
+} // namespace
+
+void SolidBody::write_fields(const std::string &folder, const std::string &name,
+                             const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const
+{
+  const Implementation &body = *implementation;
+  TrilinosWrappers::MPI::Vector displacement(body.locally_owned, body.locally_relevant, body.communicator);
+  displacement = body.displacement;
+  TrilinosWrappers::MPI::Vector pressure(body.locally_owned, body.locally_relevant, body.communicator);
+  pressure = body.spread(nodal_pressure);
+
+  const RestoredMotion restored(motion);
+  const Stress stress(body.material);
+  const ContactPressure contact_pressure;
+  DataOut<3> data_out;
+  DataOutBase::VtkFlags flags;
+  flags.write_higher_order_cells = body.element.degree > 1;
+  flags.compression_level = DataOutBase::VtkFlags::best_speed;
+  flags.print_date_and_time = false; // equal runs give equal files
+  data_out.set_flags(flags);
+  data_out.add_data_vector(body.dof_handler, displacement, restored);
+  data_out.add_data_vector(body.dof_handler, displacement, stress);
+  data_out.add_data_vector(body.dof_handler, pressure, contact_pressure);
+  data_out.build_patches(body.mapping, body.element.degree, DataOut<3>::curved_inner_cells);
+  data_out.write_vtu_in_parallel(folder + "/" + name + ".vtu", body.communicator);
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,116 @@
+// Do the error bands that `stemware run` and `stemware converge` print hold? Random studies, each beside the
+// same study four times finer. Build: cmake --preset bench && cmake --build --preset bench, run:
+// build/bench/error_band_coverage [studies [seed]]
+
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/support/ranks.h"
+#include "tests/benchmark/random_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace stemware::pipeline;
+
+/// Bands of one kind over all studies.
+struct Tally
+{
+  unsigned int n_spins = 0;
+  unsigned int n_spins_held = 0;
+  unsigned int n_figures = 0;
+  unsigned int n_figures_held = 0;
+  std::vector<double> spin_excess; ///< band over true difference
+
+  void add(const RefinementResult &result, const std::vector<FollowedFigure> &finer)
+  {
+    for (std::size_t f = 0; f < finer.size(); ++f)
+    {
+      const BandedFigure &banded = result.figures[f];
+      const double difference = std::abs(banded.figure.value - finer[f].value);
+      const bool held = difference <= banded.band;
+      ++n_figures;
+      n_figures_held += held;
+      if (!held)
+        std::printf("      %s: %.9g, four times finer %.9g, band %.2g\n", banded.figure.name.c_str(),
+                    banded.figure.value, finer[f].value, banded.band);
+      if (banded.figure.key != "omega_terminal")
+        continue;
+      ++n_spins;
+      n_spins_held += held;
+      spin_excess.push_back(banded.band / std::max(difference, banded.figure.rounding));
+      std::printf("      terminal spin %.9g, four times finer differs by %.2e, band %.2e, ratio %.1f%s\n",
+                  banded.figure.value, difference, banded.band, spin_excess.back(), held ? "" : " MISSED");
+    }
+  }
+
+  void print(const char *name)
+  {
+    if (spin_excess.empty())
+      return;
+    std::sort(spin_excess.begin(), spin_excess.end());
+    std::printf(
+      "%s: %u of %u bands of the terminal spin hold, %u of %u of all quantities; band over true difference, "
+      "terminal spin: median %.1f, least %.1f, greatest %.1f\n",
+      name, n_spins_held, n_spins, n_figures_held, n_figures, spin_excess[spin_excess.size() / 2],
+      spin_excess.front(), spin_excess.back());
+  }
+};
+
+void compare(const Study &study, Tally &quick, Tally &full)
+{
+  const RingLoad load = find_load(study).load;
+  const double omega = study_yaw(load.at_spin, study.motion.orbit).terminal.omega;
+  const std::vector<double> spins = followed_spins(omega);
+  const std::vector<FollowedFigure> own = figures_of_load(study, load, spins, omega);
+  const Study finer_study = four_times_finer(study);
+  const std::vector<FollowedFigure> finer =
+    figures_of_load(finer_study, find_load(finer_study).load, spins, omega);
+  std::printf("   run\n");
+  quick.add(estimate_error_bands(study, load, omega), finer);
+  std::printf("   converge\n");
+  full.add(refine(study, own, spins, refinement_axes(study, 3), 2), finer);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+  const MpiSession mpi;
+  const int n_studies = argc > 1 ? std::atoi(argv[1]) : 20;
+  RandomStudies studies(argc > 2 ? static_cast<unsigned int>(std::atoi(argv[2])) : 1);
+  Tally quick;
+  Tally full;
+  unsigned int n_failed = 0;
+  for (int i = 0; i < n_studies; ++i)
+  {
+    const Study study = studies.next();
+    std::printf(
+      "%2d %s, crown %.2g mm, %s, ", i + 1, study.table.kind == TableKind::mat ? "mat" : "rough table",
+      1000 * study.glass.profile.crown_radius, study.load.is_static() ? "given moment" : "in balance");
+    if (study.load.is_static())
+      std::printf("m = %.2f\n", study.load.moment_ratio);
+    else
+      std::printf("closure %s\n", stemware::ring::to_string(study.motion.closure).c_str());
+    try
+    {
+      compare(study, quick, full);
+    }
+    catch (const std::exception &failure)
+    {
+      ++n_failed;
+      std::printf("   no solution: %s\n", failure.what());
+    }
+  }
+  quick.print("run");
+  full.print("converge");
+  std::printf("%u studies without a solution\n", n_failed);
+  return quick.n_spins_held == quick.n_spins && full.n_spins_held == full.n_spins ? 0 : 1;
+}

@@ -1,0 +1,65 @@
+# The house has one order: a folder may include the folders above it in this list and nothing below, and the ring model
+# and the finite elements do not know each other. Fails with every include that says otherwise, or file that lies loose.
+# Given: SOURCE_DIR.
+cmake_policy(VERSION 3.25)
+set(order
+    ring_model
+    fem/geometry
+    fem/elasticity
+    fem/contact
+    fem/revolution
+    fem/solid
+    fem/pipeline/support
+    fem/pipeline/study
+    fem/pipeline/coupling
+    fem/pipeline/analysis
+    fem/pipeline/output
+    fem/pipeline/app)
+
+# The place in `order` of the folder that a path lies in, -1 for none.
+function(place_of path result)
+  set(place -1)
+  list(LENGTH order n)
+  math(EXPR last "${n} - 1")
+  foreach(i RANGE ${last})
+    list(GET order ${i} folder)
+    string(FIND "${path}" "${folder}/" begin)
+    if(begin EQUAL 0)
+      set(place ${i})
+    endif()
+  endforeach()
+  set(${result} ${place} PARENT_SCOPE)
+endfunction()
+
+set(troubles "")
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/ring_model/*.cc
+     ${SOURCE_DIR}/fem/*.h ${SOURCE_DIR}/fem/*.cc)
+foreach(file IN LISTS files)
+  place_of(${file} mine)
+  if(mine EQUAL -1)
+    string(APPEND troubles "${file} lies in none of the folders\n")
+  endif()
+  file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    if(NOT line MATCHES "[<\"]([^>\"]+)[>\"]")
+      continue()
+    endif()
+    set(included ${CMAKE_MATCH_1})
+    place_of(${included} other)
+    if(other GREATER mine)
+      string(APPEND troubles "${file} includes ${included}, which lies below it\n")
+    elseif(file MATCHES "^ring_model/" AND included MATCHES "^(deal\\.II|fem|Epetra|Teuchos|ml_|Amesos)")
+      string(APPEND troubles "${file} includes ${included}: the ring model needs no finite elements\n")
+    elseif(file MATCHES "^fem/" AND NOT file MATCHES "^fem/pipeline/" AND included MATCHES "^ring_model/")
+      string(APPEND troubles "${file} includes ${included}: the finite elements know no ring\n")
+    elseif(file MATCHES "^fem/solid/" AND included MATCHES "^fem/revolution/")
+      string(APPEND troubles "${file} includes ${included}: the bodies do not know each other\n")
+    endif()
+  endforeach()
+endforeach()
+
+if(troubles)
+  message(FATAL_ERROR "Includes that break the order of the folders:\n${troubles}")
+endif()
+list(LENGTH files n)
+message("${n} files include only what lies above them.")

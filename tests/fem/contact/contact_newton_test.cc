@@ -1,0 +1,177 @@
+#include "fem/contact/rigid_foot.h"
+#include "tests/fem/foot_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+SolidOptions linear_elements()
+{
+  SolidOptions options;
+  options.degree = 1;
+  return options;
+}
+
+const FootResolution coarse{ 12, 4, 1 };
+
+ContactOutcome outcome_of(FootCase &foot, const ContactLoad &load, const ContactControl &control)
+{
+  const auto mat = make_mat(foot.body->contact_surface(), 1e11);
+  try
+  {
+    solve_contact(*foot.body, *mat, load, 0.03, control);
+  }
+  catch (const ContactFailure &failure)
+  {
+    return failure.outcome;
+  }
+  return ContactOutcome::converged;
+}
+
+/// A body whose linear solves return nothing: the residual cannot fall.
+class StuckBody : public ElasticBody
+{
+public:
+  explicit StuckBody(const ContactSurface &surface)
+      : surface(surface)
+  {
+  }
+  const ContactSurface &contact_surface() const override { return surface; }
+  Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
+  ContactStep solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
+                    const Eigen::Vector3d &) override
+  {
+    ContactStep step;
+    step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
+    step.motion.setZero();
+    return step;
+  }
+  void accept(double) override {}
+  void reset() override {}
+  double equilibrium_residual(const Eigen::VectorXd &) const override { return 0.5; }
+  unsigned int n_unknowns() const override { return 0; }
+
+private:
+  const ContactSurface &surface;
+};
+
+} // namespace
+
+TEST(ContactDriver, NamesTipping)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  EXPECT_EQ(outcome_of(foot, load_at(2.2), {}), ContactOutcome::tipping);
+  EXPECT_EQ(outcome_of(foot, load_at(1.9), {}), ContactOutcome::converged);
+}
+
+TEST(ContactDriver, NamesTooManySteps)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  ContactControl control;
+  control.max_steps = 1;
+  EXPECT_EQ(outcome_of(foot, load_at(1.7), control), ContactOutcome::too_many_steps);
+}
+
+TEST(ContactDriver, NamesARepeatedSet)
+{
+  const FootCase foot(flat_profile(), coarse, linear_elements());
+  StuckBody stuck(foot.body->contact_surface());
+  const auto mat = make_mat(foot.body->contact_surface(), 1e11);
+  try
+  {
+    solve_contact(stuck, *mat, load_at(0.3), 0.03);
+    FAIL() << "a body that does not move was accepted";
+  }
+  catch (const ContactFailure &failure)
+  {
+    EXPECT_EQ(failure.outcome, ContactOutcome::repeated_set);
+  }
+}
+
+TEST(ContactDriver, SaysWhenContactIsNarrow)
+{
+  FootCase crowned(GlassProfile(), coarse);
+  crowned.press_on_mat(1e11,
+                       load_at(0.3)); // 0.2 mm of contact, nodes 0.5 mm apart, one of them in the middle
+  EXPECT_EQ(crowned.solution.outcome, ContactOutcome::narrow_contact);
+  EXPECT_EQ(crowned.solution.n_nodes_across, 1u);
+  EXPECT_EQ(crowned.solution.n_loaded_nodes, 2 * coarse.azimuthal_cells);
+  FootCase flat(flat_profile(), coarse);
+  flat.press_on_mat(1e11, load_at(0.3));
+  EXPECT_EQ(flat.solution.outcome, ContactOutcome::converged);
+  EXPECT_EQ(flat.solution.n_nodes_across, 9u);
+}
+
+TEST(ContactDriver, NamesOverflow)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  EXPECT_EQ(outcome_of(foot, { 1e306, 0, -1e304 }, {}), ContactOutcome::overflow);
+}
+
+TEST(ContactDriver, RefusesLoadsThatAreNone)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  const auto mat = make_mat(foot.body->contact_surface(), 1e11);
+  EXPECT_THROW(solve_contact(*foot.body, *mat, { 0, 0, 0 }, 0.03), std::invalid_argument);
+  EXPECT_THROW(solve_contact(*foot.body, *mat, { -1, 0, 0 }, 0.03), std::invalid_argument);
+  EXPECT_THROW(solve_contact(*foot.body, *mat, { 1, std::nan(""), 0 }, 0.03), std::invalid_argument);
+  EXPECT_THROW(make_mat(foot.body->contact_surface(), 0), std::invalid_argument);
+  EXPECT_THROW(make_mat(foot.body->contact_surface(), std::nan("")), std::invalid_argument);
+  EXPECT_THROW(make_rigid_table(foot.body->contact_surface(), -1), std::invalid_argument);
+}
+
+TEST(ContactDriver, EveryConvergedRunBalances)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  for (const double modulus : { 1e8, 1e10, 1e12 })
+    for (const double m : { 0., 0.7, 1.4, 1.95 })
+    {
+      foot.press_on_mat(modulus, load_at(m, 2.1));
+      EXPECT_LT(foot.solution.force_residual, 1e-9) << modulus << ", " << m;
+      EXPECT_LT(foot.solution.moment_residual, 1e-9) << modulus << ", " << m;
+      EXPECT_LT(foot.solution.equilibrium_residual, 1e-8) << modulus << ", " << m;
+      EXPECT_GE(foot.solution.forces.minCoeff(), -1e-6 * foot.solution.forces.maxCoeff())
+        << modulus << ", " << m;
+    }
+}
+
+TEST(ContactDriver, WarmStartFindsTheColdSolution)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  const auto mat = make_mat(foot.body->contact_surface(), 1e11);
+  const ContactSolution neighbour = solve_contact(*foot.body, *mat, load_at(1.20), 0.03);
+  const ContactSolution warm = solve_contact(*foot.body, *mat, load_at(1.25), 0.03, {}, &neighbour.motion);
+  const ContactSolution cold = solve_contact(*foot.body, *mat, load_at(1.25), 0.03);
+  EXPECT_LT((warm.forces - cold.forces).norm(), 1e-9 * cold.forces.norm());
+  EXPECT_LE(warm.n_iterations, cold.n_iterations + 1);
+}
+
+TEST(ContactDriver, RigidTableIsComplementary)
+{
+  FootCase foot(GlassProfile(), coarse, linear_elements());
+  const ContactSurface &surface = foot.body->contact_surface();
+  const auto table = make_rigid_table(surface, 70e9 / foot.body->contact_cell_size());
+  const ContactSolution solution = solve_contact(*foot.body, *table, load_at(1.3), 0.03);
+  const Eigen::VectorXd gap = surface.node_gap + solution.approach;
+  const double scale = solution.approach.cwiseAbs().maxCoeff();
+  EXPECT_GE(solution.forces.minCoeff(), 0);
+  EXPECT_GE(gap.minCoeff(), -1e-9 * scale);
+  EXPECT_LT(solution.forces.cwiseProduct(gap).cwiseAbs().maxCoeff(), 1e-9 * weight * scale);
+}
+
+TEST(ContactDriver, StiffMatTendsToTheRigidTable)
+{
+  FootCase foot(flat_profile(), coarse, linear_elements());
+  const auto table = make_rigid_table(foot.body->contact_surface(), 70e9 / foot.body->contact_cell_size());
+  const LoadHarmonics rigid = foot.press(*table, load_at(0.9), 3);
+  const LoadHarmonics softer = foot.press_on_mat(1e13, load_at(0.9), 3);
+  const LoadHarmonics stiffer = foot.press_on_mat(1e15, load_at(0.9), 3);
+  const auto distance = [&](const LoadHarmonics &load)
+  { return std::abs(load.a[2] - rigid.a[2]) / rigid.a[0]; };
+  EXPECT_LT(distance(stiffer), 0.5 * distance(softer));
+  EXPECT_LT(distance(stiffer), 0.02);
+}

@@ -1,0 +1,77 @@
+#include "fem/contact/line_integral.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace stemware::fem;
+
+namespace
+{
+/// A line from x = 0.028 to x = 0.032 along a ray at @p azimuth, one radian-thousandth wide.
+ContactLine radial_line(double azimuth)
+{
+  ContactLine line;
+  const double width = 1e-3;
+  for (int s = 0; s < 3; ++s)
+  {
+    const double radius = 0.028 + 0.002 * s;
+    line.position.row(s) << radius * std::cos(azimuth), radius * std::sin(azimuth);
+    line.breadth.row(s) << -radius * width * std::sin(azimuth), radius * width * std::cos(azimuth);
+  }
+  return line;
+}
+} // namespace
+
+TEST(LineIntegral, FindsWhereAQuadraticIsPositive)
+{
+  // (xi - 0.5)(xi + 0.25) at -1, 0, 1.
+  const PositiveSegments two(Eigen::Vector3d(1.125, -0.125, 0.625));
+  ASSERT_EQ(two.n_segments, 2u);
+  EXPECT_NEAR(two.segments[0].end, -0.25, 1e-15);
+  EXPECT_NEAR(two.segments[1].begin, 0.5, 1e-15);
+
+  const PositiveSegments inner(Eigen::Vector3d(-1.125, 0.125, -0.625));
+  ASSERT_EQ(inner.n_segments, 1u);
+  EXPECT_NEAR(inner.segments[0].begin, -0.25, 1e-15);
+  EXPECT_NEAR(inner.segments[0].end, 0.5, 1e-15);
+
+  EXPECT_EQ(PositiveSegments(Eigen::Vector3d(1, 1, 1)).n_segments, 1u);
+  EXPECT_EQ(PositiveSegments(Eigen::Vector3d(-1, -1, -1)).n_segments, 0u);
+  EXPECT_EQ(PositiveSegments(Eigen::Vector3d::Zero()).n_segments, 0u);
+
+  // A linear function, and one so nearly linear that the textbook formula would cancel.
+  EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1, 0.5, 2)).segments[0].begin, -1. / 3, 1e-15);
+  EXPECT_NEAR(PositiveSegments(Eigen::Vector3d(-1 + 1e-14, 0.5, 2 + 1e-14)).segments[0].begin, -1. / 3,
+              1e-13);
+}
+
+TEST(LineIntegral, AgreesWithBruteForceOnRandomPenetrations)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  constexpr unsigned int n_points = 400000;
+  for (unsigned int sample = 0; sample < 20; ++sample)
+  {
+    const ContactLine line = radial_line(uniform(generator));
+    const Eigen::Vector3d depth(uniform(generator), uniform(generator), uniform(generator));
+    Eigen::Vector3d exact = Eigen::Vector3d::Zero();
+    for_each_loaded_point(line, depth,
+                          [&](const LinePoint &point)
+                          {
+                            EXPECT_GT(point.area, 0);
+                            exact += point.shape * point.shape.dot(depth) * point.area;
+                          });
+    Eigen::Vector3d brute = Eigen::Vector3d::Zero();
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      const double xi = -1 + 2 * (i + 0.5) / n_points;
+      const Eigen::Vector3d shape(xi * (xi - 1) / 2, (1 - xi) * (1 + xi), xi * (xi + 1) / 2);
+      const double radius = 0.030 + 0.002 * xi;
+      brute += shape * std::max(0., shape.dot(depth)) * radius * 1e-3 * 0.004 / n_points;
+    }
+    // The midpoint rule loses h^2 at kinks: 1e-10 of the integrals, whose size is about 1e-7.
+    EXPECT_LT((exact - brute).norm(), 2e-10 * 1.2e-7) << "sample " << sample;
+  }
+}

@@ -1,0 +1,151 @@
+// Table laws on a rigid narrow ring, where the load has a closed form (rough interface: modified Bessel
+// functions; mat: theta_c).
+#include "fem/contact/rigid_foot.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <boost/math/special_functions/bessel.hpp>
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+GlassProfile thin_ring(double crown_radius)
+{
+  GlassProfile profile;
+  profile.land_width = 1e-4;
+  profile.crown_radius = crown_radius;
+  return profile;
+}
+
+/// Surface of a foot whose elasticity is not asked for.
+struct RigidRing
+{
+  RigidRing(const GlassProfile &profile, unsigned int n_lines)
+      : compliance(foot_compliance(profile, equal_cells(), MeridianOptions{ 2, 1, 1 }))
+      , revolution(profile, compliance, n_lines)
+      , foot(revolution.body.contact_surface())
+  {
+  }
+
+  LoadHarmonics press(TableLaw &law, double m)
+  {
+    return extract_load(law, solve_contact(foot, law, load_at(m), 0.03), 8);
+  }
+
+  ContactCompliance compliance;
+  RevolutionCase revolution;
+  RigidFoot foot;
+};
+
+/// Solves @p value(x) = @p target for a rising function by bisection of [low, high].
+template <typename Function>
+double invert(const Function &value, double target, double low, double high)
+{
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    const double middle = (low + high) / 2;
+    (value(middle) < target ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// a_n / a_0 of a rigid ring on a unilateral Winkler support, lambda = A max(0, cos theta - cos c).
+double lifted_ratio(unsigned int n, double c)
+{
+  const double base = std::sin(c) - c * std::cos(c);
+  if (n == 1)
+    return (c - std::sin(c) * std::cos(c)) / base;
+  return 2 * (std::sin(n * c) * std::cos(c) - n * std::cos(n * c) * std::sin(c)) / (n * (n * n - 1.) * base);
+}
+
+} // namespace
+
+TEST(RoughInterface, RigidRingHasBesselHarmonics)
+{
+  // lambda ~ exp(x cos theta): a_n / a_0 = 2 I_n(x) / I_0(x), whatever the pressure scale and the decay
+  // length.
+  RigidRing ring(thin_ring(0), 256);
+  for (const RoughInterface interface : { RoughInterface{ 1e9, 1e-6 }, RoughInterface{ 1e12, 1e-7 } })
+    for (const double m : { 0.2, 0.8, 1.5 })
+    {
+      const auto law = make_rough_interface(ring.revolution.body.contact_surface(), interface);
+      const LoadHarmonics load = ring.press(*law, m);
+      const auto ratio = [](unsigned int n, double x)
+      { return 2 * boost::math::cyl_bessel_i(n, x) / boost::math::cyl_bessel_i(0, x); };
+      const double x = invert([&](double y) { return ratio(1, y); }, load.a[1] / load.a[0], 0, 50);
+      EXPECT_NEAR(load.a[1] / load.a[0], m, 1e-4); // the ring is 0.1 mm wide
+      for (unsigned int n = 2; n <= 8; ++n)
+        EXPECT_NEAR(load.a[n] / load.a[0], ratio(n, x), 1e-5) << "m = " << m << ", n = " << n;
+      EXPECT_EQ(load.contact_fraction, 1);
+    }
+}
+
+TEST(RoughInterface, PressureScaleIsAnOffset)
+{
+  const GlassProfile profile;
+  RevolutionCase foot(profile, foot_compliance(profile, graded_cells(1)));
+  const auto soft = make_rough_interface(foot.body.contact_surface(), { 1e9, 1e-6 });
+  const auto hard = make_rough_interface(foot.body.contact_surface(), { 1e12, 1e-6 });
+  for (const double m : { 0.5, 1.2 })
+  {
+    const LoadHarmonics one = foot.press(*soft, load_at(m));
+    const LoadHarmonics other = foot.press(*hard, load_at(m));
+    for (unsigned int n = 1; n <= 8; ++n)
+      EXPECT_NEAR(one.a[n] / one.a[0], other.a[n] / other.a[0], 1e-8) << "n = " << n;
+  }
+}
+
+TEST(RoughInterface, RefusesLengthsThatAreNone)
+{
+  RigidRing ring(thin_ring(0), 16);
+  const ContactSurface &surface = ring.revolution.body.contact_surface();
+  EXPECT_THROW(make_rough_interface(surface, { 1e9, 0 }), std::invalid_argument);
+  EXPECT_THROW(make_rough_interface(surface, { -1, 1e-6 }), std::invalid_argument);
+}
+
+TEST(RigidLimit, FlatRingOnAMat)
+{
+  // PHYSICS: lambda = A max(0, cos theta - cos theta_c); m <= 1 leaves no higher harmonic.
+  RigidRing ring(thin_ring(0), 1024);
+  const auto mat = make_mat(ring.revolution.body.contact_surface(), 1e10);
+  const LoadHarmonics full = ring.press(*mat, 0.8);
+  for (unsigned int n = 2; n <= 8; ++n)
+    EXPECT_NEAR(full.a[n] / full.a[0], 0, 1e-12);
+  for (const double m : { 1.2, 1.5, 1.8 })
+  {
+    const LoadHarmonics load = ring.press(*mat, m);
+    // The angle is that of the closed form at this m: 135.478172, 98.562754, 59.006155 degrees.
+    const double c = invert([](double x) { return -lifted_ratio(1, x); }, -m, 1e-3, M_PI);
+    for (unsigned int n = 2; n <= 8; ++n)
+      EXPECT_NEAR(load.a[n] / load.a[0], lifted_ratio(n, c), 1e-4) << "m = " << m << ", n = " << n;
+  }
+}
+
+TEST(RigidLimit, CrownedRingOnAMat)
+{
+  // Rigid torus, exponent 3/2. Full contact: onset of lift-off at m = 6/5, where a_2/a_0 = 6/35; the others
+  // from quadrature tables.
+  GlassProfile profile = thin_ring(0.003);
+  profile.land_width = 1e-3;
+  RigidRing ring(profile, 1024);
+  const auto mat = make_mat(ring.revolution.body.contact_surface(), 1e12);
+  struct Row
+  {
+    double m;
+    double a[7];
+  };
+  const Row rows[] = {
+    { 0.5, { .0216141997, -6.288813e-4, 4.133006e-5, -3.628702e-6, 3.721098e-7, -4.208181e-8, 5.091904e-9 } },
+    { 1.2, { 6. / 35, -.0190476190, .0051948052, -.0019980020, 9.324009e-4, -4.936240e-4, 2.857823e-4 } },
+    { 1.5, { .5444909918, -.0098744992, -.0455699149, .0227367064, .0041320348, -.0114899894, .0042190700 } },
+    { 1.8, { 1.2888588420, .6808576241, .1945825053, -.0566029311, -.0965376371, -.0338964182, .0247620488 } }
+  };
+  for (const Row &row : rows)
+  {
+    const LoadHarmonics load = ring.press(*mat, row.m);
+    for (unsigned int n = 2; n <= 8; ++n)
+      EXPECT_NEAR(load.a[n] / load.a[0], row.a[n - 2], 1e-4) << "m = " << row.m << ", n = " << n;
+  }
+}

@@ -1,0 +1,114 @@
+// The factorisation of sparse matrices against a matrix whose inverse is known, also from several threads at
+// once.
+#include "fem/elasticity/sparse_cholesky.h"
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+using stemware::fem::SparseCholesky;
+
+namespace
+{
+
+/// Five-point Laplacian on n x n points inside a square, @p shift added to its diagonal: dense factors.
+struct Membrane
+{
+  Membrane(unsigned int n, double shift)
+  {
+    dealii::DynamicSparsityPattern dynamic(n * n);
+    for (unsigned int i = 0; i < n * n; ++i)
+      for (unsigned int j : neighbours(i, n))
+        dynamic.add(i, j);
+    for (unsigned int i = 0; i < n * n; ++i)
+      dynamic.add(i, i);
+    pattern.copy_from(dynamic);
+    matrix.reinit(pattern);
+    for (unsigned int i = 0; i < n * n; ++i)
+    {
+      matrix.set(i, i, 4 + shift);
+      for (unsigned int j : neighbours(i, n))
+        matrix.set(i, j, -1);
+    }
+  }
+
+  static std::vector<unsigned int> neighbours(unsigned int i, unsigned int n)
+  {
+    std::vector<unsigned int> result;
+    if (i % n > 0)
+      result.push_back(i - 1);
+    if (i % n + 1 < n)
+      result.push_back(i + 1);
+    if (i >= n)
+      result.push_back(i - n);
+    if (i + n < n * n)
+      result.push_back(i + n);
+    return result;
+  }
+
+  dealii::SparsityPattern pattern;
+  dealii::SparseMatrix<double> matrix;
+};
+
+/// Modes sin(pi p x) sin(pi q y) of the membrane, one column each for p = q = 1 ... n_modes.
+Eigen::MatrixXd modes(unsigned int n, unsigned int n_modes)
+{
+  Eigen::MatrixXd result(n * n, n_modes);
+  for (unsigned int p = 1; p <= n_modes; ++p)
+    for (unsigned int i = 0; i < n * n; ++i)
+      result(i, p - 1) =
+        std::sin(M_PI * p * (i % n + 1) / (n + 1)) * std::sin(M_PI * p * (i / n + 1) / (n + 1));
+  return result;
+}
+
+double eigenvalue(unsigned int p, unsigned int n)
+{
+  return 8 * std::pow(std::sin(M_PI * p / (2 * (n + 1))), 2);
+}
+
+} // namespace
+
+TEST(SparseCholesky, SolvesForTheModesOfAMembrane)
+{
+  const unsigned int n = 40;
+  const Membrane membrane(n, 0.5);
+  const Eigen::MatrixXd forces = modes(n, 7);
+  const Eigen::MatrixXd solution = SparseCholesky(membrane.matrix).solve(forces);
+  for (unsigned int p = 1; p <= 7; ++p)
+    EXPECT_LT((solution.col(p - 1) * (eigenvalue(p, n) + 0.5) - forces.col(p - 1)).cwiseAbs().maxCoeff(),
+              1e-12)
+      << "p = " << p;
+}
+
+TEST(SparseCholesky, ThreadsDoNotDisturbEachOther)
+{
+  const unsigned int n = 60;
+  const unsigned int n_threads = 4;
+  const Eigen::MatrixXd forces = modes(n, 20);
+  std::vector<Eigen::MatrixXd> solutions(n_threads);
+  std::vector<std::thread> threads;
+  for (unsigned int t = 0; t < n_threads; ++t)
+    threads.emplace_back(
+      [&, t]
+      {
+        const Membrane membrane(n, 0.5);
+        solutions[t] = SparseCholesky(membrane.matrix).solve(forces);
+      });
+  for (std::thread &thread : threads)
+    thread.join();
+  for (unsigned int t = 0; t < n_threads; ++t)
+    for (unsigned int p = 1; p <= 20; ++p)
+      EXPECT_LT(
+        (solutions[t].col(p - 1) * (eigenvalue(p, n) + 0.5) - forces.col(p - 1)).cwiseAbs().maxCoeff(), 1e-12)
+        << "thread " << t << ", p = " << p;
+}
+
+TEST(SparseCholesky, RefusesWhatIsNotPositiveDefinite)
+{
+  const Membrane membrane(10, -1);
+  EXPECT_THROW(SparseCholesky{ membrane.matrix }, std::runtime_error);
+}

@@ -1,0 +1,189 @@
+#include "tests/fem/foot_case.h"
+#include "tests/fem/geometry/profile_oracle.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+using namespace dealii;
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+double exact_volume(const GlassProfile &profile)
+{
+  const double inner = profile.land_inner_radius();
+  const double outer = profile.land_outer_radius();
+  return numbers::PI * ((outer * outer - inner * inner) * profile.land_height +
+                        profile.foot_radius * profile.foot_radius * profile.foot_thickness +
+                        profile.stem_radius * profile.stem_radius * profile.stem_height);
+}
+
+double meshed_volume(const GlassProfile &profile, unsigned int n_sectors, unsigned int degree)
+{
+  Triangulation<3> triangulation;
+  make_foot_mesh(profile, { n_sectors, 4, 2 }, triangulation);
+  return GridTools::volume(triangulation, MappingQ<3>(degree));
+}
+
+double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int degree)
+{
+  GlassProfile profile;
+  profile.shape = shape;
+  SolidOptions options;
+  options.degree = degree;
+  const FootCase foot(profile, { n_sectors, 2, 1 }, options);
+  const double exact = numbers::PI * (profile.land_outer_radius() * profile.land_outer_radius() -
+                                      profile.land_inner_radius() * profile.land_inner_radius());
+  return 1 - foot.body->contact_surface().area() / exact;
+}
+} // namespace
+
+TEST(FootMesh, VolumeConvergesAtTheGeometrysOrder)
+{
+  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
+  {
+    const double exact = exact_volume(profile);
+    const double order_1 =
+      std::log2((1 - meshed_volume(profile, 24, 1) / exact) / (1 - meshed_volume(profile, 48, 1) / exact));
+    EXPECT_NEAR(order_1, 2, 0.05);
+    const double order_2 = std::log2(std::abs(1 - meshed_volume(profile, 24, 2) / exact) /
+                                     std::abs(1 - meshed_volume(profile, 48, 2) / exact));
+    EXPECT_NEAR(order_2, 4, 0.2);
+  }
+}
+
+TEST(FootMesh, OfAFootFollowsItsProfile)
+{
+  const GlassProfile profile = foot_profile();
+  const double exact = integral_over_section(profile, [](double radius) { return 2 * numbers::PI * radius; });
+  std::array<double, 2> before{};
+  for (const unsigned int refinements : { 0u, 1u, 2u })
+  {
+    Triangulation<3> triangulation;
+    make_foot_mesh(profile, { 24, 2, 1 }, triangulation);
+    triangulation.refine_global(refinements);
+    for (const auto &face : triangulation.active_face_iterators())
+      if (face->at_boundary())
+        for (const unsigned int v : face->vertex_indices())
+        {
+          const Point<3> &vertex = face->vertex(v);
+          ASSERT_LT(distance_from_profile(profile, std::hypot(vertex[0], vertex[1]), vertex[2]), 1e-15);
+        }
+    for (const unsigned int degree : { 1u, 2u })
+    {
+      const double error = std::abs(1 - GridTools::volume(triangulation, MappingQ<3>(degree)) / exact);
+      if (refinements > 0)
+      {
+        EXPECT_GT(std::log2(before[degree - 1] / error), 1.9 * degree) << "degree " << degree;
+      }
+      before[degree - 1] = error;
+    }
+  }
+}
+
+TEST(FootMesh, LandIsRoundToTheElementsOrder)
+{
+  // Chords between 24 points leave 1 - sin(15 deg) / (15 deg in radians) = 1.138 % of the land out.
+  for (const GlassShape shape : { GlassShape::step, GlassShape::foot })
+  {
+    EXPECT_NEAR(land_area_error(shape, 24, 1), 1 - std::sin(numbers::PI / 12) / (numbers::PI / 12), 1e-12);
+    EXPECT_LT(std::abs(land_area_error(shape, 24, 2)), 2e-5);
+  }
+}
+
+TEST(FootMesh, CellsAreWellShaped)
+{
+  for (const unsigned int n_sectors : { 8u, 12u, 24u, 28u, 48u })
+  {
+    Triangulation<3> triangulation;
+    make_foot_mesh(GlassProfile(), { n_sectors, 4, 2 }, triangulation);
+    const MappingQ<3> mapping(2);
+    const auto ratios = GridTools::compute_aspect_ratio_of_cells(mapping, triangulation, QGauss<3>(3));
+    EXPECT_LT(ratios.linfty_norm(), n_sectors < 24 ? 40 : 12)
+      << n_sectors; // infinite for a cell turned inside out
+    Triangulation<3> foot;
+    make_foot_mesh(foot_profile(), { n_sectors, 4, 2 }, foot);
+    const auto foot_ratios = GridTools::compute_aspect_ratio_of_cells(mapping, foot, QGauss<3>(3));
+    EXPECT_LT(foot_ratios.linfty_norm(), n_sectors < 24 ? 45 : 15) << n_sectors;
+  }
+}
+
+class FootMeshOfShape : public testing::TestWithParam<GlassShape>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, FootMeshOfShape, testing::Values(GlassShape::step, GlassShape::foot),
+                         [](const auto &info) { return info.param == GlassShape::step ? "step" : "foot"; });
+
+TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
+{
+  GlassProfile profile;
+  profile.shape = GetParam();
+  profile.underside_rise = 0; // so that only the land's borders tell it from the rest of the underside
+  Triangulation<3> triangulation;
+  make_foot_mesh(profile, { 16, 4, 1 }, triangulation);
+  unsigned int n_land = 0;
+  unsigned int n_cut = 0;
+  for (const auto &face : triangulation.active_face_iterators())
+  {
+    if (!face->at_boundary())
+      continue;
+    const Point<3> centre = face->center();
+    const double radius = std::hypot(centre[0], centre[1]);
+    if (face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    {
+      ++n_land;
+      EXPECT_NEAR(centre[2], 0, 1e-15);
+      EXPECT_GT(radius, 0.97 * profile.land_inner_radius());
+      EXPECT_LT(radius, profile.land_outer_radius());
+    }
+    if (face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::stem_cut))
+    {
+      ++n_cut;
+      EXPECT_NEAR(centre[2], profile.height(), 1e-15);
+    }
+  }
+  EXPECT_EQ(n_land, 16u * 4u);
+  EXPECT_EQ(n_cut, 16u + 16u); // a core of 4 x 4 and the ring round it
+}
+
+/// What p4est demands of a coarse mesh, and checks in debug builds only.
+TEST_P(FootMeshOfShape, CellsSeeTheirEdgesInOneDirection)
+{
+  GlassProfile profile;
+  profile.shape = GetParam();
+  for (const unsigned int n_sectors : { 12u, 28u, 48u })
+  {
+    Triangulation<3> triangulation;
+    make_foot_mesh(profile, { n_sectors, 4, 2 }, triangulation);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      for (const unsigned int l : cell->line_indices())
+        ASSERT_TRUE(cell->line_orientation(l)) << n_sectors << " sectors, cell " << cell->index();
+  }
+}
+
+TEST(FootMesh, ContactLinesFormRadialCuts)
+{
+  for (const unsigned int degree : { 1u, 2u })
+  {
+    SolidOptions options;
+    options.degree = degree;
+    const FootCase foot(flat_profile(), { 12, 2, 1 }, options);
+    const ContactSurface &surface = foot.body->contact_surface();
+    EXPECT_TRUE(surface.lines_are_radial);
+    EXPECT_EQ(surface.n_sectors, 12u);
+    EXPECT_EQ(surface.n_nodes(), degree * 12 * (2 * degree + 1));
+  }
+}
+
+TEST(FootMesh, RefusesResolutionsThatNoMeshHas)
+{
+  EXPECT_THROW(FootResolution({ 6, 4, 2 }).validate(), std::invalid_argument);
+  EXPECT_THROW(FootResolution({ 26, 4, 2 }).validate(), std::invalid_argument);
+  EXPECT_THROW(FootResolution({ 24, 3, 2 }).validate(), std::invalid_argument);
+  EXPECT_THROW(FootResolution({ 24, 4, 0 }).validate(), std::invalid_argument);
+}

@@ -1,0 +1,196 @@
+#include "fem/geometry/foot_mesh.h"
+#include "tests/fem/geometry/profile_oracle.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+/// Area of the section [m^2], and its length on the contact zone [m].
+struct Measures
+{
+  double area = 0;
+  double contact_length = 0;
+};
+
+Measures measure(const dealii::Triangulation<2> &triangulation)
+{
+  Measures result;
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    result.area += cell->measure();
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && face->boundary_id() == static_cast<unsigned int>(FootBoundary::contact_zone))
+        result.contact_length += face->measure();
+  }
+  return result;
+}
+
+} // namespace
+
+TEST(MeridianMesh, FillsTheStepProfile)
+{
+  const GlassProfile profile;
+  for (const unsigned int levels : { 0u, 3u })
+  {
+    MeridianResolution resolution;
+    resolution.focus_levels = levels;
+    dealii::Triangulation<2> triangulation;
+    make_meridian_mesh(profile, resolution, triangulation);
+    const Measures measures = measure(triangulation);
+    const double expected = profile.land_width * profile.land_height +
+                            profile.foot_radius * profile.foot_thickness +
+                            profile.stem_radius * profile.stem_height;
+    EXPECT_NEAR(measures.area / expected, 1, 1e-12);
+    EXPECT_NEAR(measures.contact_length / profile.land_width, 1, 1e-12);
+  }
+}
+
+TEST(MeridianMesh, OfAFootLiesOnTheProfile)
+{
+  const GlassProfile profile = foot_profile();
+  for (const unsigned int levels : { 0u, 6u })
+  {
+    MeridianResolution resolution;
+    resolution.refinements = 3;
+    resolution.focus_levels = levels;
+    dealii::Triangulation<2> triangulation;
+    make_meridian_mesh(profile, resolution, triangulation);
+    for (const unsigned int degree : { 1u, 2u, 3u, 4u })
+    {
+      // The points through which the mapping of that degree draws the edges; the ends are the vertices.
+      const dealii::MappingQ<2> mapping(degree);
+      const dealii::QGaussLobatto<1> edge_points(degree + 1);
+      dealii::FE_Nothing<2> nothing;
+      dealii::FEFaceValues<2> values(mapping, nothing, edge_points, dealii::update_quadrature_points);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+        {
+          if (!cell->at_boundary(f))
+            continue;
+          values.reinit(cell, f);
+          for (const dealii::Point<2> &point : values.get_quadrature_points())
+            ASSERT_LT(distance_from_profile(profile, point[0], point[1]), 1e-15)
+              << "degree " << degree << " at " << point;
+        }
+    }
+  }
+}
+
+/// Curves drawn through the Gauss-Lobatto points of degree p enclose an area that is right to order 2 p.
+TEST(MeridianMesh, AreaOfAFootConvergesAtTwiceTheGeometrysOrder)
+{
+  const GlassProfile profile = foot_profile();
+  const double exact = integral_over_section(profile, [](double) { return 1.; });
+  for (const unsigned int degree : { 1u, 2u, 3u })
+  {
+    double before = 0;
+    for (const unsigned int refinements : { 2u, 3u })
+    {
+      dealii::Triangulation<2> triangulation;
+      make_meridian_mesh(profile, graded_cells(refinements), triangulation);
+      const double error =
+        std::abs(1 - dealii::GridTools::volume(triangulation, dealii::MappingQ<2>(degree)) / exact);
+      if (before > 0)
+      {
+        EXPECT_NEAR(std::log2(before / error), 2 * degree, 0.1 * degree) << "degree " << degree;
+      }
+      before = error;
+    }
+  }
+}
+
+class MeridianMeshOfShape : public testing::TestWithParam<GlassShape>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, MeridianMeshOfShape, testing::Values(GlassShape::step, GlassShape::foot),
+                         [](const auto &info) { return info.param == GlassShape::step ? "step" : "foot"; });
+
+TEST_P(MeridianMeshOfShape, FootAndDiscShareTheirContactCells)
+{
+  GlassProfile profile;
+  profile.shape = GetParam();
+  MeridianResolution resolution;
+  resolution.focus_levels = 5;
+  resolution.refinements = 1;
+  dealii::Triangulation<2> foot;
+  dealii::Triangulation<2> disc;
+  make_meridian_mesh(profile, resolution, foot);
+  make_meridian_mesh(TableDisc(), profile, resolution, disc);
+  MeridianOptions options;
+  options.n_harmonics = 1;
+  const ContactCompliance above = compute_compliance(foot, ElasticMaterial(), options);
+  const ContactCompliance below = compute_compliance(disc, ElasticMaterial(), options);
+  ASSERT_EQ(above.n_nodes(), below.n_nodes());
+  EXPECT_TRUE(above.radii.isApprox(below.radii, 1e-12));
+  EXPECT_NEAR(above.radii(above.n_nodes() / 2), profile.contact_radius, 1e-15);
+}
+
+TEST(MeridianMesh, RefusesImpossibleSections)
+{
+  dealii::Triangulation<2> triangulation;
+  MeridianResolution resolution;
+  resolution.land_cells = 3;
+  EXPECT_THROW(make_meridian_mesh(GlassProfile(), resolution, triangulation), std::invalid_argument);
+  TableDisc disc;
+  disc.radius = 0.02;
+  EXPECT_THROW(make_meridian_mesh(disc, GlassProfile(), MeridianResolution(), triangulation),
+               std::invalid_argument);
+}
+
+TEST(Compliance, IsSymmetricAndPositive)
+{
+  const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
+  for (const HarmonicCompliance &harmonic : compliance.harmonics)
+  {
+    EXPECT_TRUE(harmonic.normal.isApprox(harmonic.normal.transpose(), 1e-12));
+    EXPECT_EQ(Eigen::LLT<Eigen::MatrixXd>(harmonic.normal).info(), Eigen::Success);
+  }
+}
+
+TEST(Compliance, OfADiscPressedAllOver)
+{
+  // A disc of large radius under a uniform vertical load, held at the bottom with nu = 0: u_z = p t / E,
+  // whatever the harmonic of the mesh.
+  GlassProfile ring;
+  ring.contact_radius = 0.05;
+  ring.land_width = 0.0998;
+  ring.foot_radius = 0.15;
+  ring.stem_radius = 0.00005;
+  TableDisc disc;
+  disc.radius = 0.1;
+  disc.thickness = 0.001;
+  ElasticMaterial material;
+  material.poisson_ratio = 0;
+  dealii::Triangulation<2> triangulation;
+  MeridianResolution resolution = equal_cells();
+  resolution.land_cells = 40;
+  make_meridian_mesh(disc, ring, resolution, triangulation);
+  MeridianOptions options;
+  options.n_harmonics = 0;
+  const ContactCompliance compliance = compute_compliance(triangulation, material, options);
+  // Consistent forces int N_i p r dr per radian of p = 1 Pa, element by element (Simpson weights; r is
+  // linear).
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(compliance.n_nodes());
+  for (unsigned int i = 0; i + 2 < compliance.n_nodes(); i += 2)
+  {
+    const double h = compliance.radii(i + 2) - compliance.radii(i);
+    forces(i) += h / 6 * compliance.radii(i);
+    forces(i + 1) += 4 * h / 6 * compliance.radii(i + 1);
+    forces(i + 2) += h / 6 * compliance.radii(i + 2);
+  }
+  const Eigen::VectorXd displacement = compliance.harmonics[0].normal * forces;
+  EXPECT_NEAR(displacement(compliance.n_nodes() / 2) * material.young_modulus / disc.thickness, 1, 1e-6);
+}

@@ -1,0 +1,150 @@
+// Looking at meshes, and writing them.
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_quality.h"
+#include "fem/geometry/mesh_writer.h"
+#include "tests/fem/temporary_file.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace dealii;
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+/// A unit cube on the contact zone, moved point by point.
+template <typename Move>
+MeshCheck check_cube(const Move &move)
+{
+  Triangulation<3> cube;
+  GridGenerator::hyper_cube(cube);
+  cube.begin_active()->face(4)->set_boundary_id(2); // the bottom
+  cube.begin_active()->face(5)->set_boundary_id(1);
+  GridTools::transform(move, cube);
+  return check_mesh(cube);
+}
+
+double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
+{
+  const double inner = profile.land_inner_radius(), outer = profile.land_outer_radius();
+  return 0.5 * n_sectors * std::sin(2 * numbers::PI / n_sectors) * (outer * outer - inner * inner);
+}
+
+} // namespace
+
+TEST(MeshCheck, FacesOfTheContactZoneFromAbove)
+{
+  const GlassProfile profile;
+  FootResolution resolution;
+  resolution.azimuthal_cells = 24;
+  Triangulation<3> foot;
+  make_foot_mesh(profile, resolution, foot);
+  // The shoelace formula, whose sign tells whether corners go round.
+  double area = 0;
+  for (const Quadrilateral &face : contact_faces(foot))
+  {
+    double twice = 0;
+    for (unsigned int i = 0; i < 4; ++i)
+      twice += face[i][0] * face[(i + 1) % 4][1] - face[(i + 1) % 4][0] * face[i][1];
+    area += std::abs(twice) / 2;
+  }
+  EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
+}
+
+TEST(MeshCheck, ScaledJacobianOfSkewCells)
+{
+  const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
+  EXPECT_NEAR(brick.least_jacobian, 1, 1e-15);
+  EXPECT_EQ(brick.n_inverted, 0u);
+  // A parallelepiped sheared by 60 degrees: every corner has the sine of the angle left between its edges.
+  const MeshCheck sheared =
+    check_cube([](const Point<3> &x) { return Point<3>(x[0] + std::sqrt(3.) * x[2], x[1], x[2]); });
+  EXPECT_NEAR(sheared.least_jacobian, 0.5, 1e-15);
+  EXPECT_NEAR(sheared.mean_jacobian, 0.5, 1e-15);
+  // One corner is pushed through the opposite one.
+  const MeshCheck folded = check_cube([](const Point<3> &x) { return x.norm() > 1.7 ? -1. * x : x; });
+  EXPECT_EQ(folded.n_inverted, 1u);
+  EXPECT_LT(folded.least_jacobian, 0);
+}
+
+TEST(MeshCheck, ContactZoneOfACube)
+{
+  const MeshCheck upright = check_cube([](const Point<3> &x) { return Point<3>(x[0], 2 * x[1], x[2] + 3); });
+  EXPECT_NEAR(upright.contact_area, 2, 1e-14);
+  EXPECT_EQ(upright.upward_share, 0);
+  EXPECT_NEAR(upright.centre[0], 0.5, 1e-15);
+  EXPECT_NEAR(upright.centre[1], 1, 1e-15);
+  EXPECT_EQ(upright.lowest, 3);
+  EXPECT_EQ(upright.highest, 3);
+  EXPECT_EQ(upright.n_faces, (std::map<unsigned int, unsigned int>{ { 0, 4 }, { 1, 1 }, { 2, 1 } }));
+  EXPECT_EQ(check_cube([](const Point<3> &x) { return Point<3>(x[0], -x[1], -x[2]); }).upward_share, 1);
+}
+
+TEST(MeshCheck, GeneratedFoot)
+{
+  Triangulation<3> foot;
+  const GlassProfile profile;
+  make_foot_mesh(profile, { 24, 4, 1 }, foot);
+  const MeshCheck check = check_mesh(foot);
+  EXPECT_EQ(check.n_faces.at(2), 24u * 4u);
+  EXPECT_NEAR(check.contact_area / sectors_area(profile, 24), 1, 1e-12);
+  EXPECT_NEAR(check.inner_radius, profile.land_inner_radius(), 1e-12);
+  EXPECT_NEAR(check.outer_radius, profile.land_outer_radius(), 1e-12);
+  EXPECT_NEAR(check.upper[2], profile.height(), 1e-12);
+  EXPECT_GT(check.least_jacobian, 0.1);
+  EXPECT_EQ(check.upward_share, 0);
+}
+
+TEST(MeshWriter, CrownIsAtTheVertices)
+{
+  Triangulation<3> foot;
+  const GlassProfile profile;
+  make_foot_mesh(profile, { 24, 4, 1 }, foot);
+  move_to_crown(profile, foot);
+  const MeshCheck check = check_mesh(foot);
+  EXPECT_EQ(check.lowest, 0); // at r = R, which is a mesh line
+  EXPECT_NEAR(check.highest, 0.002 * 0.002 / (2 * 0.003), 1e-12);
+  EXPECT_EQ(check.n_inverted, 0u);
+}
+
+TEST(MeshWriter, WhatIsReadIsWhatWasWritten)
+{
+  Triangulation<3> foot, again;
+  const GlassProfile profile;
+  make_foot_mesh(profile, { 24, 4, 2 }, foot);
+  move_to_crown(profile, foot);
+  std::ostringstream text;
+  write_msh(foot, text);
+  const TemporaryFile file(text.str());
+  const MeshReport report = read_foot_mesh(file.name, again);
+  EXPECT_TRUE(report.round_rim);
+  const MeshCheck written = check_mesh(foot), read = check_mesh(again);
+  EXPECT_EQ(read.n_cells, written.n_cells);
+  EXPECT_EQ(read.n_vertices, written.n_vertices);
+  EXPECT_EQ(read.n_faces, written.n_faces);
+  EXPECT_EQ(read.lower, written.lower); // 17 digits lose nothing
+  EXPECT_EQ(read.upper, written.upper);
+  EXPECT_NEAR(GridTools::volume(again) / GridTools::volume(foot), 1, 1e-12);
+  EXPECT_NEAR(read.contact_area / written.contact_area, 1, 1e-13);
+  EXPECT_NEAR(read.least_jacobian, written.least_jacobian, 1e-13);
+}
+
+TEST(MeshWriter, VtuHoldsQualityAndBoundaries)
+{
+  Triangulation<3> foot;
+  make_foot_mesh(GlassProfile(), { 8, 2, 1 }, foot);
+  std::ostringstream first, second;
+  write_mesh_vtu(foot, first);
+  write_mesh_vtu(foot, second);
+  EXPECT_EQ(first.str(), second.str());
+  for (const char *name : { "\"scaled_jacobian\"", "\"boundary_id\"" })
+    EXPECT_NE(first.str().find(name), std::string::npos) << name;
+  const std::string n_cells = "NumberOfCells=\"" + std::to_string(foot.n_active_cells()) + "\"";
+  EXPECT_NE(first.str().find(n_cells), std::string::npos);
+}

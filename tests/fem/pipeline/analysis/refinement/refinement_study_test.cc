@@ -1,0 +1,177 @@
+// Which levels a study is refined on, and whether the bands that they make hold: beside the same study with
+// much finer meshes.
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/benchmark/random_study.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+std::vector<unsigned int> sizes(const RefinementAxis &axis)
+{
+  std::vector<unsigned int> result;
+  for (const RefinementLevel &level : axis.levels)
+    result.push_back(level.size);
+  return result;
+}
+
+using Sizes = std::vector<unsigned int>;
+
+TEST(RefinementAxes, OfABodyOfRevolution)
+{
+  const std::vector<RefinementAxis> axes = refinement_axes(Study(), 3);
+  ASSERT_EQ(axes.size(), 4u);
+  EXPECT_EQ(axes[0].key, "meridional_mesh");
+  EXPECT_EQ(sizes(axes[0]), (Sizes{ 0, 1, 2 }));
+  EXPECT_EQ(axes[0].own, 0u);
+  EXPECT_EQ(axes[1].key, "degree");
+  EXPECT_EQ(sizes(axes[1]), (Sizes{ 1, 2, 3, 4 }));
+  EXPECT_EQ(axes[1].own, 1u);
+  EXPECT_EQ(axes[2].key, "harmonics");
+  EXPECT_EQ(sizes(axes[2]), (Sizes{ 8, 16, 32 }));
+  EXPECT_EQ(axes[2].own, 1u);
+  EXPECT_EQ(axes[3].key, "azimuth_lines");
+  EXPECT_EQ(sizes(axes[3]), (Sizes{ 128, 256, 512 }));
+  // Each level differs in its own parameter only.
+  EXPECT_EQ(axes[0].levels[2].study.contact.refinements, 2u);
+  EXPECT_EQ(axes[0].levels[2].study.contact.harmonics, 16u);
+  EXPECT_EQ(axes[3].levels[0].study.contact.azimuth_lines, 128u);
+  EXPECT_EQ(axes[3].levels[0].study.contact.refinements, 0u);
+}
+
+TEST(RefinementAxes, KeepToWhatIsAllowed)
+{
+  Study study;
+  study.contact.degree = 4;
+  study.contact.refinements = 6;
+  study.contact.harmonics = 20;
+  study.contact.azimuth_lines = 64;
+  const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
+  ASSERT_EQ(axes.size(), 3u); // the mesh cannot be halved a seventh time
+  EXPECT_EQ(sizes(axes[0]), (Sizes{ 3, 4 }));
+  EXPECT_EQ(axes[0].own, 1u);
+  EXPECT_EQ(sizes(axes[1]), (Sizes{ 10, 20 })); // 40 harmonics need 81 lines
+  EXPECT_EQ(sizes(axes[2]), (Sizes{ 64, 128, 256 }));
+  study.table.kind = TableKind::elastic;
+  EXPECT_EQ(sizes(refinement_axes(study, 3)[1]), (Sizes{ 10, 20, 40 }));
+  EXPECT_EQ(refinement_axes(study, 3).size(), 2u); // the lines follow the harmonics
+}
+
+TEST(RefinementAxes, OfASolidBody)
+{
+  Study study;
+  study.contact.body = BodyKind::solid;
+  const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
+  ASSERT_EQ(axes.size(), 4u);
+  EXPECT_EQ(sizes(axes[0]), (Sizes{ 24, 48, 96 }));
+  EXPECT_EQ(sizes(axes[1]), (Sizes{ 2, 4, 8 }));
+  EXPECT_EQ(sizes(axes[3]), (Sizes{ 1, 2 }));
+  study.contact.mesh_file = STEMWARE_MESHES "/oval_foot.msh";
+  EXPECT_EQ(refinement_axes(study, 3).size(), 1u);
+}
+
+TEST(RefinementAxes, RefuseWhatHasNoDiscretisation)
+{
+  Study study;
+  study.load.source = LoadSource::first_harmonic;
+  EXPECT_THROW(refinement_axes(study, 3), BadInput);
+  EXPECT_FALSE(has_quick_error_bands(study));
+}
+
+/// Half the cell size twice over, four times the lines; the harmonics, which matter least, doubled.
+Study much_finer(Study study)
+{
+  study.contact.refinements += 2;
+  study.contact.harmonics *= 2;
+  study.contact.azimuth_lines *= 4;
+  return study;
+}
+
+/// Figures of the study itself and of a finer one, with the bands of `run`.
+struct Comparison
+{
+  explicit Comparison(const Study &study, const Study &finer_study)
+      : load(find_load(study).load)
+      , omega(study_yaw(load.at_spin, study.motion.orbit).terminal.omega)
+      , quick(estimate_error_bands(study, load, omega))
+      , finer(figures_of_load(finer_study, find_load(finer_study).load, followed_spins(omega), omega))
+  {
+  }
+
+  RingLoad load;
+  double omega;
+  RefinementResult quick;
+  std::vector<FollowedFigure> finer;
+};
+
+TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
+{
+  const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
+  const Comparison comparison(study, four_times_finer(study));
+  for (std::size_t f = 0; f < comparison.finer.size(); ++f)
+  {
+    const BandedFigure &banded = comparison.quick.figures[f];
+    EXPECT_NEAR(banded.figure.value, comparison.finer[f].value, banded.band) << banded.figure.name;
+  }
+  const BandedFigure &spin = comparison.quick.figure("omega_terminal");
+  EXPECT_GT(spin.band, std::abs(spin.figure.value - figure_of(comparison.finer, "omega_terminal").value));
+  EXPECT_LT(spin.band, 1e-5); // rad/s: a band that says nothing would hold too
+
+  // What `converge` does: three levels, and an order between that of the re-entrant corners and that of a
+  // smooth section.
+  const RefinementResult full =
+    refine(study, figures_of_load(study, comparison.load, followed_spins(comparison.omega), comparison.omega),
+           followed_spins(comparison.omega), refinement_axes(study, 3), 2);
+  const BandedFigure &refined = full.figure("omega_terminal");
+  const double finer = figure_of(comparison.finer, "omega_terminal").value;
+  EXPECT_NEAR(refined.figure.value, finer, refined.band);
+  EXPECT_NEAR(refined.richardson, finer, refined.band / 3);
+  const auto index = static_cast<std::size_t>(&refined - full.figures.data());
+  ASSERT_TRUE(full.axes[0].figures[index].judged.order);
+  EXPECT_NEAR(*full.axes[0].figures[index].judged.order, 1.29, 0.05);
+}
+
+TEST(ErrorBands, OfRandomStudiesHold)
+{
+  // The share over many more: fem/pipeline/benchmark/error_band_coverage, docs/method/error_bands.md.
+  RandomStudies studies(2024);
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const Study study = studies.next();
+    const Comparison comparison(study, much_finer(study));
+    const BandedFigure &spin = comparison.quick.figure("omega_terminal");
+    const double finer = figure_of(comparison.finer, "omega_terminal").value;
+    EXPECT_NEAR(spin.figure.value, finer, spin.band) << "study " << i;
+    EXPECT_LT(spin.band, 2e-3 * std::abs(spin.figure.value)) << "study " << i;
+  }
+}
+
+TEST(ErrorBands, SayWhichLevelFailed)
+{
+  Study study;
+  study.load.moment_ratio = 0.5;
+  const RingLoad load = find_load(study).load;
+  const std::vector<double> spins = { -1 };
+  std::vector<RefinementAxis> axes = refinement_axes(study, 2);
+  axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
+  try
+  {
+    refine(study, figures_of_load(study, load, spins, std::nullopt), spins, axes, 2);
+    FAIL() << "a level that tips was solved";
+  }
+  catch (const std::runtime_error &failure)
+  {
+    EXPECT_EQ(std::string(failure.what()).rfind("Level 4 of the refinement in degree of the elements: ", 0),
+              0u)
+      << failure.what();
+  }
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,232 @@
+// Whatever is wrong with the input ends in one clear sentence, a meaningful exit code, and nothing on the
+// disk.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// Asserts that a run was refused with exactly one line on standard error that contains @p expected, and that
+/// it left nothing behind.
+void expect_refused(const ScratchFolder &scratch, const std::vector<std::string> &arguments, int exit_code,
+                    const std::string &expected)
+{
+  const auto before = names_in(scratch.path());
+  const Ended ended = stemware(scratch, arguments);
+  EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  EXPECT_EQ(ended.err.rfind("stemware: ", 0), 0u) << ended.err;
+  EXPECT_NE(ended.err.find(expected), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find("does not match the given pattern"), std::string::npos) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), before);
+}
+
+/// Letters, digits and underscores, as names of tests want it.
+std::string as_name(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char letter) { return !std::isalnum(letter); }, '_');
+  return text;
+}
+
+struct BadFile
+{
+  std::string name;
+  std::string text;
+  std::string expected;
+};
+
+std::ostream &operator<<(std::ostream &stream, const BadFile &file)
+{
+  return stream << file.name;
+}
+
+class BadStudyFile : public testing::TestWithParam<BadFile>
+{
+};
+
+TEST_P(BadStudyFile, IsRefusedInOneSentence)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write(GetParam().name, GetParam().text);
+  expect_refused(scratch, { "run", file }, 1, GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Kinds, BadStudyFile,
+  testing::Values(
+    BadFile{ "empty.prm", "", "is empty" }, BadFile{ "blank.prm", " \n\t\n", "is empty" },
+    BadFile{ "binary.prm",
+             std::string("\x7f"
+                         "ELF\0\1\2",
+                         7),
+             "is not a text file" },
+    BadFile{ "study.txt", "# text\n", "neither .prm nor .json" },
+    BadFile{ "entry.prm", "subsection Glass\n  set Contact radus = 1\nend\n", "no entry \"Contact radus\"" },
+    BadFile{ "section.prm", "subsection Glas\n  set Contact radius = 1\nend\n", "no subsection \"Glas\"" },
+    BadFile{ "top.prm", "set Contact radius = 0.03\n", "did you mean Glass/Contact radius" },
+    BadFile{ "open.prm", "subsection Glass\n  set Contact radius = 0.03\n", "is not closed" },
+    BadFile{ "end.prm", "end\n", "no \"subsection\" above it" },
+    BadFile{ "no_set.prm", "subsection Glass\n  Contact radius = 1\nend\n", "is not a line of a study file" },
+    BadFile{ "no_value.prm", "subsection Glass\n  set Contact radius\nend\n", "write set ENTRY = VALUE" },
+    BadFile{ "include.prm", "include nothing.prm\n", "nothing.prm" },
+    BadFile{ "negative.prm", "subsection Glass\n  set Contact radius = -0.03\nend\n",
+             "Glass/Contact radius = -0.03 is not allowed; give a number greater than 0 (m)" },
+    BadFile{ "nan.prm", "subsection Glass\n  set Contact radius = nan\nend\n",
+             "Glass/Contact radius = nan is not allowed" },
+    BadFile{ "nothing.prm", "subsection Glass\n  set Contact radius =\nend\n",
+             "Glass/Contact radius = (nothing) is not allowed" },
+    BadFile{ "broken.json", "{\"Glass\": ", "is not a JSON object" },
+    BadFile{ "entry.json", "{\"Glass\": {\"Contact radus\": 1}}", "did you mean Glass/Contact radius" },
+    BadFile{ "value.json", "{\"Glass\": {\"Contact radius\": -1}}",
+             "Glass/Contact radius = -1 is not allowed" }),
+  [](const auto &info) { return as_name(info.param.name); });
+
+struct BadSetting
+{
+  std::string setting;
+  std::string expected;
+  std::string body = "revolution";
+};
+
+std::ostream &operator<<(std::ostream &stream, const BadSetting &setting)
+{
+  return stream << setting.setting;
+}
+
+class BadOverride : public testing::TestWithParam<BadSetting>
+{
+};
+
+TEST_P(BadOverride, IsRefusedInOneSentence)
+{
+  const ScratchFolder scratch;
+  const std::string file =
+    scratch.write("study.prm", "subsection Contact\n  set Body = " + GetParam().body + "\nend\n");
+  expect_refused(scratch, { "run", file, "--set", GetParam().setting }, 1, GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Settings, BadOverride,
+  testing::Values(
+    BadSetting{ "Glass/Contact radus=1", "no entry" },
+    BadSetting{ "Contact radius=0.03", "is not an assignment" },
+    BadSetting{ "Glass/Contact radius", "is not an assignment" },
+    BadSetting{ "Glass/Contact radius=inf", "is not allowed" },
+    BadSetting{ "Motion/Mass=0", "is not allowed" }, BadSetting{ "Motion/Gravity=1e400", "is not allowed" },
+    BadSetting{ "Motion/Closure=papper", "is not allowed" },
+    BadSetting{ "Motion/Euler step=1e-12", "use longer steps" },
+    BadSetting{ "Glass/Poisson ratio=0.5", "is not allowed" },
+    BadSetting{ "Glass/Crown radius=-1", "not less than 0" },
+    BadSetting{ "Glass/Stem radius=0.029", "Glass/Stem radius = 0.029 m does not fit the foot" },
+    BadSetting{ "Glass/Shape=round", "give one of step or foot" },
+    BadSetting{ "Glass/Edge thickness=0", "greater than 0" },
+    BadSetting{ "Glass/Underside rise=-1e-3", "not less than 0" },
+    BadSetting{ "Table/Foundation modulus=nan", "is not allowed" },
+    BadSetting{ "Load/Moment ratio=2", "less than 2, where the foot tips" },
+    BadSetting{ "Load/Moment ratio=nan", "is not allowed" },
+    BadSetting{ "Motion/Force offset=0.3", "asks for a moment ratio of" },
+    BadSetting{ "Contact/Azimuthal cells=10", "multiple of 4" },
+    BadSetting{ "Contact/Radial cells=3", "even" }, BadSetting{ "Contact/Degree=3", "give 1 or 2", "solid" },
+    BadSetting{ "Contact/Degree=5", "from 1 to 4" },
+    BadSetting{ "Contact/Mesh file=nothing.msh", "nothing.msh does not exist", "solid" },
+    BadSetting{ "Contact/Mesh file=study.prm", "is not a Gmsh .msh mesh", "solid" },
+    BadSetting{ "Contact/Mesh file=.", "is not a file", "solid" },
+    BadSetting{ "Load/File=nothing.dat", "Load/Source = file" },
+    BadSetting{ "Load/Source=file", "needs Load/File" },
+    BadSetting{ "Table/Kind=elastic", "set Contact/Body = revolution", "solid" },
+    BadSetting{ "Contact/Friction coupling=elastic", "set Contact/Body = revolution", "solid" },
+    BadSetting{ "Table/Decay length=0", "greater than 0" },
+    BadSetting{ "Contact/Azimuth lines=3", "from 16 to 100000" },
+    BadSetting{ "Contact/Mesh file=study.prm", "is read by a solid body only" },
+    BadSetting{ "Load/Coupling=response", "set Contact/Body = revolution", "solid" },
+    BadSetting{ "Load/Response tolerance=0", "greater than 0" }),
+  [](const auto &info) { return as_name(info.param.setting + " " + info.param.body); });
+
+TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", coarse_study());
+  const auto expect_contradiction = [&](const std::string &one, const std::string &other,
+                                        const std::string &expected) {
+    expect_refused(scratch, { "run", study, "--set", one, "--set", other }, 1, expected);
+  };
+  expect_contradiction("Load/Coupling=exact", "Load/Moment ratio=0.5", "contradicts Load/Coupling = exact");
+  expect_contradiction("Load/Coupling=exact", "Load/Source=file", "contradicts Load/Source = file");
+  expect_contradiction("Load/Coupling=response", "Load/Moment ratio=0.5",
+                       "contradicts Load/Coupling = response");
+  expect_contradiction("Contact/Body=revolution", "Contact/Azimuth lines=20", "lines");
+  expect_contradiction("Glass/Shape=foot", "Glass/Fillet radius=0.02",
+                       "give a smaller fillet or a longer stem");
+  expect_contradiction("Glass/Shape=foot", "Glass/Stem height=0.003", "a longer stem");
+}
+
+TEST(BadInput, AResponseCurveKnowsTheMomentRatioOnly)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "# defaults\n");
+  for (const char *setting :
+       { "Contact/Friction coupling=elastic", "Table/Kind=elastic", "Table/Kind=rigid" })
+    expect_refused(scratch, { "run", study, "--set", "Load/Coupling=response", "--set", setting }, 1,
+                   "makes it depend on the spin too; set Coupling = exact");
+}
+
+TEST(BadInput, MissingStudyFileIsRefused)
+{
+  const ScratchFolder scratch;
+  expect_refused(scratch, { "run", "nothing.prm" }, 1, "nothing.prm does not exist");
+  expect_refused(scratch, { "run", "." }, 1, "is not a file");
+}
+
+TEST(BadInput, UsageErrorsAreRefused)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("study.prm", "# defaults\n");
+  expect_refused(scratch, {}, 1, "say what to do: one of run");
+  expect_refused(scratch, { "rum" }, 1, "\"rum\" is not one of the verbs run");
+  expect_refused(scratch, { "rum" }, 1, "; did you mean run? See `stemware --help`");
+  expect_refused(scratch, { "frobnicate" }, 1, "; see `stemware --help`");
+  expect_refused(scratch, { "run" }, 1, "STUDY");
+  expect_refused(scratch, { "run", file, "--bogus" }, 1, "--bogus");
+  expect_refused(scratch, { "run", file, "--outptu", "there" }, 1,
+                 "\"--outptu\" is not expected by run; did you mean --output? See `stemware run --help`");
+  expect_refused(scratch, { "run", file, "another.prm" }, 1, "another.prm");
+}
+
+TEST(BadInput, MeshWithoutContactZoneIsRefused)
+{
+  const ScratchFolder scratch;
+  scratch.write("cube.msh",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+                "5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 0 1 1 2 3 4 5 6 7 8\n"
+                "$EndElements\n");
+  const std::string file = scratch.write("study.prm", coarse_study());
+  expect_refused(scratch, { "run", file, "--set", "Contact/Mesh file=cube.msh" }, 1, "has no contact zone");
+}
+
+TEST(BadInput, LoadThatTipsTheRingIsRefused)
+{
+  const ScratchFolder scratch;
+  scratch.write("tipping.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.9 0\n");
+  const std::string file = scratch.write("study.prm", "subsection Load\n  set Source = file\n"
+                                                      "  set File = tipping.dat\nend\n");
+  expect_refused(scratch, { "run", file }, 1, "tips at 2");
+}
+
+TEST(BadInput, UnwritableOutputIsRefused)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("study.prm", "# defaults\n");
+  expect_refused(scratch, { "run", file, "--output", "/proc/stemware" }, 3, "cannot be written");
+  expect_refused(scratch, { "run", file, "--output", "study.prm/results" }, 3, "cannot be written");
+  expect_refused(scratch, { "run", file, "--output", "study.prm" }, 3, "not a folder");
+  expect_refused(scratch, { "run", file, "--output", "." }, 3, "not a result of Stemware");
+}
+
+} // namespace
+} // namespace stemware::test

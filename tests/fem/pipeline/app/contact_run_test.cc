@@ -1,0 +1,302 @@
+// The whole pipeline on a coarse mesh: contact, load, ring, results.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// summary.json of a coarse contact study.
+nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
+                   const std::string &results = "results")
+{
+  std::vector<std::string> arguments = { "run", scratch.write("coarse.prm", coarse_study()), "--output",
+                                         results };
+  for (const std::string &setting : settings)
+    arguments.insert(arguments.end(), { "--set", setting });
+  const Ended ended = stemware(scratch, arguments);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  return read_summary(scratch / results);
+}
+
+/// Harmonics of the load over a_0, cosines and sines one after the other.
+std::vector<double> relative_harmonics(const nlohmann::json &summary)
+{
+  std::vector<double> harmonics;
+  for (const char *family : { "a", "b" })
+    for (const auto &value : summary["load"][family])
+      harmonics.push_back(value.get<double>() / summary["load"]["a"][0].get<double>());
+  return harmonics;
+}
+
+void expect_same_harmonics(const nlohmann::json &one, const nlohmann::json &other, double tolerance)
+{
+  const auto first = relative_harmonics(one);
+  const auto second = relative_harmonics(other);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i)
+    EXPECT_NEAR(first[i], second[i], tolerance) << i;
+}
+
+TEST(ContactRun, SummaryHasThePromisedKeys)
+{
+  const ScratchFolder scratch;
+  const auto summary = run(scratch, {});
+  EXPECT_EQ(summary["schema"], 1);
+  EXPECT_EQ(summary["parameters"]["Contact"]["Azimuthal cells"], 16);
+  const std::vector<std::pair<std::string, std::vector<std::string>>> promised = {
+    { "program", { "version", "revision" } },
+    { "load",
+      { "a", "b", "normal_force", "moment", "moment_ratio", "ring_radius", "mean_radius", "contact_fraction",
+        "minimum" } },
+    { "contact", { "body", "unknowns", "contact_nodes", "iterations", "force_residual", "moment_residual" } },
+    { "ring", { "tau_at_rest", "tau_closed_form", "omega_terminal", "time_constant", "no_lift_off" } },
+    { "resolved", { "at_rest", "at_terminal" } },
+    { "closures", { "paper", "hand", "full" } },
+  };
+  for (const auto &[object, keys] : promised)
+    for (const std::string &key : keys)
+    {
+      ASSERT_TRUE(summary[object].contains(key)) << object << '/' << key;
+      EXPECT_FALSE(summary[object][key].is_null()) << object << '/' << key;
+    }
+  EXPECT_EQ(summary["load"]["a"].size(), 9u);
+  EXPECT_EQ(summary["load"]["b"].size(), 9u);
+  EXPECT_EQ(summary["load"]["b"][0], 0);
+  std::vector<int> orders;
+  for (const auto &row : summary["truncation"])
+  {
+    orders.push_back(row["harmonics"]);
+    for (const char *key : { "tau_at_rest", "omega_terminal", "relative_change", "bound", "load_minimum" })
+      EXPECT_TRUE(row[key].is_number()) << key;
+  }
+  EXPECT_EQ(orders, (std::vector<int>{ 1, 2, 3, 4, 6, 8 }));
+}
+
+TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
+{
+  const ScratchFolder scratch;
+  const auto summary = run(scratch, {});
+  EXPECT_EQ(summary["files"].get<std::vector<std::string>>(), names_in(scratch / "results"));
+  for (const char *table : { "load.dat", "load_lines.dat", "footprint.dat", "harmonics.dat", "torque.dat",
+                             "spin_up.dat", "truncation.dat", "contact_history.dat" })
+  {
+    const std::string text = read_text(scratch / "results" / table);
+    EXPECT_NE(text.find("\n# 1: "), std::string::npos) << table;
+    const auto columns = read_columns(scratch / "results" / table);
+    ASSERT_GE(columns.size(), 2u) << table;
+    EXPECT_NE(text.find("# " + std::to_string(columns.size()) + ": "), std::string::npos) << table;
+    for (const auto &column : columns)
+      EXPECT_EQ(column.size(), columns[0].size()) << table;
+  }
+  EXPECT_EQ(names_in(scratch / "results/fields"), std::vector<std::string>{ "contact.vtu" });
+}
+
+TEST(ContactRun, TorqueAtRestIsThatOfTheMoment)
+{
+  const ScratchFolder scratch;
+  for (const char *table : { "mat", "rigid" })
+  {
+    const auto summary = run(scratch, { std::string("Table/Kind=") + table });
+    const double torque = summary["ring"]["tau_at_rest"];
+    EXPECT_NEAR(torque, 0.3 * summary["load"]["moment"][0].get<double>(), 1e-10 * std::abs(torque)) << table;
+    EXPECT_NEAR(torque, -0.003675, 1e-9 * 0.003675) << table;
+    EXPECT_NEAR(summary["resolved"]["at_rest"]["torque"].get<double>(), torque, 1e-10 * std::abs(torque))
+      << table;
+    EXPECT_LE(summary["contact"]["force_residual"].get<double>(), 1e-9) << table;
+    EXPECT_LE(summary["contact"]["moment_residual"].get<double>(), 1e-9) << table;
+    EXPECT_NEAR(summary["load"]["normal_force"].get<double>(), 2.943, 1e-9) << table;
+  }
+}
+
+TEST(ContactRun, EqualRunsGiveEqualFiles)
+{
+  const ScratchFolder scratch;
+  run(scratch, {}, "one");
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time stamp in seconds would show
+  run(scratch, {}, "other");
+  const auto one = all_files(scratch / "one");
+  const auto other = all_files(scratch / "other");
+  ASSERT_EQ(one.size(), other.size());
+  for (const auto &[name, text] : one)
+  {
+    ASSERT_EQ(other.count(name), 1u) << name;
+    EXPECT_TRUE(other.at(name) == text) << name << " differs";
+  }
+}
+
+TEST(ContactRun, EchoedParametersGiveTheSameSummary)
+{
+  const ScratchFolder scratch;
+  run(scratch, { "Glass/Crown radius=0.00312345678" }, "one");
+  const Ended ended = stemware(scratch, { "run", "one/parameters.prm", "--output", "other" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(read_text(scratch / "other/summary.json"), read_text(scratch / "one/summary.json"));
+}
+
+TEST(ContactRun, LoadFileContinuesFromHarmonics)
+{
+  const ScratchFolder scratch;
+  const auto contact = run(scratch, {}, "contact");
+  const Ended ended = stemware(scratch, { "run", "coarse.prm", "--output", "ring", "--set",
+                                          "Load/Source=file", "--set", "Load/File=contact/harmonics.dat" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  const auto ring = read_summary(scratch / "ring");
+  EXPECT_EQ(ring["load"]["a"], contact["load"]["a"]);
+  EXPECT_EQ(ring["load"]["b"], contact["load"]["b"]);
+  EXPECT_EQ(ring["truncation"], contact["truncation"]);
+}
+
+TEST(ContactRun, ReversedOrbitMirrorsTheLoad)
+{
+  const ScratchFolder scratch;
+  const auto there = run(scratch, { "Motion/Orbit sense=counterclockwise" });
+  const auto back = run(scratch, { "Motion/Orbit sense=clockwise" });
+  const double a0 = there["load"]["a"][0];
+  for (std::size_t n = 0; n < there["load"]["a"].size(); ++n)
+  {
+    EXPECT_NEAR(back["load"]["a"][n].get<double>(), there["load"]["a"][n].get<double>(), 1e-9 * a0) << n;
+    EXPECT_NEAR(back["load"]["b"][n].get<double>(), -there["load"]["b"][n].get<double>(), 1e-9 * a0) << n;
+  }
+  const auto expect_mirrored = [](const nlohmann::json &one, const nlohmann::json &other, double sign)
+  { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-8 * std::abs(one.get<double>())); };
+  expect_mirrored(there["ring"]["omega_terminal"], back["ring"]["omega_terminal"], -1);
+  expect_mirrored(there["ring"]["tau_at_rest"], back["ring"]["tau_at_rest"], -1);
+  const auto &force_there = there["resolved"]["at_terminal"]["ring_force"];
+  const auto &force_back = back["resolved"]["at_terminal"]["ring_force"];
+  expect_mirrored(force_there[0], force_back[0], 1);
+  expect_mirrored(force_there[1], force_back[1], -1);
+}
+
+TEST(ContactRun, UnitsDoNotMatter)
+{
+  const ScratchFolder scratch;
+  // t, mm, s, and so N, MPa, N mm: the same glass in other numbers.
+  const std::vector<std::string> in_millimetres = {
+    "Motion/Mass=3e-4",         "Motion/Yaw inertia=0.3",      "Motion/Centre of mass height=80",
+    "Motion/Force offset=-50",  "Motion/Orbit radius=150",     "Motion/Orbit speed=350",
+    "Motion/Gravity=9810",      "Glass/Contact radius=30",     "Glass/Foot radius=34",
+    "Glass/Foot thickness=4",   "Glass/Land width=4",          "Glass/Land height=1",
+    "Glass/Crown radius=3",     "Glass/Stem radius=5",         "Glass/Stem height=10",
+    "Glass/Young modulus=70e3", "Table/Foundation modulus=10",
+  };
+  for (const char *table : { "Table/Kind=mat", "Table/Kind=rigid" })
+  {
+    const auto metres = run(scratch, { table });
+    auto settings = in_millimetres;
+    settings.push_back(table);
+    const auto millimetres = run(scratch, settings);
+    expect_same_harmonics(metres, millimetres, 1e-8);
+    const double omega = metres["ring"]["omega_terminal"];
+    EXPECT_NEAR(millimetres["ring"]["omega_terminal"].get<double>(), omega, 1e-8 * std::abs(omega)) << table;
+    EXPECT_NEAR(millimetres["load"]["ring_radius"].get<double>(),
+                1e3 * metres["load"]["ring_radius"].get<double>(), 1e-6);
+  }
+}
+
+TEST(ContactRun, ReadsMeshFiles)
+{
+  const ScratchFolder scratch;
+  const auto flat = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh" });
+  EXPECT_TRUE(flat["contact"]["mesh"]["round_rim"].get<bool>());
+  EXPECT_NEAR(flat["contact"]["mesh"]["rim_radius"].get<double>(), 0.03, 1e-8);
+  // A body of revolution on a linear support: nothing beyond the first harmonic.
+  const auto harmonics = relative_harmonics(flat);
+  const std::size_t n_all = flat["load"]["a"].size();
+  for (std::size_t n = 2; n <= 8; ++n)
+    EXPECT_LE(std::hypot(harmonics[n], harmonics[n_all + n]), 1e-5) << n;
+
+  const auto oval = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/oval_foot.msh" });
+  EXPECT_FALSE(oval["contact"]["mesh"]["round_rim"].get<bool>());
+  EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
+  EXPECT_GT(std::abs(oval["load"]["a"][2].get<double>()), 1e-3 * oval["load"]["a"][0].get<double>());
+
+  const Ended ended = stemware(scratch, { "run", "results/parameters.prm", "--output", "again" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(read_summary(scratch / "again")["load"], oval["load"]);
+}
+
+TEST(ContactRun, MeshOfAnotherGlassIsRefused)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set",
+                                          "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh", "--set",
+                                          "Glass/Contact radius=30" });
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_NE(ended.err.find("has a radius of 0.03"), std::string::npos) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
+}
+
+TEST(ContactRun, LiftOffLeavesPartOfTheRimFree)
+{
+  const ScratchFolder scratch;
+  const auto summary = run(scratch, { "Load/Moment ratio=1.3", "Load/Moment direction=-1.5707963267948966" });
+  EXPECT_FALSE(summary["ring"]["no_lift_off"].get<bool>());
+  EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.3, 1e-9);
+  EXPECT_LT(summary["load"]["contact_fraction"].get<double>(), 0.95);
+  EXPECT_EQ(summary["load"]["minimum"], 0);
+  EXPECT_LT(summary["truncation"][0]["load_minimum"].get<double>(), 0);
+  EXPECT_LT(summary["load"]["b"][1].get<double>(), 0);
+  EXPECT_NEAR(summary["ring"]["tau_at_rest"].get<double>(), -0.3 * 1.3 * 2.943 * 0.03 / 2, 1e-11);
+}
+
+TEST(ContactRun, ContactFailureHasAnExitCodeOfItsOwn)
+{
+  const ScratchFolder scratch;
+  // Just below tipping nothing but the last row of nodes carries: too few to stand on.
+  const Ended ended =
+    stemware(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set",
+                        "Load/Moment ratio=1.9999", "--set", "Table/Foundation modulus=1e16" });
+  EXPECT_EQ(ended.exit_code, 2) << ended.out;
+  EXPECT_EQ(ended.err.rfind("stemware: No contact solution: ", 0), 0u) << ended.err;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
+}
+
+TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
+{
+  const ScratchFolder scratch;
+  const auto alone = run(scratch, {}, "alone");
+  const Ended ended = RunningProgram({ STEMWARE_MPIEXEC, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm",
+                                       "--output", "together" },
+                                     scratch.path())
+                        .end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "alone", "coarse.prm", "together" }));
+  expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
+  // Printed once, not once per rank.
+  EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
+}
+
+TEST(ContactRun, DefaultOutputIsNamedAfterTheStudy)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "run", scratch.write("my_glass.prm", coarse_study()) });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "my_glass" });
+  EXPECT_NE(ended.out.find("Results   results/my_glass\n"), std::string::npos) << ended.out;
+}
+
+TEST(ContactRun, TerminalLinesFitOneHundredColumns)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(
+    scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
+  std::size_t begin = 0;
+  for (std::size_t end = ended.out.find('\n'); end != std::string::npos; end = ended.out.find('\n', begin))
+  {
+    EXPECT_LE(end - begin, 100u) << ended.out.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  EXPECT_NE(ended.out.find("rad/s"), std::string::npos);
+}
+
+} // namespace
+} // namespace stemware::test

@@ -1,0 +1,98 @@
+// `stemware converge` as a program.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace stemware::test
+{
+namespace
+{
+
+TEST(ConvergeRun, WritesOrdersAndBands)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "subsection Load\n  set Moment ratio = 0.6\nend\n");
+  const Ended ended =
+    stemware(scratch, { "converge", study, "--at", "-2", "--at", "-7", "--set", "Contact/Degree=1" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const std::filesystem::path results = scratch / "results" / "study-converge";
+  const nlohmann::json summary = read_summary(results);
+  EXPECT_EQ(summary["verb"], "converge");
+
+  const auto &mesh = summary["refinement"]["meridional_mesh"];
+  EXPECT_EQ(mesh["levels"], nlohmann::json::parse("[0, 1, 2]"));
+  EXPECT_EQ(mesh["own_level"], 0);
+  const auto &spin = mesh["figures"]["omega_terminal"];
+  const std::vector<double> values = spin["values"];
+  // The order and the limit are those of these three values.
+  const double order = std::log2((values[1] - values[0]) / (values[2] - values[1]));
+  EXPECT_NEAR(spin["order"].get<double>(), order, 1e-9);
+  EXPECT_NEAR(spin["limit"].get<double>(), values[2] + (values[2] - values[1]) / (std::exp2(order) - 1),
+              1e-9);
+  // Linear elements converge faster than the re-entrant corners allow in the end, slower than smooth ones.
+  EXPECT_GT(order, 1.2);
+  EXPECT_LT(order, 2.05);
+
+  const auto &bands = summary["error_bands"];
+  EXPECT_EQ(bands["omega_terminal"]["value"].get<double>(), values[0]);
+  EXPECT_GE(bands["omega_terminal"]["band"].get<double>(), std::abs(values[0] - values[2]));
+  for (const char *key : { "a2", "b8", "tau_at_rest", "tau_at_spin_1", "tau_at_spin_2", "time_constant",
+                           "contact_fraction", "minimum", "ring_radius" })
+    EXPECT_TRUE(bands.contains(key)) << key;
+  for (const char *file : { "report.html", "error_bands.dat", "converge_meridional_mesh.dat",
+                            "converge_degree.dat", "converge_harmonics.dat", "converge_azimuth_lines.dat" })
+    EXPECT_TRUE(std::filesystem::exists(results / file)) << file;
+  const auto rows = read_columns(results / "converge_meridional_mesh.dat");
+  EXPECT_EQ(rows.front(), (std::vector<double>{ 0, 1, 2 }));
+  EXPECT_NE(ended.out.find("Terminal spin "), std::string::npos);
+  EXPECT_NE(ended.out.find(" ± "), std::string::npos);
+}
+
+TEST(ConvergeRun, RunShowsTheBandOfTheTerminalSpin)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "subsection Load\n  set Moment ratio = 0.6\nend\n");
+  const Ended run = stemware(scratch, { "run", study });
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find(" ± "), std::string::npos) << run.out;
+  const nlohmann::json summary = read_summary(scratch / "results" / "study");
+  const auto &banded = summary["error_bands"]["omega_terminal"];
+  EXPECT_EQ(banded["value"].get<double>(), summary["ring"]["omega_terminal"].get<double>());
+  EXPECT_GT(banded["band"].get<double>(), 0);
+}
+
+TEST(ConvergeRun, SolidBody)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "converge", scratch.write("study.prm", coarse_study()), "--levels",
+                                          "2", "--quiet", "--json", "--set", "Load/Moment ratio=0.6" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const nlohmann::json line = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(line["verb"], "converge");
+  EXPECT_GT(line["omega_terminal_band"].get<double>(), 0);
+  const nlohmann::json summary = read_summary(scratch / line["results"].get<std::string>());
+  for (const char *axis : { "azimuthal_cells", "radial_cells", "foot_layers", "degree" })
+    EXPECT_TRUE(summary["refinement"].contains(axis)) << axis;
+}
+
+TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const Ended no_mesh = stemware(scratch, { "converge", study, "--set", "Load/Source=first harmonic" });
+  EXPECT_EQ(no_mesh.exit_code, 1);
+  EXPECT_NE(no_mesh.err.find("no discretisation to refine"), std::string::npos) << no_mesh.err;
+  const Ended levels = stemware(scratch, { "converge", study, "--levels", "9" });
+  EXPECT_EQ(levels.exit_code, 1);
+  EXPECT_NE(levels.err.find("--levels"), std::string::npos) << levels.err;
+  const Ended spin = stemware(scratch, { "converge", study, "--at", "nan" });
+  EXPECT_EQ(spin.exit_code, 1);
+  EXPECT_NE(spin.err.find("nan"), std::string::npos) << spin.err;
+  EXPECT_TRUE(names_in(scratch.path()) == std::vector<std::string>{ "study.prm" });
+}
+
+} // namespace
+} // namespace stemware::test

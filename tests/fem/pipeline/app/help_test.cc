@@ -1,0 +1,65 @@
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::test
+{
+namespace
+{
+
+TEST(Help, TeachesByExampleOnEveryVerb)
+{
+  const ScratchFolder scratch;
+  std::vector<std::vector<std::string>> commands = { { "--help" } };
+  for (const std::string &verb : all_verbs())
+    commands.push_back({ verb, "--help" });
+  EXPECT_GE(commands.size(), 4u);
+  for (const std::vector<std::string> &arguments : commands)
+  {
+    const Ended ended = stemware(scratch, arguments);
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_NE(ended.out.find("Examples:\n  stemware "), std::string::npos) << ended.out;
+    EXPECT_TRUE(ended.err.empty()) << ended.err;
+  }
+  const std::string help = stemware(scratch, { "--help" }).out;
+  for (const char *code : { "  0 ", "  1 ", "  2 ", "  3 ", "  130 " })
+    EXPECT_NE(help.find(code), std::string::npos) << code;
+}
+
+TEST(Help, VersionNamesTheProgram)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "--version" });
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.out.rfind("stemware " STEMWARE_VERSION " (", 0), 0u) << ended.out;
+}
+
+TEST(Help, DefaultsExplainEveryEntryAndCanBeRun)
+{
+  const ScratchFolder scratch;
+  const Ended defaults = stemware(scratch, { "defaults" });
+  EXPECT_EQ(defaults.exit_code, 0);
+  EXPECT_NE(defaults.out.find("  # Radius R of the rim"), std::string::npos);
+  EXPECT_NE(defaults.out.find("(kg m^2)"), std::string::npos);
+  scratch.write("defaults.prm", defaults.out);
+  EXPECT_EQ(stemware(scratch, { "run", "defaults.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
+}
+
+TEST(Cookbooks, AreValidStudiesThatStateOnlyWhatDiffers)
+{
+  const ScratchFolder scratch;
+  for (const auto &[cookbook, entry, value] : { std::tuple{ "paper", "Closure", nlohmann::json("paper") },
+                                                { "lift_off", "Moment ratio", nlohmann::json(1.3) } })
+  {
+    const std::string file = std::string(STEMWARE_COOKBOOKS "/") + cookbook + ".prm";
+    const Ended ended = stemware(scratch, { "run", file, "--set", "Load/Source=first harmonic" });
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const auto parameters = read_summary(scratch / "results" / cookbook)["parameters"];
+    EXPECT_TRUE(parameters["Motion"].value(entry, nlohmann::json()) == value ||
+                parameters["Load"].value(entry, nlohmann::json()) == value)
+      << cookbook;
+  }
+}
+
+} // namespace
+} // namespace stemware::test

@@ -1,0 +1,101 @@
+// Ctrl-C and kill: nothing is left behind, older results stay, the exit code says so.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// A study that takes seconds, nearly all of them within one factorisation.
+const std::vector<std::string> long_run = {
+  STEMWARE_PROGRAM, "run", "long.prm", "--set", "Contact/Body=solid", "--set", "Contact/Linear solver=direct"
+};
+
+class Interruption : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(Interruption, DuringTheFactorisationLeavesNothing)
+{
+  const ScratchFolder scratch;
+  scratch.write("long.prm", "# defaults\n");
+  RunningProgram program(long_run, scratch.path());
+  ASSERT_TRUE(program.wait_for_output("unknowns"));
+  EXPECT_EQ(names_in(scratch / "results").size(), 1u);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  program.send(GetParam());
+  const Ended ended = program.end();
+  EXPECT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_NE(ended.err.find("interrupted"), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.out.find("Results"), std::string::npos) << ended.out;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "long.prm" });
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto &info) { return std::string("SIG") + sigabbrev_np(info.param); });
+
+TEST(Interruption, OlderResultsStay)
+{
+  const ScratchFolder scratch;
+  scratch.write("long.prm", "# defaults\n");
+  ASSERT_EQ(stemware(scratch, { "run", "long.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
+  const auto before = all_files(scratch / "results");
+  RunningProgram program(long_run, scratch.path());
+  ASSERT_TRUE(program.wait_for_output("unknowns"));
+  program.send(SIGINT);
+  EXPECT_EQ(program.end().exit_code, 130);
+  EXPECT_EQ(all_files(scratch / "results"), before);
+  EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "long" });
+}
+
+TEST(Interruption, SignalsIgnoredFromTheStartStayIgnored)
+{
+  const ScratchFolder scratch;
+  scratch.write("long.prm", "# defaults\n");
+  // As nohup does.
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  RunningProgram program(
+    { STEMWARE_PROGRAM, "run", "long.prm", "--set", "Contact/Body=solid", "--set", "Contact/Degree=1" },
+    scratch.path());
+  std::signal(SIGHUP, before);
+  ASSERT_TRUE(program.wait_for_output("unknowns"));
+  program.send(SIGHUP);
+  const Ended ended = program.end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "long" });
+}
+
+TEST(Interruption, AtAnyMomentThereIsAWholeFolderOrNone)
+{
+  // Signals spread over a run of about half a second, through claiming, writing and publishing.
+  for (unsigned int delay = 5; delay < 600; delay += 35)
+  {
+    const ScratchFolder scratch;
+    scratch.write("coarse.prm", coarse_study());
+    RunningProgram program({ STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+    program.send(SIGINT);
+    const Ended ended = program.end();
+    if (!std::filesystem::exists(scratch / "results"))
+    {
+      EXPECT_EQ(ended.exit_code, 130) << delay;
+    }
+    else
+    {
+      EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "coarse" }) << delay;
+      EXPECT_EQ(read_summary(scratch / "results/coarse")["files"].get<std::vector<std::string>>(),
+                names_in(scratch / "results/coarse"))
+        << delay;
+    }
+  }
+}
+
+} // namespace
+} // namespace stemware::test

@@ -1,0 +1,195 @@
+// `stemware mesh`: what it writes can be read, and what cannot be used is refused.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+namespace stemware::test
+{
+namespace
+{
+
+const std::string meshes = STEMWARE_MESHES;
+
+/// A foot whose contact depends on its crown.
+std::string soft_study(const std::string &crown_radius)
+{
+  return "subsection Glass\n  set Land width = 0.002\n  set Crown radius = " + crown_radius +
+         "\nend\nsubsection Table\n  set Foundation modulus = 1e9\nend\nsubsection Contact\n"
+         "  set Body = solid\n  set Degree = 2\n  set Azimuthal cells = 16\n  set Radial cells = 8\n"
+         "  set Foot layers = 1\nend\nsubsection Load\n  set Moment ratio = 1.3\n"
+         "  set Coupling = frozen\nend\n";
+}
+
+using Vertex = std::array<double, 3>;
+
+/// The mesh file with its vertices moved.
+std::string moved(const std::string &mesh, const std::function<void(Vertex &)> &move)
+{
+  std::istringstream lines(mesh);
+  std::ostringstream text;
+  text.precision(17);
+  std::string line;
+  while (std::getline(lines, line) && line != "$Nodes")
+    text << line << '\n';
+  std::size_t n_vertices = 0, number = 0;
+  lines >> n_vertices;
+  text << "$Nodes\n" << n_vertices << '\n';
+  for (std::size_t i = 0; i < n_vertices; ++i)
+  {
+    Vertex x;
+    lines >> number >> x[0] >> x[1] >> x[2];
+    move(x);
+    text << number << ' ' << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
+  }
+  text << lines.rdbuf()->str().substr(static_cast<std::size_t>(lines.tellg()) + 1);
+  return text.str();
+}
+
+/// What `mesh --check` says about a mesh that must not be used.
+std::string refusal(const std::string &mesh)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "mesh", "--check", scratch.write("bad.msh", mesh) });
+  EXPECT_EQ(ended.exit_code, 1) << ended.out;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  return ended.err;
+}
+
+} // namespace
+
+class WrittenMesh : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(WrittenMesh, GivesTheGeneratedFootsLoad)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", soft_study(GetParam()));
+  ASSERT_EQ(stemware(scratch, { "mesh", study, "--write", "foot.msh" }).exit_code, 0);
+  ASSERT_EQ(stemware(scratch, { "run", study, "--output", "generated" }).exit_code, 0);
+  ASSERT_EQ(
+    stemware(scratch, { "run", study, "--output", "read", "--set", "Contact/Mesh file=foot.msh" }).exit_code,
+    0);
+  const auto generated = read_summary(scratch / "generated")["load"];
+  const auto read = read_summary(scratch / "read")["load"];
+  for (unsigned int n = 1; n <= 6; ++n)
+    for (const char *part : { "a", "b" })
+      // The crown is an arc in one and a polygon in the other; without it the second harmonic would differ
+      // by 0.05.
+      EXPECT_NEAR(read[part][n].get<double>() / read["a"][0].get<double>(),
+                  generated[part][n].get<double>() / generated["a"][0].get<double>(),
+                  GetParam() == "0" ? 1e-4 : 3e-3)
+        << part << n;
+}
+
+INSTANTIATE_TEST_SUITE_P(Crowns, WrittenMesh, testing::Values("0", "0.003"),
+                         [](const auto &info) { return info.param == "0" ? "flat" : "crowned"; });
+
+TEST(MeshVerb, CheckSaysWhatIsThere)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(
+    scratch, { "mesh", "--check", meshes + "/oval_foot.msh", "--write", "oval.vtu", "--json", "--quiet" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  const auto found = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(found["verb"], "mesh");
+  EXPECT_EQ(found["written"], nlohmann::json::array({ "oval.vtu" }));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "oval.vtu"));
+  EXPECT_EQ(found["faces"]["contact_zone"], 96);
+  EXPECT_EQ(found["faces"]["stem_cut"], 12);
+  EXPECT_EQ(found["rim"]["round"], false);
+  EXPECT_NEAR(found["rim"]["land_area_deficit"].get<double>(), 0.0114, 5e-4);
+  EXPECT_NEAR(found["box"]["upper"][1].get<double>(), 0.95 * 0.034, 1e-12);
+  EXPECT_GT(found["scaled_jacobian"]["least"].get<double>(), 0.2);
+}
+
+TEST(MeshVerb, RefusesMeshesThatCannotBeUsed)
+{
+  const std::string flat = read_text(meshes + "/flat_foot.msh");
+  EXPECT_NE(refusal(moved(flat,
+                          [](Vertex &x) {
+                            x = { x[0], -x[1], -x[2] };
+                          }))
+              .find("looks up"),
+            std::string::npos);
+  EXPECT_NE(refusal(moved(flat, [](Vertex &x) { x[0] += 0.001; })).find("the axis of the glass"),
+            std::string::npos);
+  bool first = true;
+  EXPECT_NE(refusal(moved(flat,
+                          [&](Vertex &x)
+                          {
+                            if (first)
+                              x = { 0.1, 0.1, 0.1 };
+                            first = false;
+                          }))
+              .find("inside out"),
+            std::string::npos);
+  EXPECT_NE(refusal("no mesh at all\n").find("not a Gmsh .msh mesh"), std::string::npos);
+}
+
+TEST(MeshVerb, ComparesAFileWithTheStudy)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string in_millimetres = scratch.write("mm.msh", moved(read_text(meshes + "/flat_foot.msh"),
+                                                                   [](Vertex &x)
+                                                                   {
+                                                                     for (double &c : x)
+                                                                       c *= 1000;
+                                                                   }));
+  const Ended alone = stemware(scratch, { "mesh", "--check", in_millimetres });
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_NE(alone.out.find("is the mesh in metres?"), std::string::npos) << alone.out;
+  const Ended compared = stemware(scratch, { "mesh", study, "--check", in_millimetres });
+  EXPECT_EQ(compared.exit_code, 1);
+  EXPECT_NE(compared.err.find("has a radius of 30 m"), std::string::npos) << compared.err;
+}
+
+TEST(MeshVerb, LeavesAReportWhereItIsTold)
+{
+  const ScratchFolder scratch;
+  const Ended checked = stemware(
+    scratch, { "mesh", "--check", meshes + "/oval_foot.msh", "--output", "oval", "--json", "--quiet" });
+  ASSERT_EQ(checked.exit_code, 0) << checked.err;
+  const nlohmann::json line = nlohmann::json::parse(checked.out);
+  EXPECT_EQ(line["report"], "oval/report.html");
+  const nlohmann::json summary = read_summary(scratch / "oval");
+  EXPECT_EQ(summary["mesh"]["cells"], line["cells"]);
+  EXPECT_FALSE(summary.contains("parameters"));
+  const std::string page = read_text(scratch / "oval/report.html");
+  EXPECT_NE(page.find("428 hexahedra"), std::string::npos);
+  for (const char *figure : { "contact_zone", "quality" })
+    EXPECT_NE(page.find(std::string("<figure id=\"") + figure), std::string::npos) << figure;
+
+  // Of a study: with its parameters. What cannot be used leaves nothing.
+  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  ASSERT_EQ(stemware(scratch, { "mesh", study, "--output", "own" }).exit_code, 0);
+  EXPECT_TRUE(read_summary(scratch / "own").contains("parameters"));
+  const std::string upside_down =
+    scratch.write("bad.msh", moved(read_text(meshes + "/flat_foot.msh"), [](Vertex &x) { x[2] = -x[2]; }));
+  EXPECT_EQ(stemware(scratch, { "mesh", "--check", upside_down, "--output", "bad" }).exit_code, 1);
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "bad.msh", "oval", "own", "study.prm" }));
+}
+
+TEST(MeshVerb, RefusesWhatItCannotDo)
+{
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const auto refused = [&](const std::vector<std::string> &arguments, int exit_code, const std::string &why)
+  {
+    const Ended ended = stemware(scratch, arguments);
+    EXPECT_EQ(ended.exit_code, exit_code);
+    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+  };
+  refused({ "mesh" }, 1, "Say which mesh");
+  refused({ "mesh", "--check", meshes + "/flat_foot.msh", "--set", "Glass/Land width=1" }, 1, "--set");
+  refused({ "mesh", study, "--write", "foot.stl" }, 1, "ends in neither .msh nor .vtu");
+  refused({ "mesh", study, "--write", "no/such/folder/foot.msh" }, 3, "cannot be written");
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "study.prm" });
+}
+
+} // namespace stemware::test

@@ -1,0 +1,102 @@
+// Options that every verb working on a study has: --quiet, --json, --output, --set.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// Runs a study without finite elements.
+Ended run_first_harmonic(const ScratchFolder &scratch, const std::vector<std::string> &options)
+{
+  std::vector<std::string> arguments = { "run", scratch.write("study.prm", "# the default glass\n"), "--set",
+                                         "Load/Source=first harmonic" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return stemware(scratch, arguments);
+}
+
+/// Lines that are too wide for the console, or hold escape codes.
+std::string bad_lines(const std::string &text)
+{
+  std::string bad;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    const auto n_columns =
+      std::count_if(line.begin(), line.end(), [](char letter) { return (letter & 0xC0) != 0x80; });
+    if (n_columns > 100 || line.find('\x1b') != std::string::npos)
+      bad += line + '\n';
+  }
+  return bad;
+}
+
+} // namespace
+
+TEST(StudyOptions, QuietPrintsNothing)
+{
+  const ScratchFolder scratch;
+  const Ended ended = run_first_harmonic(scratch, { "--quiet" });
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(ended.err, "");
+  EXPECT_EQ(read_summary(scratch / "results/study")["verb"], "run");
+}
+
+TEST(StudyOptions, QuietStillSaysWhatIsWrong)
+{
+  const ScratchFolder scratch;
+  const Ended ended = run_first_harmonic(scratch, { "--quiet", "--set", "Motion/Mass=-1" });
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_NE(ended.err.find("Mass"), std::string::npos) << ended.err;
+}
+
+TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
+{
+  const ScratchFolder scratch;
+  const Ended ended = run_first_harmonic(scratch, { "--json", "--output", "there" });
+  EXPECT_EQ(ended.exit_code, 0);
+  const auto line = nlohmann::json::parse(ended.out); // the whole of it
+  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1);
+  EXPECT_EQ(line["verb"], "run");
+  EXPECT_EQ(line["results"], "there");
+  EXPECT_EQ(line["summary"], "there/summary.json");
+  const auto summary = read_summary(scratch / "there");
+  EXPECT_EQ(line["omega_terminal"], summary["ring"]["omega_terminal"]);
+  EXPECT_EQ(line["tau_at_rest"], summary["ring"]["tau_at_rest"]);
+  EXPECT_NE(ended.err.find("Results   there"), std::string::npos) << ended.err;
+}
+
+TEST(StudyOptions, JsonAndQuietPrintOneLine)
+{
+  const ScratchFolder scratch;
+  const Ended ended = run_first_harmonic(scratch, { "--json", "--quiet" });
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_TRUE(nlohmann::json::accept(ended.out)) << ended.out;
+}
+
+TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(
+    scratch, { "run", scratch.write("study.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(bad_lines(ended.out + ended.err), "");
+  const std::string study = scratch.write("default.prm", "# the default glass\n");
+  for (const char *verb : { "truncate", "compare", "converge" })
+  {
+    const Ended other = stemware(scratch, { verb, study });
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_EQ(bad_lines(other.out + other.err), "");
+  }
+  for (const std::string &verb : all_verbs())
+    EXPECT_EQ(bad_lines(stemware(scratch, { verb, "--help" }).out), "");
+  EXPECT_EQ(bad_lines(stemware(scratch, { "--help" }).out), "");
+}
+
+} // namespace stemware::test

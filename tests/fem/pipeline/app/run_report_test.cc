@@ -1,0 +1,246 @@
+// The report of `run`: the answer with the numbers of summary.json, every figure, nothing from outside.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <thread>
+
+namespace stemware::test
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// Arguments of a run of the glass as a body of revolution whose foot lifts off, with a short spin-up.
+std::vector<std::string> lifted_run(const ScratchFolder &scratch)
+{
+  std::vector<std::string> arguments = { "run", scratch.write("study.prm", "# the default glass\n"),
+                                         "--output", "results" };
+  for (const char *setting : { "Contact/Body=revolution", "Load/Moment ratio=1.3", "Motion/Closure=paper",
+                               "Motion/End time=0.2", "Motion/Euler step=0.01" })
+    arguments.insert(arguments.end(), { "--set", setting });
+  return arguments;
+}
+
+/// One such run.
+class RunReport : public testing::Test
+{
+protected:
+  void SetUp() override { ASSERT_EQ(ended.exit_code, 0) << ended.err; }
+
+  fs::path results() const { return scratch / "results"; }
+  std::string html() const { return read_text(results() / "report.html"); }
+
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, lifted_run(scratch));
+};
+
+/// Runs the same glass on a first-harmonic load, which needs neither finite elements nor MPI.
+Ended run_first_harmonic(const ScratchFolder &scratch, const std::vector<std::string> &settings = {})
+{
+  std::vector<std::string> arguments = lifted_run(scratch);
+  arguments.insert(arguments.end(), { "--set", "Load/Source=first harmonic" });
+  for (const std::string &setting : settings)
+    arguments.insert(arguments.end(), { "--set", setting });
+  return stemware(scratch, arguments);
+}
+
+/// What stands between the first @p begin and the next @p end.
+std::string between(const std::string &text, const std::string &begin, const std::string &end)
+{
+  const auto from = text.find(begin);
+  if (from == std::string::npos)
+    return "";
+  return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
+}
+
+std::vector<std::string> all_between(const std::string &text, const std::string &begin,
+                                     const std::string &end)
+{
+  std::vector<std::string> found;
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    found.push_back(between(text.substr(at), begin, end));
+  return found;
+}
+
+std::string six_digits(const nlohmann::json &value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%#.6g", value.get<double>());
+  return text;
+}
+
+std::string per_cent(double change)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g %%", 100 * std::abs(change));
+  return text;
+}
+
+const std::vector<std::string> figures = { "load",    "higher_harmonics", "spectrum", "torque",
+                                           "spin_up", "truncation",       "footprint" };
+
+TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
+{
+  const auto summary = read_summary(results());
+  const std::string answer = between(html(), "<p class=\"answer\">", "</p>");
+  const auto &ring = summary["ring"]["omega_terminal"], &first = summary["truncation"][0]["omega_terminal"],
+             &paper = summary["closures"]["paper"]["omega_terminal"],
+             &full = summary["closures"]["full"]["omega_terminal"];
+  for (const auto &spin : { ring, first, paper, full })
+    EXPECT_NE(answer.find(six_digits(spin)), std::string::npos) << spin << ": " << answer;
+  const auto effect = [](const nlohmann::json &from, const nlohmann::json &to)
+  { return per_cent(to.get<double>() / from.get<double>() - 1); };
+  EXPECT_NE(answer.find(effect(first, ring) + " faster"), std::string::npos) << answer;
+  EXPECT_NE(answer.find(effect(paper, full) + " faster"), std::string::npos) << answer;
+  EXPECT_NE(ended.out.find("The glass spins up to " + six_digits(ring)), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("\nReport    results/report.html\n"), std::string::npos) << ended.out;
+}
+
+TEST_F(RunReport, HasEveryFigureAndLinksThatLead)
+{
+  EXPECT_EQ(ended.err, "");
+  const std::string page = html();
+  for (const std::string &name : figures)
+  {
+    for (const char *extension : { ".svg", ".pdf", ".gp", ".dat" })
+      EXPECT_GT(fs::file_size(results() / "figures" / (name + extension)), 0u) << name << extension;
+    EXPECT_NE(between(page, "<figure id=\"" + name + "\">", "</figure>").find("<svg"), std::string::npos)
+      << name;
+  }
+  EXPECT_EQ(all_between(page, "<figure id=\"", "\"").size(), figures.size());
+  const auto links = all_between(page, "<a href=\"", "\"");
+  EXPECT_GT(links.size(), 4 * figures.size());
+  for (const std::string &link : links)
+    EXPECT_TRUE(fs::exists(results() / link)) << link;
+  EXPECT_EQ(read_summary(results())["files"].get<std::vector<std::string>>(), names_in(results()));
+}
+
+TEST_F(RunReport, StandsAloneAndIsWellFormed)
+{
+  std::string page = html();
+  std::istringstream stream(page);
+  boost::property_tree::ptree tree;
+  EXPECT_NO_THROW(boost::property_tree::read_xml(stream, tree));
+  EXPECT_EQ(page.rfind("<!DOCTYPE html>", 0), 0u);
+  // Names of XML's vocabularies are not addresses: nothing is loaded from them.
+  for (const char *vocabulary : { "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink" })
+    for (auto at = page.find(vocabulary); at != std::string::npos; at = page.find(vocabulary))
+      page.erase(at, std::string(vocabulary).size());
+  for (const char *address : { "http:", "https:", "src=", "@import", "url(h", "//", "<script" })
+    EXPECT_EQ(page.find(address), std::string::npos) << address;
+}
+
+TEST_F(RunReport, IsTheSameTwice)
+{
+  const auto first = all_files(results());
+  ASSERT_EQ(stemware(scratch, lifted_run(scratch)).exit_code, 0);
+  EXPECT_EQ(all_files(results()), first);
+}
+
+TEST_F(RunReport, SaysWhichParametersDiffer)
+{
+  const std::string page = html(), study = between(page, "<h2>The study</h2>", "</section>");
+  EXPECT_NE(study.find("Load/Moment ratio"), std::string::npos);
+  EXPECT_EQ(study.find("Motion/Mass"), std::string::npos);
+  EXPECT_NE(between(page, "<details>", "</details>").find("Motion/Mass"), std::string::npos);
+}
+
+TEST(FirstHarmonicReport, OfAGlassThatDoesNotSpinUp)
+{
+  const ScratchFolder scratch;
+  const Ended ended = run_first_harmonic(scratch, { "Load/Moment ratio=0" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  const std::string html = read_text(scratch / "results/report.html");
+  EXPECT_NE(html.find("The glass does not spin up."), std::string::npos);
+  EXPECT_NE(html.find("<figure id=\"spin_up\">"), std::string::npos);
+}
+
+/// Another PATH for a while.
+class Programs
+{
+public:
+  explicit Programs(const std::string &path)
+      : before(std::getenv("PATH"))
+  {
+    ::setenv("PATH", path.c_str(), 1);
+  }
+  ~Programs() { ::setenv("PATH", before.c_str(), 1); }
+
+private:
+  std::string before;
+};
+
+TEST(FirstHarmonicReport, IsWrittenWithoutGnuplot)
+{
+  const ScratchFolder scratch;
+  Ended ended;
+  {
+    const Programs none((scratch / "nowhere").string());
+    ended = run_first_harmonic(scratch);
+  }
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(all_between(ended.err, "gnuplot-nox", ")").size(), 1u) << ended.err; // said once, in advance
+  const std::string html = read_text(scratch / "results/report.html");
+  EXPECT_NE(html.find("gnuplot-nox"), std::string::npos);
+  EXPECT_EQ(html.find("<svg"), std::string::npos);
+  for (const std::string &link : all_between(html, "<a href=\"", "\""))
+    EXPECT_TRUE(fs::exists(scratch / "results" / link)) << link;
+  // What is missing can be drawn later.
+  const Ended drawn = RunningProgram({ "/bin/sh", "-c", "gnuplot figures/*.gp" }, scratch / "results").end();
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  for (const char *name : { "load", "torque", "spin_up" })
+    EXPECT_TRUE(fs::exists(scratch / "results/figures" / (name + std::string(".svg")))) << name;
+}
+
+TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
+{
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "programs");
+  const std::string slow = scratch.write(
+    "programs/gnuplot", "#!/bin/sh\necho $$ > '" + (scratch / "number").string() + "'\nexec /bin/sleep 60\n");
+  fs::permissions(slow, fs::perms::owner_all);
+  const Programs programs((scratch / "programs").string() + ":" + std::getenv("PATH"));
+  std::vector<std::string> command = lifted_run(scratch);
+  command.insert(command.begin(), STEMWARE_PROGRAM);
+  command.insert(command.end(), { "--set", "Load/Source=first harmonic" });
+  RunningProgram program(command, scratch.path());
+  for (unsigned int i = 0; i < 6000 && read_text(scratch / "number").find('\n') == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  // Empty when it has ended, whether or not anybody has taken notice.
+  const std::string number = read_text(scratch / "number");
+  const fs::path command_line = "/proc/" + number.substr(0, number.find('\n')) + "/cmdline";
+  ASSERT_NE(read_text(command_line), "");
+  program.send(SIGTERM);
+  EXPECT_EQ(program.end().exit_code, 130);
+  for (unsigned int i = 0; i < 500 && !read_text(command_line).empty(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(read_text(command_line), "");
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "number", "programs", "study.prm" }));
+}
+
+TEST(CoarseReport, WithTwoRanks)
+{
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  const Ended ended =
+    RunningProgram({ STEMWARE_MPIEXEC, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path())
+      .end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(all_between(ended.out, "\nReport ", "\n").size(), 1u) << ended.out;
+  EXPECT_EQ(all_between(read_text(scratch / "results/coarse/report.html"), "<svg", ">").size(),
+            figures.size());
+}
+
+} // namespace
+} // namespace stemware::test

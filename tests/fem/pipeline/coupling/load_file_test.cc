@@ -1,0 +1,56 @@
+#include "fem/pipeline/coupling/load_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::ScratchFolder;
+
+TEST(LoadFile, ReadsWhatItWrites)
+{
+  const ScratchFolder scratch;
+  const ring::AngularLoad load({ 0.47, 0.1 / 3, -1e-7 }, { 0, -0.13, 2e-300 }, 0.0300007);
+  const ring::AngularLoad again = read_load_file(scratch.write("harmonics.dat", load_file_text(load)));
+  ASSERT_EQ(again.n_harmonics(), 2u);
+  for (unsigned int n = 0; n <= 2; ++n)
+  {
+    EXPECT_EQ(again.a(n), load.a(n));
+    EXPECT_EQ(again.b(n), load.b(n));
+  }
+  EXPECT_EQ(again.radius(), load.radius());
+}
+
+TEST(LoadFile, RefusesWhatIsNotALoad)
+{
+  const ScratchFolder scratch;
+  const std::string radius = "# ring radius: 0.03 (m)\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    { "0 0.4 0\n1 0.1 0\n", "how large the ring is" },
+    { "# ring radius: -0.03 (m)\n0 0.4 0\n1 0.1 0\n", "how large the ring is" },
+    { "# ring radius: nan (m)\n0 0.4 0\n1 0.1 0\n", "how large the ring is" },
+    { radius, "no first harmonic" },
+    { radius + "0 0.4 0\n", "no first harmonic" },
+    { radius + "0 -0.4 0\n1 0.1 0\n", "line 2" },
+    { radius + "0 0.4 0\n2 0.1 0\n", "line 3" },
+    { radius + "0 0.4 0\n1 nan 0\n", "line 3" },
+    { radius + "0 0.4 0\n1 0.1\n", "line 3" },
+  };
+  for (const auto &[text, expected] : cases)
+    try
+    {
+      read_load_file(scratch.write("load.dat", text));
+      ADD_FAILURE() << "accepted:\n" << text;
+    }
+    catch (const BadInput &error)
+    {
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+}
+
+} // namespace
+} // namespace stemware::pipeline

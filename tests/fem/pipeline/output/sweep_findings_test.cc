@@ -1,0 +1,135 @@
+// What is said about cases whose results are known, and the tables that hold them.
+#include "fem/pipeline/output/sweep_findings.h"
+#include "fem/pipeline/output/sweep_table.h"
+#include "fem/pipeline/support/work_progress.h"
+#include "tests/fem/pipeline/csv_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+CaseResult with_spin(double spin, double effect)
+{
+  CaseResult result;
+  result.outcome = "converged";
+  result.values.assign(sweep_quantities().size(), 0.5);
+  result.values[quantity_index("terminal spin")] = spin;
+  result.values[quantity_index("harmonic effect")] = effect;
+  result.values[quantity_index("closure effect")] = std::nullopt;
+  return result;
+}
+
+CaseResult failed(const std::string &message)
+{
+  CaseResult result;
+  result.message = message;
+  return result;
+}
+
+SweepPlan grid_of_four()
+{
+  SweepRequest request;
+  request.varied = { "Load/Moment ratio=1,1.5", "Motion/Closure=paper,full" };
+  return make_plan(request);
+}
+
+FinishedCases four_cases()
+{
+  return { { 0, with_spin(-3, 1) },
+           { 1, with_spin(-5, -2) },
+           { 2, failed("No contact, \"tipping\".") },
+           { 3, with_spin(-4, 0.25) } };
+}
+
+TEST(SweepFindings, RangesNameTheirCases)
+{
+  const SweepFindings findings = find_out(grid_of_four(), four_cases());
+  EXPECT_EQ(findings.n_failed, 1u);
+  EXPECT_EQ(findings.first_failure, 2u);
+  const QuantityFindings *spin = findings.about("terminal spin");
+  ASSERT_NE(spin, nullptr);
+  EXPECT_EQ(spin->n_values, 3u);
+  EXPECT_EQ(spin->least, -5);
+  EXPECT_EQ(spin->least_case, 1u);
+  EXPECT_EQ(spin->most, -3);
+  EXPECT_EQ(spin->most_case, 0u);
+  EXPECT_FALSE(spin->band);
+  EXPECT_EQ(findings.about("closure effect"), nullptr);
+  const auto json = findings_as_json(grid_of_four(), findings);
+  EXPECT_EQ(json["quantities"]["terminal spin"]["least_case"], 2);
+  EXPECT_EQ(json["sweep"]["failed"], 1);
+  EXPECT_EQ(
+    sweep_answer(grid_of_four(), findings),
+    "In 3 cases the glass spins up to between -5 rad/s (Load/Moment ratio = 1, Motion/Closure = full) and -3 "
+    "rad/s "
+    "(Load/Moment ratio = 1, Motion/Closure = paper). The harmonics of the load beyond the first make it up "
+    "to 1 % "
+    "faster (Load/Moment ratio = 1, Motion/Closure = paper) and up to 2 % slower (Load/Moment ratio = 1, "
+    "Motion/Closure = full). 1 of 4 cases failed; the column message of sweep.csv says why.");
+}
+
+TEST(SweepFindings, SpreadsByFactorsCountInTheLogarithm)
+{
+  SweepRequest request;
+  request.random = { "Table/Foundation modulus=1e10*/2", "Motion/Mass=0.2..0.4" };
+  request.n_samples = 400;
+  const SweepPlan plan = make_plan(request);
+  FinishedCases cases;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i)
+    cases[i] = with_spin(-3 - 0.1 * std::log(std::stod(plan.cases[i][0]) / 1e10), 0);
+  const SweepFindings findings = find_out(plan, cases);
+  const QuantityFindings *spin = findings.about("terminal spin");
+  ASSERT_TRUE(spin != nullptr && spin->band && spin->sensitivity);
+  EXPECT_NEAR(spin->sensitivity->r_squared, 1, 1e-12);
+  EXPECT_NEAR(spin->sensitivity->regression[0], -1, 1e-12);
+  EXPECT_NEAR(spin->sensitivity->regression[1], 0, 1e-12);
+  EXPECT_NEAR(spin->band->deviation, 0.1 * std::log(2.), 0.1 * std::log(2.) * 4 / std::sqrt(800.));
+  EXPECT_FALSE(findings.about("harmonic effect")->sensitivity);
+  EXPECT_NE(sweep_answer(plan, findings).find("due to Table/Foundation modulus alone"), std::string::npos);
+  const std::string table = statistics_csv(plan, findings);
+  EXPECT_NE(table.find("\r\nterminal spin,rad/s,400,-"), std::string::npos);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
+            findings.quantities.size() + 1);
+}
+
+TEST(SweepTable, HoldsEveryCaseWithUnitsInTheHeader)
+{
+  const auto rows = test::parse_csv(sweep_csv(grid_of_four(), four_cases()));
+  ASSERT_EQ(rows.size(), 5u);
+  for (const auto &row : rows)
+    EXPECT_EQ(row.size(), 1 + 2 + sweep_quantities().size() + 3);
+  const std::vector<std::string> &header = rows[0];
+  EXPECT_EQ(header[0], "case");
+  EXPECT_EQ(header[1], "Load/Moment ratio (1)");
+  EXPECT_EQ(header[2], "Motion/Closure");
+  const std::size_t spin = 3 + quantity_index("terminal spin");
+  EXPECT_EQ(header[spin], "terminal spin (rad/s)");
+  EXPECT_EQ(rows[2][0], "2");
+  EXPECT_EQ(rows[2][1], "1");
+  EXPECT_EQ(rows[2][2], "full");
+  EXPECT_EQ(rows[2][spin], "-5");
+  EXPECT_EQ(rows[2][3 + quantity_index("closure effect")], "");
+  EXPECT_EQ(rows[2][header.size() - 3], "converged");
+  EXPECT_EQ(rows[2][header.size() - 2], "ok");
+  EXPECT_EQ(rows[3][spin], "");
+  EXPECT_EQ(rows[3][header.size() - 2], "failed");
+  EXPECT_EQ(rows[3].back(), "No contact, \"tipping\".");
+}
+
+TEST(WorkProgress, DurationsAreRoundedUpwards)
+{
+  EXPECT_EQ(rough_duration(0.2), "1 s");
+  EXPECT_EQ(rough_duration(89.5), "90 s");
+  EXPECT_EQ(rough_duration(91), "2 min");
+  EXPECT_EQ(rough_duration(3600), "60 min");
+  EXPECT_EQ(rough_duration(7200), "2.0 h");
+}
+
+} // namespace
+} // namespace stemware::pipeline

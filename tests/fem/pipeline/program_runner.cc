@@ -1,0 +1,203 @@
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <spawn.h>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+extern char **environ;
+
+namespace stemware::test
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// Starts a command with its standard output and error in files of the folder in which it runs.
+pid_t start(const std::vector<std::string> &command, const fs::path &folder)
+{
+  std::vector<char *> arguments;
+  for (const std::string &word : command)
+    arguments.push_back(const_cast<char *>(word.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, ".out", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, ".err", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  pid_t process = -1;
+  const int error =
+    posix_spawn(&process, command.front().c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0)
+    throw std::runtime_error("cannot start " + command.front());
+  return process;
+}
+
+} // namespace
+
+ScratchFolder::ScratchFolder()
+{
+  std::string pattern = (fs::temp_directory_path() / "stemware-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr)
+    throw std::runtime_error("cannot create a folder like " + pattern);
+  folder = pattern;
+}
+
+ScratchFolder::~ScratchFolder()
+{
+  std::error_code error;
+  fs::remove_all(folder, error);
+}
+
+std::string ScratchFolder::write(const std::string &name, const std::string &text) const
+{
+  std::ofstream(folder / name, std::ios::binary) << text;
+  return (folder / name).string();
+}
+
+RunningProgram::RunningProgram(const std::vector<std::string> &command, const fs::path &folder)
+    : folder(folder)
+{
+  // One thread per process, and Open MPI as root, in containers and with more ranks than cores.
+  for (const auto &[name, value] :
+       std::map<const char *, const char *>{ { "OPENBLAS_NUM_THREADS", "1" },
+                                             { "OMP_NUM_THREADS", "1" },
+                                             { "OMPI_ALLOW_RUN_AS_ROOT", "1" },
+                                             { "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1" },
+                                             { "OMPI_MCA_rmaps_base_oversubscribe", "1" },
+                                             { "OMPI_MCA_btl_vader_single_copy_mechanism", "none" },
+                                             { "PMIX_MCA_gds", "hash" } })
+    ::setenv(name, value, 1);
+  process = start(command, folder);
+}
+
+bool RunningProgram::wait_for_output(const std::string &text) const
+{
+  for (unsigned int i = 0; i < 6000; ++i)
+  {
+    if (read_text(folder / ".out").find(text) != std::string::npos)
+      return true;
+    siginfo_t info = {};
+    if (::waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+        info.si_pid != 0)
+      return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+void RunningProgram::send(int signal) const
+{
+  ::kill(process, signal);
+}
+
+Ended RunningProgram::end()
+{
+  int status = 0;
+  for (unsigned int i = 0; ::waitpid(process, &status, WNOHANG) == 0; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (i == 60000)
+      ::kill(process, SIGKILL);
+  }
+  Ended ended;
+  ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  ended.out = read_text(folder / ".out");
+  ended.err = read_text(folder / ".err");
+  return ended;
+}
+
+Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
+{
+  std::vector<std::string> command = { STEMWARE_PROGRAM };
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return RunningProgram(command, scratch.path()).end();
+}
+
+std::vector<std::string> all_verbs()
+{
+  const ScratchFolder scratch;
+  std::istringstream lines(stemware(scratch, { "--help" }).out);
+  std::vector<std::string> verbs;
+  std::string line;
+  while (std::getline(lines, line) && line != "Verbs:")
+    ;
+  while (std::getline(lines, line) && !line.empty())
+    // "  run      Compute a study ..."; what a description needs of further lines is indented deeper.
+    if (line.compare(0, 3, "   ") != 0)
+      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+  return verbs;
+}
+
+std::string read_text(const fs::path &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+nlohmann::json read_summary(const fs::path &results)
+{
+  return nlohmann::json::parse(read_text(results / "summary.json"));
+}
+
+std::vector<std::vector<double>> read_columns(const fs::path &table)
+{
+  std::vector<std::vector<double>> columns;
+  std::istringstream lines(read_text(table));
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.empty() || line[0] == '#')
+      continue;
+    std::istringstream words(line);
+    std::string word;
+    for (std::size_t c = 0; words >> word; ++c)
+    {
+      if (columns.size() <= c)
+        columns.resize(c + 1);
+      columns[c].push_back(std::stod(word));
+    }
+  }
+  return columns;
+}
+
+std::map<std::string, std::string> all_files(const fs::path &folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto &item : fs::recursive_directory_iterator(folder))
+    if (item.is_regular_file() && item.path().filename() != "timings.json")
+      files[fs::relative(item.path(), folder).string()] = read_text(item.path());
+  return files;
+}
+
+std::vector<std::string> names_in(const fs::path &folder)
+{
+  std::vector<std::string> names;
+  for (const auto &item : fs::directory_iterator(folder))
+    if (item.path().filename() != ".out" && item.path().filename() != ".err")
+      names.push_back(item.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string coarse_study(const std::string &further)
+{
+  return "subsection Contact\n  set Body = solid\n  set Degree = 1\n  set Azimuthal cells = 16\n  set Radial "
+         "cells = 2\n"
+         "  set Foot layers = 1\nend\n" +
+         further;
+}
+
+} // namespace stemware::test

@@ -1,0 +1,192 @@
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::ScratchFolder;
+
+/// Sentence with which a study is refused; empty when it is not.
+std::string refusal(const std::string &file, const std::vector<std::string> &overrides = {})
+{
+  try
+  {
+    read_study(file, overrides);
+    return "";
+  }
+  catch (const BadInput &error)
+  {
+    return error.what();
+  }
+}
+
+TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
+{
+  const std::map<std::string, std::string> expected = {
+    { "Motion/Mass", "0.3" },
+    { "Motion/Yaw inertia", "3e-4" },
+    { "Motion/Centre of mass height", "0.08" },
+    { "Motion/Force offset", "-0.05" },
+    { "Motion/Orbit radius", "0.15" },
+    { "Motion/Orbit speed", "0.35" },
+    { "Motion/Orbit sense", "counterclockwise" },
+    { "Motion/Friction coefficient", "0.3" },
+    { "Motion/Gravity", "9.81" },
+    { "Motion/Closure", "full" },
+    { "Motion/End time", "2" },
+    { "Motion/Euler step", "0.001" },
+    { "Glass/Shape", "step" },
+    { "Glass/Rim waviness", "" },
+    { "Glass/Contact radius", "0.03" },
+    { "Glass/Foot radius", "0.034" },
+    { "Glass/Foot thickness", "0.004" },
+    { "Glass/Land width", "0.004" },
+    { "Glass/Land height", "0.001" },
+    { "Glass/Crown radius", "0.003" },
+    { "Glass/Underside rise", "0.003" },
+    { "Glass/Edge thickness", "0.0015" },
+    { "Glass/Fillet radius", "0.005" },
+    { "Glass/Stem radius", "0.005" },
+    { "Glass/Stem height", "0.01" },
+    { "Glass/Young modulus", "7e10" },
+    { "Glass/Poisson ratio", "0.22" },
+    { "Table/Kind", "mat" },
+    { "Table/Foundation modulus", "1e10" },
+    { "Table/Reference pressure", "1e9" },
+    { "Table/Decay length", "1e-6" },
+    { "Table/Disc radius", "0.15" },
+    { "Table/Disc thickness", "0.05" },
+    { "Table/Disc Young modulus", "1e10" },
+    { "Table/Disc Poisson ratio", "0.3" },
+    { "Table/Waviness", "" },
+    { "Contact/Body", "revolution" },
+    { "Contact/Mesh file", "" },
+    { "Contact/Degree", "2" },
+    { "Contact/Azimuthal cells", "48" },
+    { "Contact/Radial cells", "4" },
+    { "Contact/Refinements", "0" },
+    { "Contact/Foot layers", "2" },
+    { "Contact/Land grading", "3" },
+    { "Contact/Linear solver", "automatic" },
+    { "Contact/Harmonics", "16" },
+    { "Contact/Azimuth lines", "256" },
+    { "Contact/Friction coupling", "automatic" },
+    { "Load/Source", "contact" },
+    { "Load/Coupling", "frozen" },
+    { "Load/Response tolerance", "1e-6" },
+    { "Load/Moment ratio", "-1" },
+    { "Load/Moment direction", "-1.5707963" },
+    { "Load/File", "" },
+  };
+  Study study;
+  std::map<std::string, std::string> found;
+  for (const StudyEntry &entry : study_entries(study))
+    found[entry.path()] = entry.text();
+  EXPECT_EQ(found, expected);
+}
+
+TEST(StudyFile, EveryDefaultIsAnAllowedValue)
+{
+  Study study;
+  for (const StudyEntry &entry : study_entries(study))
+    EXPECT_TRUE(entry.is_allowed(entry.text())) << entry.path();
+  EXPECT_NO_THROW(check_study(study));
+}
+
+TEST(StudyFile, KeepsAllDigits)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("digits.prm", "subsection Glass\n"
+                                                       "  set Contact radius = 0.0312345678901234\n"
+                                                       "end\n");
+  const Study study = read_study(file, { "Motion/Orbit speed = 0.3512345678901234" });
+  EXPECT_EQ(study.glass.profile.contact_radius, 0.0312345678901234);
+  EXPECT_EQ(study.motion.orbit.orbit_speed, 0.3512345678901234);
+  EXPECT_EQ(study.glass.profile.foot_radius, 0.034);
+}
+
+TEST(StudyFile, EchoGivesTheSameStudyAgain)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("first.prm", "# defaults\n");
+  const Study study = read_study(file, { "Glass/Contact radius=0.0301234567890123", "Motion/Closure=hand",
+                                         "Load/Source=first harmonic", "Motion/Orbit sense=clockwise",
+                                         "Contact/Azimuthal cells=12", "Load/Moment ratio=0.3" });
+  const Study again = read_study(scratch.write("echo.prm", study_as_prm(study)));
+  EXPECT_EQ(study_as_json(again), study_as_json(study));
+  EXPECT_EQ(study_as_json(study)["Glass"]["Contact radius"], 0.0301234567890123);
+  EXPECT_EQ(study_as_json(study)["Load"]["Source"], "first harmonic");
+}
+
+TEST(StudyFile, CommentedDefaultsAreAStudyOfDefaults)
+{
+  const ScratchFolder scratch;
+  const Study study = read_study(scratch.write("defaults.prm", commented_defaults()));
+  EXPECT_EQ(study_as_json(study), study_as_json(Study()));
+}
+
+TEST(StudyFile, JsonSaysTheSameAsPrm)
+{
+  const ScratchFolder scratch;
+  const Study prm = read_study(scratch.write("a.prm", "subsection Table\n  set Kind = rigid\nend\n"
+                                                      "subsection Contact\n  set Degree = 1\nend\n"));
+  const Study json =
+    read_study(scratch.write("a.json", R"({"Table": {"Kind": "rigid"}, "Contact": {"Degree": 1}})"));
+  EXPECT_EQ(study_as_json(json), study_as_json(prm));
+}
+
+TEST(StudyFile, OverridesWinOverTheFileAndTheLastOneWins)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("a.prm", "subsection Motion\n  set Mass = 0.2\nend\n");
+  EXPECT_EQ(read_study(file).motion.orbit.mass, 0.2);
+  EXPECT_EQ(read_study(file, { "Motion/Mass=0.4", "Motion/Mass=0.5" }).motion.orbit.mass, 0.5);
+}
+
+TEST(StudyFile, PathsStartAtTheStudyFile)
+{
+  const ScratchFolder scratch;
+  for (const char *folder : { "meshes", "studies", "results" })
+    std::filesystem::create_directory(scratch / folder);
+  const std::string mesh = scratch.write("meshes/foot.msh", "a mesh");
+  const std::string text =
+    "subsection Contact\n  set Body = solid\n  set Mesh file = ../meshes/foot.msh\nend\n";
+  const std::string file = scratch.write("studies/a.prm", text);
+  const Study study = read_study(file);
+  EXPECT_EQ(study.contact.mesh_file, mesh);
+  EXPECT_EQ(study.load.file, "");
+  EXPECT_EQ(with_paths_from(scratch / "results", study).contact.mesh_file, "../meshes/foot.msh");
+  // On the command line a path is what the shell's completion makes of it.
+  EXPECT_EQ(read_study(file, { "Contact/Mesh file=" + mesh }).contact.mesh_file, mesh);
+  EXPECT_NE(refusal(file, { "Contact/Mesh file=../meshes/foot.msh" }), "");
+}
+
+TEST(StudyFile, SuggestsTheLikeliestEntry)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("a.prm", "subsection Glass\n  set Contact radus = 0.03\nend\n");
+  EXPECT_EQ(refusal(file), file +
+                             ", line 2: there is no entry \"Contact radus\" in this subsection; did you mean "
+                             "Glass/Contact radius? (`stemware defaults` lists what there is.)");
+  const std::string strange = refusal(scratch.write("b.prm", "# nothing\n"), { "Colour/Wine=red" });
+  EXPECT_EQ(strange.find("did you mean"), std::string::npos) << strange;
+}
+
+TEST(StudyFile, SaysWhatWasGivenAndWhatIsAllowed)
+{
+  const ScratchFolder scratch;
+  const std::string file =
+    scratch.write("a (1).prm", "subsection Glass\n  set Contact radius = -0.03 # m\nend\n");
+  EXPECT_EQ(refusal(file),
+            file +
+              ", line 2: Glass/Contact radius = -0.03 is not allowed; give a number greater than 0 (m).");
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,48 @@
+#include "tests/fem/foot_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+SolidOptions solver(LinearSolver kind, unsigned int degree)
+{
+  SolidOptions options;
+  options.degree = degree;
+  options.linear_solver = kind;
+  return options;
+}
+
+/// Conjugate-gradient iterations with the whole land on the mat.
+unsigned int multigrid_iterations(const FootResolution &resolution)
+{
+  FootCase foot(flat_profile(), resolution, solver(LinearSolver::multigrid, 1));
+  const ContactSurface &surface = foot.body->contact_surface();
+  const auto mat = make_mat(surface, 1e10);
+  LawResponse response;
+  mat->respond(Eigen::VectorXd::Constant(surface.n_nodes(), -1e-6), response);
+  return foot.body->solve(response.tangent, response.forces, Eigen::Vector3d(1, 0.001, 0)).linear_iterations;
+}
+} // namespace
+
+TEST(LinearSolver, MultigridAndFactorisationAgree)
+{
+  for (const unsigned int degree : { 1u, 2u })
+  {
+    FootCase direct(flat_profile(), { 12, 2, 1 }, solver(LinearSolver::direct, degree));
+    FootCase multigrid(flat_profile(), { 12, 2, 1 }, solver(LinearSolver::multigrid, degree));
+    const LoadHarmonics left = direct.press_on_mat(1e11, load_at(1.3));
+    const LoadHarmonics right = multigrid.press_on_mat(1e11, load_at(1.3));
+    for (unsigned int n = 0; n <= 8; ++n)
+      EXPECT_NEAR(left.a[n] / left.a[0], right.a[n] / right.a[0], 1e-8) << "Q" << degree << ", n = " << n;
+  }
+}
+
+/// With a wrong near-null space (zero vectors, say) multigrid needs about 400 iterations here.
+TEST(LinearSolver, MultigridKnowsTheRigidBodyModes)
+{
+  EXPECT_LT(multigrid_iterations({ 24, 4, 2 }), 120u);
+  EXPECT_LT(multigrid_iterations({ 48, 8, 4 }), 120u);
+}

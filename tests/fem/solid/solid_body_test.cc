@@ -1,0 +1,120 @@
+// The elastic foot against foot_contact.json: displacement harmonics on a meridional mesh, confirmed by two
+// other 3D engines.
+#include "tests/fem/foot_case.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+std::vector<double> reference(const std::string &foot, const std::string &mat, const std::string &moment)
+{
+  std::ifstream file(STEMWARE_FOOT_CONTACT);
+  return nlohmann::json::parse(file).at(foot).at(mat).at(moment).at("a_over_a0").get<std::vector<double>>();
+}
+
+/// Largest deviation of a_n / a_0 from @p expected over n = 2 ... @p n_max.
+double deviation(const LoadHarmonics &load, const std::vector<double> &expected, unsigned int n_max)
+{
+  double largest = 0;
+  for (unsigned int n = 2; n <= n_max; ++n)
+    largest = std::max(largest, std::abs(load.a[n] / load.a[0] - expected[n]));
+  return largest;
+}
+
+SolidOptions degree(unsigned int p)
+{
+  SolidOptions options;
+  options.degree = p;
+  return options;
+}
+
+} // namespace
+
+TEST(ElasticFoot, FlatLandInFullContactMixesNoHarmonics)
+{
+  for (const unsigned int p : { 1u, 2u })
+  {
+    FootCase foot(flat_profile(), { 24, 4, 2 }, degree(p));
+    const LoadHarmonics load = foot.press_on_mat(1e10, load_at(0.4));
+    for (unsigned int n = 2; n <= 8; ++n)
+      EXPECT_LT(std::abs(load.a[n] / load.a[0]), p == 1 ? 1e-5 : 1e-6) << "Q" << p << ", n = " << n;
+    EXPECT_EQ(load.contact_fraction, 1);
+    EXPECT_GT(load.minimum, 0);
+  }
+}
+
+TEST(ElasticFoot, FlatLandLiftsOff)
+{
+  FootCase foot(flat_profile(), { 24, 4, 2 });
+  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(1.3));
+  const double expected[] = { 0.19373, -0.11626, 0.03004, 0.01830, -0.02628 };
+  for (unsigned int n = 2; n <= 6; ++n)
+    EXPECT_NEAR(load.a[n] / load.a[0], expected[n - 2], 1e-3) << "n = " << n;
+  for (unsigned int n = 1; n <= 8; ++n)
+    EXPECT_NEAR(load.b[n] / load.a[0], 0, 1e-9) << "n = " << n;
+  // A rigid foot would give 0.199 and -0.107: the elasticity shows.
+  EXPECT_GT(std::abs(load.a[2] / load.a[0] - 0.199), 4e-3);
+  EXPECT_GT(std::abs(load.a[3] / load.a[0] + 0.107), 4e-3);
+  EXPECT_EQ(load.minimum, 0);
+  EXPECT_LT(load.contact_fraction, 0.75);
+}
+
+TEST(ElasticFoot, FlatLandApproachesTheReferenceWithRefinement)
+{
+  const std::vector<double> expected = reference("flat, land width 0.002", "k=1e10 Pa/m", "m=1.3");
+  FootCase coarse(flat_profile(), { 12, 2, 1 }, degree(1));
+  FootCase medium(flat_profile(), { 24, 4, 2 }, degree(1));
+  FootCase fine(flat_profile(), { 48, 8, 4 }, degree(1));
+  const double coarse_error = deviation(coarse.press_on_mat(1e10, load_at(1.3)), expected, 6);
+  const double medium_error = deviation(medium.press_on_mat(1e10, load_at(1.3)), expected, 6);
+  const double fine_error = deviation(fine.press_on_mat(1e10, load_at(1.3)), expected, 6);
+  EXPECT_LT(medium_error, coarse_error / 2);
+  EXPECT_LT(fine_error, medium_error / 2);
+}
+
+TEST(ElasticFoot, FlatLandOnAStifferMat)
+{
+  FootCase foot(flat_profile(), { 24, 4, 2 });
+  const LoadHarmonics load = foot.press_on_mat(1e11, load_at(1.3));
+  EXPECT_LT(deviation(load, reference("flat, land width 0.002", "k=1e11 Pa/m", "m=1.3"), 8), 2e-3);
+}
+
+TEST(ElasticFoot, CrownedRimOnAStiffMat)
+{
+  FootCase foot(GlassProfile(), { 24, 4, 2 });
+  const LoadHarmonics load = foot.press_on_mat(1e11, load_at(1.2));
+  EXPECT_LT(deviation(load, reference("crown 0.003, land width 0.004", "k=1e11 Pa/m", "m=1.2"), 8), 2e-3);
+}
+
+TEST(ElasticFoot, CrownedRimOverTheWholeTable)
+{
+  FootCase foot(GlassProfile(), { 24, 4, 2 });
+  for (const auto &[name, modulus] :
+       { std::pair<std::string, double>{ "k=1e9 Pa/m", 1e9 }, { "k=1e10 Pa/m", 1e10 } })
+    for (const auto &[moment, m] :
+         { std::pair<std::string, double>{ "m=0.2", 0.2 }, { "m=0.5", 0.5 }, { "m=1.8", 1.8 } })
+    {
+      const LoadHarmonics load = foot.press_on_mat(modulus, load_at(m));
+      EXPECT_LT(deviation(load, reference("crown 0.003, land width 0.004", name, moment), 8), 5e-4)
+        << name << ", " << moment;
+    }
+}
+
+TEST(ElasticFoot, RingCarriesTheContactsForceAndMoment)
+{
+  FootCase foot(GlassProfile(), { 24, 4, 1 }, degree(1));
+  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(0.6, 0.7));
+  EXPECT_NEAR(load.normal_force / weight, 1, 1e-10);
+  EXPECT_NEAR(load.moment_x / (0.6 * weight * 0.015 * std::sin(0.7)), 1, 1e-9);
+  EXPECT_NEAR(load.moment_y / (-0.6 * weight * 0.015 * std::cos(0.7)), 1, 1e-9);
+  EXPECT_NEAR(std::atan2(load.b[1], load.a[1]), 0.7, 1e-3);
+  EXPECT_LT(foot.solution.force_residual, 1e-9);
+  EXPECT_LT(foot.solution.moment_residual, 1e-9);
+}

@@ -1,0 +1,75 @@
+#include "tests/fem/foot_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+constexpr double degrees = 3.14159265358979323846 / 180;
+
+/// Harmonics of a foot and a load turned together by @p angle, seen from the turned frame: (a_n, b_n) / a_0
+/// of n = 0 ... 8.
+std::vector<double> turned_harmonics(double angle)
+{
+  FootCase foot(flat_profile(), { 24, 4, 1 }, {}, {}, angle);
+  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(1.3, angle));
+  std::vector<double> result;
+  for (unsigned int n = 0; n <= 8; ++n)
+  {
+    result.push_back((load.a[n] * std::cos(n * angle) + load.b[n] * std::sin(n * angle)) / load.a[0]);
+    result.push_back((load.b[n] * std::cos(n * angle) - load.a[n] * std::sin(n * angle)) / load.a[0]);
+  }
+  return result;
+}
+
+double largest_difference(const std::vector<double> &left, const std::vector<double> &right)
+{
+  double largest = 0;
+  for (unsigned int i = 0; i < left.size(); ++i)
+    largest = std::max(largest, std::abs(left[i] - right[i]));
+  return largest;
+}
+} // namespace
+
+TEST(Symmetry, FootAndLoadTurnedTogether)
+{
+  const std::vector<double> straight = turned_harmonics(0);
+  for (const double angle : { 90., 180., 270., 10. })
+    EXPECT_LT(largest_difference(straight, turned_harmonics(angle * degrees)), 1e-9) << angle << " degrees";
+}
+
+TEST(Symmetry, LoadTurnedOnTheSameMesh)
+{
+  // The mesh repeats every 90 degrees; in between, only its accuracy keeps the harmonics.
+  FootCase foot(flat_profile(), { 24, 4, 1 });
+  const LoadHarmonics straight = foot.press_on_mat(1e10, load_at(1.3));
+  for (const auto &[angle, tolerance] :
+       { std::pair<double, double>{ 90, 1e-9 }, { 180, 1e-9 }, { 10, 1e-3 } })
+  {
+    const LoadHarmonics load = foot.press_on_mat(1e10, load_at(1.3, angle * degrees));
+    for (unsigned int n = 1; n <= 6; ++n)
+      EXPECT_NEAR(std::hypot(load.a[n], load.b[n]) / load.a[0], std::abs(straight.a[n]) / straight.a[0],
+                  tolerance)
+        << angle << " degrees, n = " << n;
+  }
+}
+
+TEST(Symmetry, OtherUnitsSameHarmonics)
+{
+  GlassProfile millimetres = flat_profile();
+  for (double GlassProfile::*length :
+       { &GlassProfile::contact_radius, &GlassProfile::foot_radius, &GlassProfile::foot_thickness,
+         &GlassProfile::land_width, &GlassProfile::land_height, &GlassProfile::stem_radius,
+         &GlassProfile::stem_height })
+    millimetres.*length *= 1000;
+  const FootResolution resolution{ 24, 2, 1 };
+  FootCase in_metres(flat_profile(), resolution);
+  FootCase in_millimetres(millimetres, resolution, {}, { 70e3, 0.22 }); // MPa
+  const LoadHarmonics left = in_metres.press_on_mat(1e10, load_at(1.3));
+  const LoadHarmonics right = in_millimetres.press_on_mat(10, load_at(1.3, 0, 30)); // MPa/mm
+  for (unsigned int n = 1; n <= 8; ++n)
+    EXPECT_NEAR(left.a[n] / left.a[0], right.a[n] / right.a[0], 1e-8) << "n = " << n;
+  EXPECT_NEAR(left.ring_radius * 1000 / right.ring_radius, 1, 1e-9);
+}

@@ -1,0 +1,90 @@
+// Self-convergence of the harmonics in mesh, order, number of harmonics and of azimuth lines.
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+LoadHarmonics press(unsigned int refinements, unsigned int degree, unsigned int n_harmonics = 16,
+                    unsigned int n_lines = 256, double m = 1.2)
+{
+  const GlassProfile profile;
+  RevolutionCase foot(
+    profile, foot_compliance(profile, graded_cells(refinements), { degree, n_harmonics, 0 }), n_lines);
+  return foot.press_on_mat(1e10, load_at(m));
+}
+
+/// Largest difference of a_n / a_0, n = 2 ... 8.
+double difference(const LoadHarmonics &one, const LoadHarmonics &other)
+{
+  double largest = 0;
+  for (unsigned int n = 2; n <= 8; ++n)
+    largest = std::max(largest, std::abs(one.a[n] / one.a[0] - other.a[n] / other.a[0]));
+  return largest;
+}
+
+/// Observed order of @p one, its halved and its twice halved mesh in a_2 / a_0.
+double order_of(const LoadHarmonics &one, const LoadHarmonics &halved, const LoadHarmonics &quartered)
+{
+  const auto value = [](const LoadHarmonics &load) { return load.a[2] / load.a[0]; };
+  return std::log2((value(one) - value(halved)) / (value(halved) - value(quartered)));
+}
+
+} // namespace
+
+TEST(Convergence, OfMeshAndOrder)
+{
+  // The step profile's re-entrant right angles carry stresses like r^(-0.4555), so that harmonics of the load
+  // converge like h^1.09 in the end, whatever the degree.
+  std::vector<std::vector<LoadHarmonics>> loads;
+  for (const unsigned int degree : { 1u, 2u, 3u })
+    loads.push_back({ press(0, degree, 8), press(1, degree, 8), press(2, degree, 8) });
+  loads.push_back({ press(0, 4, 8), press(1, 4, 8) });
+
+  EXPECT_NEAR(order_of(loads[0][0], loads[0][1], loads[0][2]), 1.67, 0.1);
+  EXPECT_NEAR(order_of(loads[1][0], loads[1][1], loads[1][2]), 1.33, 0.1);
+  EXPECT_NEAR(order_of(loads[2][0], loads[2][1], loads[2][2]), 1.09, 0.05);
+  const LoadHarmonics &finest = loads[3][1];
+  const double errors[] = { 3.3e-4, 2.3e-5, 8e-6, 3.2e-6 };
+  for (unsigned int p = 0; p < 4; ++p)
+    EXPECT_NEAR(difference(loads[p][0], finest) / errors[p], 1, 0.2) << "degree " << p + 1;
+  // One degree more takes the same error away as halving the cells.
+  for (unsigned int p = 1; p < 3; ++p)
+    EXPECT_LT(difference(loads[p + 1][0], loads[p][1]), 0.3 * difference(loads[p][0], loads[p][1]))
+      << "degree " << p + 1;
+}
+
+TEST(Convergence, OfHarmonics)
+{
+  // Full contact: the load is smooth, and the harmonics converge faster than any power.
+  const LoadHarmonics smooth = press(0, 2, 32, 1024, 0.8);
+  const double smooth_errors[] = { 2.07e-5, 5.7e-8, 3e-12 };
+  for (unsigned int i = 0; i < 3; ++i)
+    EXPECT_LT(difference(press(0, 2, 2u << i, 1024, 0.8), smooth), 1.5 * smooth_errors[i]) << (2u << i);
+  // Lift-off: at least the fourth order.
+  const LoadHarmonics lifted = press(0, 2, 32, 1024, 1.5);
+  const double four = difference(press(0, 2, 4, 1024, 1.5), lifted);
+  const double eight = difference(press(0, 2, 8, 1024, 1.5), lifted);
+  const double sixteen = difference(press(0, 2, 16, 1024, 1.5), lifted);
+  EXPECT_LT(four, 2e-5);
+  EXPECT_GT(std::log2(four / eight), 4);
+  EXPECT_GT(std::log2(eight / sixteen), 4);
+}
+
+TEST(Convergence, OfLines)
+{
+  // Full contact: nothing is left to the lines. Lift-off: the load ends like the power 3/2, an error like
+  // N^-2.5 on average; where the end falls between two lines makes it larger or smaller.
+  EXPECT_LT(difference(press(0, 2, 16, 64, 0.8), press(0, 2, 16, 256, 0.8)), 1e-12);
+  const LoadHarmonics finest = press(0, 2, 16, 4096, 1.5);
+  const double coarse = difference(press(0, 2, 16, 64, 1.5), finest);
+  const double fine = difference(press(0, 2, 16, 1024, 1.5), finest);
+  EXPECT_LT(coarse, 2e-4);
+  EXPECT_LT(difference(press(0, 2, 16, 256, 1.5), finest), 2e-6);
+  EXPECT_NEAR(std::log2(coarse / fine) / 4, 2.5, 0.5);
+}

@@ -1,0 +1,92 @@
+// A cylinder with nu = 0 under a central load: uniform vertical stress solves it exactly, whatever presses on
+// its flat end.
+#include "tests/fem/foot_case.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <gtest/gtest.h>
+
+using namespace dealii;
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+/// Cylinder of radius 0.02 and height 0.03 standing on z = 0, its top clamped (with nu = 0 that disturbs
+/// nothing).
+void make_cylinder(Triangulation<3> &triangulation)
+{
+  Triangulation<3> lying;
+  GridGenerator::cylinder(lying, 0.02, 0.015);
+  GridTools::rotate(numbers::PI_2, 1, lying);
+  GridTools::shift(Point<3>(0, 0, 0.015), lying);
+  triangulation.copy_triangulation(lying);
+  triangulation.set_manifold(0, CylindricalManifold<3>(2));
+  triangulation.refine_global(1);
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+    {
+      const double z = face->center()[2];
+      face->set_boundary_id(z < 1e-9 ? 2 : z > 0.03 - 1e-9 ? 1 : 0);
+    }
+}
+
+class Patch : public ::testing::TestWithParam<unsigned int>
+{
+protected:
+  Patch()
+      : triangulation(MPI_COMM_WORLD)
+  {
+    make_cylinder(triangulation);
+    SolidOptions options;
+    options.degree = GetParam();
+    const ElasticMaterial cork{ 70e9, 0 };
+    body = std::make_unique<SolidBody>(
+      triangulation, cork, [](double, double) { return 0.; }, options);
+  }
+
+  /// Largest deviation of nodal pressure f_i / int N_i dA from N / A, relative.
+  double nonuniformity(const ContactSolution &solution) const
+  {
+    const ContactSurface &surface = body->contact_surface();
+    const double pressure = weight / surface.area();
+    return (solution.forces.cwiseQuotient(surface.node_area) / pressure)
+      .array()
+      .
+      operator-(1)
+      .abs()
+      .maxCoeff();
+  }
+
+  parallel::distributed::Triangulation<3> triangulation;
+  std::unique_ptr<SolidBody> body;
+};
+
+} // namespace
+
+TEST_P(Patch, MatCarriesUniformPressure)
+{
+  const auto mat = make_mat(body->contact_surface(), 1e10);
+  const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
+  EXPECT_LT(nonuniformity(solution), 1e-12);
+  // Shortening p h / E of the cylinder and penetration p / k of the mat add up to the table's motion.
+  const double pressure = weight / body->contact_surface().area();
+  EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
+}
+
+/// The gap is exactly 0 everywhere: the case in which contact dofs recognised by a non-zero constraint value
+/// would all be missed.
+TEST_P(Patch, RigidTableCarriesUniformPressure)
+{
+  const auto table = make_rigid_table(body->contact_surface(), 70e9 / body->contact_cell_size());
+  const ContactSolution solution = solve_contact(*body, *table, load_at(0), 0.02);
+  EXPECT_LT(nonuniformity(solution), 1e-12);
+  const double pressure = weight / body->contact_surface().area();
+  EXPECT_NEAR(solution.motion(0) / (-pressure * 0.03 / 70e9), 1, 1e-10);
+  EXPECT_LT(solution.approach.cwiseAbs().maxCoeff(), 1e-10 * std::abs(solution.motion(0)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Degree, Patch, ::testing::Values(1u, 2u),
+                         [](const auto &info) { return "Q" + std::to_string(info.param); });

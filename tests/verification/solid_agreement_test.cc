@@ -1,0 +1,44 @@
+// The two elastic bodies share law, driver and load extraction but neither mesh, element nor solver.
+#include "tests/fem/foot_case.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace stemware::revolution_tests;
+using stemware::fem_tests::FootCase;
+
+double difference(const LoadHarmonics &one, const LoadHarmonics &other)
+{
+  double largest = 0;
+  for (unsigned int n = 2; n <= 6; ++n)
+    largest = std::max(largest, std::abs(one.a[n] / one.a[0] - other.a[n] / other.a[0]));
+  return largest;
+}
+
+} // namespace
+
+TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
+{
+  const GlassProfile profile = flat_profile();
+  RevolutionCase revolution(profile, foot_compliance(profile, equal_cells(1)));
+  const ContactLoad load = stemware::revolution_tests::load_at(1.3);
+  const LoadHarmonics expected = revolution.press_on_mat(1e10, load);
+  SolidOptions linear;
+  linear.degree = 1;
+  double before = 0;
+  for (const unsigned int n : { 12u, 24u, 48u })
+  {
+    FootCase solid(profile, { n, n / 6, n / 12 }, linear);
+    const double now = difference(solid.press_on_mat(1e10, load), expected);
+    if (before > 0)
+    {
+      EXPECT_LT(now, before / 2) << n << " cells round the rim";
+    }
+    before = now;
+  }
+  FootCase quadratic(profile, { 24, 4, 2 });
+  EXPECT_LT(difference(quadratic.press_on_mat(1e10, load), expected), 1e-3);
+}
