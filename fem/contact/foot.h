@@ -1,0 +1,89 @@
+#pragma once
+
+#include "fem/contact/contact_newton.h"
+#include "fem/contact/load_harmonics.h"
+#include "fem/contact/pressure_map.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/waviness.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// How the foot slides over the table, as far as its contact depends on it.
+struct Slip
+{
+  double spin_per_speed =
+    0;                   ///< omega / v [1/m], counter-clockwise > 0: the direction of the friction tractions
+  FootPhase orientation; ///< where the marks of glass and table stand
+};
+
+/// One solved contact: plain data that stays what it is when the foot is pressed again.
+struct ContactState
+{
+  LoadHarmonics load;       ///< in the slip frame
+  ContactSolution solution; ///< in the frame turned by `direction`
+  std::vector<ContactIteration> history;
+  Slip slip;            ///< that it was solved for
+  double direction = 0; ///< of the solution's x axis in the slip frame [rad]
+};
+
+/// What a foot is made of, for people and for summary.json.
+struct FootDescription
+{
+  std::string body;                    ///< "revolution", "solid"
+  std::optional<unsigned int> n_cells; ///< of a three-dimensional mesh
+  unsigned int n_unknowns = 0;         ///< of the finite-element system, or displacement harmonics
+  unsigned int n_contact_nodes = 0;
+  std::optional<MeshReport> mesh_report; ///< of a mesh file
+};
+
+/// What a foot can do, to be asked instead of its kind.
+struct FootCapabilities
+{
+  bool is_isotropic =
+    false; ///< the load depends on |M_N| alone and turns with it: a curve over the moment says all
+  bool friction_deforms =
+    false; ///< friction tractions act back on the pressure: the load depends on the spin
+  bool is_collective =
+    false; ///< solving takes all MPI ranks together, so two feet cannot be solved side by side
+};
+
+/// A file of a result, still in memory.
+struct FieldFile
+{
+  std::string name; ///< "contact.vtu"
+  std::string text;
+};
+
+/// An elastic foot on its table: mesh, stiffness and table law, set up once for any number of loads.
+///
+/// MPI must have been started; where capabilities().is_collective, all ranks call every function together.
+class Foot
+{
+public:
+  virtual ~Foot() = default;
+
+  virtual FootDescription description() const = 0;
+  virtual FootCapabilities capabilities() const = 0;
+
+  /// Solves the contact under the resultants @p load at @p slip, from the solution before where there is one.
+  /// @p progress is called after each Newton step; may be empty. Throws ContactFailure.
+  virtual ContactState solve(const ContactLoad &load, const Slip &slip = {},
+                             const std::function<void(const ContactIteration &)> &progress = {}) = 0;
+
+  /// The pressure of a state as forces where they lie, slip frame.
+  virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
+
+  /// The pressure p(r, theta) of a state, slip frame.
+  virtual Footprint footprint(const ContactState &state) = 0;
+
+  /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: this rank's.
+  virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
+};
+
+} // namespace stemware::fem
