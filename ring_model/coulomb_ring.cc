@@ -17,18 +17,18 @@ struct SlipHarmonic
   double odd;  ///< coefficient of sin(n psi): b_n cos(n pi/2) - a_n sin(n pi/2)
 };
 
-SlipHarmonic slip_harmonic(const AngularLoad &load, unsigned int n)
+SlipHarmonic slip_harmonic(const RingStack::Ring &load, unsigned int n)
 {
   switch (n % 4)
   {
   case 0:
-    return { load.a(n), load.b(n) };
+    return { load.a[n], load.b[n] };
   case 1:
-    return { load.b(n), -load.a(n) };
+    return { load.b[n], -load.a[n] };
   case 2:
-    return { -load.a(n), -load.b(n) };
+    return { -load.a[n], -load.b[n] };
   default:
-    return { -load.b(n), load.a(n) };
+    return { -load.b[n], load.a[n] };
   }
 }
 } // namespace
@@ -40,61 +40,84 @@ CoulombRing::CoulombRing(double friction_coefficient)
           ", but must be finite and not negative");
 }
 
-Wrench CoulombRing::wrench(const AngularLoad &load, double omega, double speed) const
+Wrench CoulombRing::wrench(const RingStack &load, double omega, double speed) const
 {
-  const FrictionKernels kernels(omega * load.radius(), speed, load.n_harmonics());
-  Wrench sum{ load.a(0) * kernels.K(0), load.a(0) * kernels.U(0), 0. };
-  for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
+  Wrench total{ 0., 0., 0. };
+  for (const RingStack::Ring &ring : load.rings())
   {
-    const SlipHarmonic harmonic = slip_harmonic(load, n);
-    sum.torque += harmonic.even * kernels.K(n);
-    sum.force_x += harmonic.even * kernels.U(n);
-    sum.force_y += n * harmonic.odd * kernels.P(n);
+    const FrictionKernels kernels(omega * ring.radius, speed, load.n_harmonics());
+    Wrench sum{ ring.a[0] * kernels.K(0), ring.a[0] * kernels.U(0), 0. };
+    for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
+    {
+      const SlipHarmonic harmonic = slip_harmonic(ring, n);
+      sum.torque += harmonic.even * kernels.K(n);
+      sum.force_x += harmonic.even * kernels.U(n);
+      sum.force_y += n * harmonic.odd * kernels.P(n);
+    }
+    total.torque += mu * ring.radius * sum.torque;
+    total.force_x -= mu * sum.force_x;
+    total.force_y -= mu * sum.force_y;
   }
-  return { mu * load.radius() * sum.torque, -mu * sum.force_x, -mu * sum.force_y };
+  return total;
 }
 
-Wrench CoulombRing::wrench_by_quadrature(const AngularLoad &load, double omega, double speed,
+Wrench CoulombRing::wrench_by_quadrature(const RingStack &load, double omega, double speed,
                                          unsigned int n_points) const
 {
   require(n_points > 0, "the quadrature has no points; give at least one");
-  const double rim = omega * load.radius();
-  require(std::isfinite(rim) && std::isfinite(speed) && speed >= 0., "the ring slides with ", speed,
+  require(std::isfinite(omega) && std::isfinite(speed) && speed >= 0., "the ring slides with ", speed,
           " m/s and spins with ", omega, " rad/s, but both must be finite and the speed not negative");
   const double width = 2 * pi / n_points;
   Wrench sum{ 0., 0., 0. };
-  for (unsigned int i = 0; i < n_points; ++i)
+  for (const RingStack::Ring &ring : load.rings())
   {
-    // Half a cell off psi = 0, where the slip vanishes at eps = 1.
-    const double theta = boost::math::constants::half_pi<double>() + (i + 0.5) * width;
-    const double slip_x = speed - rim * std::sin(theta), slip_y = rim * std::cos(theta);
-    const double slip = std::hypot(slip_x, slip_y);
-    if (slip == 0.)
-      continue;
-    const double force = mu * load(theta) * width / slip;
-    sum.force_x -= force * slip_x;
-    sum.force_y -= force * slip_y;
-    sum.torque -= force * load.radius() * (std::cos(theta) * slip_y - std::sin(theta) * slip_x);
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      // Half a cell off psi = 0, where the slip vanishes at eps = 1.
+      const double theta = pi / 2. + (i + 0.5) * width;
+      double density = ring.a[0];
+      for (unsigned int n = 1; n < ring.a.size(); ++n)
+        density += ring.a[n] * std::cos(n * theta) + ring.b[n] * std::sin(n * theta);
+      const double rim = omega * ring.radius;
+      const double slip_x = speed - rim * std::sin(theta), slip_y = rim * std::cos(theta);
+      const double slip = std::hypot(slip_x, slip_y);
+      if (slip == 0.)
+        continue;
+      const double force = mu * density * width / slip;
+      sum.force_x -= force * slip_x;
+      sum.force_y -= force * slip_y;
+      sum.torque -= force * ring.radius * (std::cos(theta) * slip_y - std::sin(theta) * slip_x);
+    }
   }
   return sum;
 }
 
-double CoulombRing::dissipation(const AngularLoad &load, double omega, double speed) const
+double CoulombRing::dissipation(const RingStack &load, double omega, double speed) const
 {
-  const FrictionKernels kernels(omega * load.radius(), speed, load.n_harmonics());
-  double sum = load.a(0) * kernels.slip_speed(0);
-  for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
-    sum += slip_harmonic(load, n).even * kernels.slip_speed(n);
-  return mu * sum;
+  double power = 0.;
+  for (const RingStack::Ring &ring : load.rings())
+  {
+    const FrictionKernels kernels(omega * ring.radius, speed, load.n_harmonics());
+    double sum = ring.a[0] * kernels.slip_speed(0);
+    for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
+      sum += slip_harmonic(ring, n).even * kernels.slip_speed(n);
+    power += mu * sum;
+  }
+  return power;
 }
 
-double CoulombRing::truncation_bound(const AngularLoad &load, unsigned int n_max, double omega,
+double CoulombRing::truncation_bound(const RingStack &load, unsigned int n_max, double omega,
                                      double speed) const
 {
-  const FrictionKernels kernels(omega * load.radius(), speed, load.n_harmonics());
-  double sum = 0.;
-  for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
-    sum += std::hypot(load.a(n), load.b(n)) * std::abs(kernels.K(n));
-  return mu * load.radius() * sum;
+  double bound = 0.;
+  for (const RingStack::Ring &ring : load.rings())
+  {
+    const FrictionKernels kernels(omega * ring.radius, speed, load.n_harmonics());
+    double sum = 0.;
+    for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
+      sum += std::hypot(ring.a[n], ring.b[n]) * std::abs(kernels.K(n));
+    bound += mu * ring.radius * sum;
+  }
+  return bound;
 }
 } // namespace stemware::ring

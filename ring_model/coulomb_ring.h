@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 namespace stemware::ring
 {
@@ -19,8 +19,9 @@ struct Wrench
  *
  *   tau_z = mu R int lambda (v sin theta - omega R) / |v_rel| dtheta
  *
- * and likewise T_x, T_y. (The paper prints tau_z with the opposite sign; docs/theory/model.md.) All of it is
- * linear in lambda, so each harmonic acts through one kernel of eps = omega R / v.
+ * and likewise T_x, T_y; those of a stack are the sums over its rings. (The paper prints tau_z with the
+ * opposite sign; docs/theory/model.md.) All of it is linear in lambda, so each harmonic acts through one
+ * kernel of eps = omega R / v.
  */
 class CoulombRing
 {
@@ -37,23 +38,22 @@ public:
    * @param speed Sliding speed v >= 0 [m/s].
    * @throws std::invalid_argument if a value is not finite, v < 0, or the ring neither slides nor spins.
    */
-  Wrench wrench(const AngularLoad &load, double omega, double speed) const;
+  Wrench wrench(const RingStack &load, double omega, double speed) const;
 
   /**
-   * The same by the periodic trapezoidal rule on @p n_points angles: independent of the kernels, and as slow
+   * wrench() by the periodic trapezoidal rule on @p n_points angles: independent of the kernels, and as slow
    * and inexact near |eps| = 1 as such a rule must be. Points without slip carry no friction.
    */
-  Wrench wrench_by_quadrature(const AngularLoad &load, double omega, double speed,
-                              unsigned int n_points) const;
+  Wrench wrench_by_quadrature(const RingStack &load, double omega, double speed, unsigned int n_points) const;
 
   /// Power lost to friction, -(T.v + tau_z omega) [W]: never negative where lambda >= 0.
-  double dissipation(const AngularLoad &load, double omega, double speed) const;
+  double dissipation(const RingStack &load, double omega, double speed) const;
 
   /**
    * A-priori bound [N m] on the change of tau_z when the harmonics above @p n_max are left out:
-   * mu R sum_{n > n_max} sqrt(a_n^2 + b_n^2) |K_n(eps)|.
+   * mu sum_j r_j sum_{n > n_max} sqrt(a_{j,n}^2 + b_{j,n}^2) |K_n(eps_j)|.
    */
-  double truncation_bound(const AngularLoad &load, unsigned int n_max, double omega, double speed) const;
+  double truncation_bound(const RingStack &load, unsigned int n_max, double omega, double speed) const;
 
 private:
   double mu;

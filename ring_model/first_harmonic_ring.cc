@@ -24,7 +24,7 @@ FirstHarmonicRing::FirstHarmonicRing(Closure closure, const Motion &motion, doub
   a1_b1 = Eigen::Vector2d(-moment.y(), moment.x()) / (pi * radius);
 }
 
-AngularLoad FirstHarmonicRing::load(double omega) const
+RingStack FirstHarmonicRing::load(double omega) const
 {
   const FrictionKernels kernels(omega * radius, motion.orbit_speed, 1);
   const double a0 = motion.normal_force() / (2. * pi), u1 = kernels.U(1), p1 = kernels.P(1);

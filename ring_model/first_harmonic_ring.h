@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
 #include "ring_model/closures.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/motion.h"
+#include "ring_model/ring_stack.h"
 #include "ring_model/terminal_spin.h"
 
 namespace stemware::ring
@@ -25,7 +25,7 @@ public:
   FirstHarmonicRing(Closure closure, const Motion &motion, double radius);
 
   /// The self-consistent load at the spin @p omega [rad/s].
-  AngularLoad load(double omega) const;
+  RingStack load(double omega) const;
 
   /// Torque and friction at the spin @p omega [rad/s] under load(omega).
   Wrench wrench(double omega) const;

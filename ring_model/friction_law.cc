@@ -85,7 +85,7 @@ bool StribeckLaw::is_constant() const
   return parameters.static_coefficient == parameters.kinetic_coefficient && parameters.viscous == 0.;
 }
 
-EstimatedWrench wrench(const FrictionLaw &law, const AngularLoad &load, double omega, double speed,
+EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double omega, double speed,
                        double tolerance)
 {
   if (law.is_constant())

@@ -74,6 +74,6 @@ struct EstimatedWrench
  * @throws std::invalid_argument if a value is not allowed or the ring neither slides nor spins,
  *         std::runtime_error if the error estimate stays above ten times the tolerance.
  */
-EstimatedWrench wrench(const FrictionLaw &law, const AngularLoad &load, double omega, double speed,
+EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double omega, double speed,
                        double tolerance = 1e-12);
 } // namespace stemware::ring

@@ -10,12 +10,14 @@ FirstHarmonicModel::FirstHarmonicModel(double radius)
   require_positive(radius, "the ring radius", "m");
 }
 
-AngularLoad FirstHarmonicModel::load(double normal_force, const Eigen::Vector2d &moment) const
+RingStack FirstHarmonicModel::rings(double normal_force, const Eigen::Vector2d &moment,
+                                    const Slip & /*slip*/) const
 {
-  return AngularLoad::first_harmonic(normal_force, moment, ring_radius);
+  return RingStack::first_harmonic(normal_force, moment, ring_radius);
 }
 
-AngularLoad FixedLoad::load(double /*normal_force*/, const Eigen::Vector2d & /*moment*/) const
+RingStack FixedLoad::rings(double /*normal_force*/, const Eigen::Vector2d & /*moment*/,
+                           const Slip & /*slip*/) const
 {
   return fixed;
 }

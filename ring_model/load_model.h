@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
+#include "ring_model/slip.h"
 
 #include <Eigen/Core>
 
@@ -23,11 +24,13 @@ public:
   virtual ~LoadModel() = default;
 
   /**
-   * The load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
+   * The load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame, at @p
+   * slip: models without friction coupling and waviness do not depend on that.
    * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
    * are not finite or not allowed, std::out_of_range where the model has no data.
    */
-  virtual AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const = 0;
+  virtual RingStack rings(double normal_force, const Eigen::Vector2d &moment,
+                          const Slip &slip = {}) const = 0;
 
   /// Nominal contact radius R [m], which defines the moment ratio m = |M_N| / (N R / 2).
   virtual double radius() const = 0;
@@ -36,13 +39,13 @@ public:
   /// formal).
   virtual double lift_off_ratio() const = 0;
 
-  /// Moment ratios up to which (not including it) load() has an answer.
+  /// Moment ratios up to which (not including it) rings() has an answer.
   virtual double moment_ratio_limit() const { return 2.; }
 
-  /// Relative accuracy of load() where that is not rounding: a balance is not asked to be better.
+  /// Relative accuracy of rings() where that is not rounding: a balance is not asked to be better.
   virtual double accuracy() const { return 0.; }
 
-  /// Whether load() follows the moment it is given; a frozen load does not.
+  /// Whether rings() follows the moment it is given; a frozen load does not.
   virtual bool follows_moment() const { return true; }
 };
 
@@ -54,7 +57,7 @@ public:
   /// @param radius R > 0 [m]. @throws std::invalid_argument otherwise.
   explicit FirstHarmonicModel(double radius);
 
-  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
   double radius() const override { return ring_radius; }
   double lift_off_ratio() const override { return 1.; }
   double moment_ratio_limit() const override { return std::numeric_limits<double>::infinity(); }
@@ -68,13 +71,13 @@ private:
 class FixedLoad : public LoadModel
 {
 public:
-  explicit FixedLoad(AngularLoad load)
+  explicit FixedLoad(RingStack load)
       : fixed(std::move(load))
   {
   }
 
   /// The fixed load; the resultants asked for do not matter.
-  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
   double radius() const override { return fixed.radius(); }
 
   /// Zero if the load is negative somewhere, infinite otherwise.
@@ -83,6 +86,6 @@ public:
   bool follows_moment() const override { return false; }
 
 private:
-  AngularLoad fixed;
+  RingStack fixed;
 };
 } // namespace stemware::ring

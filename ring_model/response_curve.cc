@@ -12,19 +12,19 @@ namespace stemware::ring
 namespace
 {
 /// Moment ratio with the nominal radius.
-double ratio_of(const AngularLoad &load, double nominal_radius)
+double ratio_of(const RingStack &load, double nominal_radius)
 {
   return load.moment().norm() / (0.5 * load.normal_force() * nominal_radius);
 }
 
 /// The load turned so that its first harmonic is a pure cosine.
-AngularLoad aligned(const AngularLoad &load)
+RingStack aligned(const RingStack &load)
 {
   return load.rotated(-std::atan2(load.b(1), load.a(1)));
 }
 
 /// Refuses harmonics that are not symmetric about theta = 0; without moment, any harmonics.
-void check_harmonics(const AngularLoad &load, std::size_t index, bool without_moment, double tolerance)
+void check_harmonics(const RingStack &load, std::size_t index, bool without_moment, double tolerance)
 {
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
     require(std::abs(load.b(n)) <= tolerance * load.a(0) &&
@@ -53,7 +53,7 @@ struct Nodes
 };
 
 /// Adds sample number @p index of the curve; the very first has no moment.
-void add_node(const AngularLoad &sample, std::size_t index, const Rules &rules, Nodes &nodes)
+void add_node(const RingStack &sample, std::size_t index, const Rules &rules, Nodes &nodes)
 {
   const double ratio = ratio_of(sample, rules.nominal_radius);
   require(index > 0 || ratio < rules.tolerance, "the response curve starts at the moment ratio ", ratio,
@@ -65,7 +65,7 @@ void add_node(const AngularLoad &sample, std::size_t index, const Rules &rules, 
           " has the normal force ", sample.normal_force(), " N, but the first has ", rules.normal_force,
           " N: a curve over the moment ratio needs one normal force");
   // Without moment a body of revolution has no harmonics, and no direction to turn the load to.
-  const AngularLoad turned = index > 0 ? aligned(sample) : sample;
+  const RingStack turned = index > 0 ? aligned(sample) : sample;
   check_harmonics(turned, index, index == 0, rules.tolerance);
   nodes.ratios.push_back(index > 0 ? ratio : 0.);
   nodes.shapes.emplace_back(1, sample.radius());
@@ -90,14 +90,13 @@ Nodes mirrored(const Nodes &nodes)
 }
 } // namespace
 
-ResponseCurve::ResponseCurve(const std::vector<AngularLoad> &samples, double nominal_radius,
+ResponseCurve::ResponseCurve(const std::vector<RingStack> &samples, double nominal_radius,
                              double lift_off_ratio, double tolerance)
-    : ResponseCurve(std::vector<std::vector<AngularLoad>>{ samples }, nominal_radius, lift_off_ratio,
-                    tolerance)
+    : ResponseCurve(std::vector<std::vector<RingStack>>{ samples }, nominal_radius, lift_off_ratio, tolerance)
 {
 }
 
-ResponseCurve::ResponseCurve(const std::vector<std::vector<AngularLoad>> &pieces, double nominal_radius,
+ResponseCurve::ResponseCurve(const std::vector<std::vector<RingStack>> &pieces, double nominal_radius,
                              double lift_off_ratio, double tolerance, bool chebyshev_nodes)
     : nominal(nominal_radius)
     , onset(lift_off_ratio)
@@ -106,22 +105,22 @@ ResponseCurve::ResponseCurve(const std::vector<std::vector<AngularLoad>> &pieces
 {
   require_positive(nominal_radius, "the nominal radius", "m");
   require(lift_off_ratio > 0., "the lift-off ratio is ", lift_off_ratio, ", but must be positive");
-  for (const std::vector<AngularLoad> &samples : pieces)
+  for (const std::vector<RingStack> &samples : pieces)
     require(samples.size() >= 2, "the response curve has ", samples.size(),
             " samples, but needs at least two in every piece");
   require(!pieces.empty(), "the response curve has no samples, but needs at least two");
   force = pieces[0][0].normal_force();
   Rules rules = { nominal, force, tolerance, 1 };
-  for (const std::vector<AngularLoad> &samples : pieces)
-    for (const AngularLoad &sample : samples)
+  for (const std::vector<RingStack> &samples : pieces)
+    for (const RingStack &sample : samples)
       rules.n_harmonics = std::max(rules.n_harmonics, sample.n_harmonics());
   shape_size = rules.n_harmonics;
 
   std::size_t index = 0; // of the sample, counted over all pieces
-  for (const std::vector<AngularLoad> &samples : pieces)
+  for (const std::vector<RingStack> &samples : pieces)
   {
     Nodes nodes;
-    for (const AngularLoad &sample : samples)
+    for (const RingStack &sample : samples)
       add_node(sample, index++, rules, nodes);
     const double first = nodes.ratios.front(), last = nodes.ratios.back();
     require(curve.empty() || first == curve.rbegin()->first,
@@ -140,7 +139,8 @@ double ResponseCurve::moment_ratio_limit() const
   return std::min(2., std::nextafter(curve.rbegin()->first, 2.));
 }
 
-AngularLoad ResponseCurve::load(double normal_force, const Eigen::Vector2d &moment) const
+RingStack ResponseCurve::rings(double normal_force, const Eigen::Vector2d &moment,
+                               const Slip & /*slip*/) const
 {
   require(std::abs(normal_force - force) <= 1e-9 * force, "the normal force is ", normal_force,
           " N, but the response curve was computed for ", force, " N");
@@ -161,6 +161,6 @@ AngularLoad ResponseCurve::load(double normal_force, const Eigen::Vector2d &mome
   for (std::size_t k = 1; k < shape_size; ++k)
     a.push_back(a0 * shape[k]);
   std::vector<double> b(a.size(), 0.);
-  return AngularLoad(std::move(a), std::move(b), ring).rotated(std::atan2(moment.x(), -moment.y()));
+  return RingStack(std::move(a), std::move(b), ring).rotated(std::atan2(moment.x(), -moment.y()));
 }
 } // namespace stemware::ring

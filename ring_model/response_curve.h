@@ -33,7 +33,7 @@ public:
    * direction of its moment; more shows a load that depends on more than m.
    * @throws std::invalid_argument saying which sample breaks which of these rules.
    */
-  ResponseCurve(const std::vector<AngularLoad> &samples, double nominal_radius, double lift_off_ratio,
+  ResponseCurve(const std::vector<RingStack> &samples, double nominal_radius, double lift_off_ratio,
                 double tolerance = 1e-8);
 
   /**
@@ -44,7 +44,7 @@ public:
    * polynomial through all of them is better than a rational function, and needs no mirrored nodes.
    * @throws std::invalid_argument as above, and for pieces that do not meet.
    */
-  ResponseCurve(const std::vector<std::vector<AngularLoad>> &pieces, double nominal_radius,
+  ResponseCurve(const std::vector<std::vector<RingStack>> &pieces, double nominal_radius,
                 double lift_off_ratio, double tolerance = 1e-8, bool chebyshev_nodes = false);
 
   /**
@@ -52,7 +52,7 @@ public:
    * @throws std::out_of_range beyond the last sample, std::invalid_argument for another normal force than the
    * samples', Tipping for m >= 2.
    */
-  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
   double radius() const override { return nominal; }
   double lift_off_ratio() const override { return onset; }
   double moment_ratio_limit() const override;

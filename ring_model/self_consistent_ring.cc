@@ -15,7 +15,7 @@ namespace stemware::ring
 {
 struct SelfConsistentRing::Trial
 {
-  AngularLoad load;
+  RingStack load;
   Wrench friction;
   Eigen::Vector2d residual;
 };
@@ -63,9 +63,10 @@ double SelfConsistentRing::moment_ratio(const Eigen::Vector2d &moment) const
   return moment.norm() / (0.5 * moment_scale());
 }
 
-SelfConsistentRing::Trial SelfConsistentRing::attempt(double omega, const Eigen::Vector2d &moment) const
+SelfConsistentRing::Trial SelfConsistentRing::attempt(double omega, const Orientation &orientation,
+                                                      const Eigen::Vector2d &moment) const
 {
-  AngularLoad load = model->load(motion.normal_force(), moment);
+  RingStack load = model->rings(motion.normal_force(), moment, { omega / motion.orbit_speed, orientation });
   const Wrench friction = ring.wrench(load, omega, motion.orbit_speed);
   const Eigen::Vector2d required = required_moment(closure, motion, { friction.force_x, friction.force_y });
   const Eigen::Vector2d carried = model->follows_moment() ? moment : load.moment();
@@ -116,14 +117,15 @@ void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
   throw Tipping(demand + ": the glass tips; lower the hand's force, the friction or the speed");
 }
 
-SelfConsistentRing::Search SelfConsistentRing::search(double omega, const BalanceStart &start) const
+SelfConsistentRing::Search SelfConsistentRing::search(double omega, const Orientation &orientation,
+                                                      const BalanceStart &start) const
 {
   const double tolerance = std::max(4e-15, model->accuracy()) * moment_scale();
   const double allowed = std::max(1e-12, 10. * model->accuracy()) * moment_scale();
   // Shorter steps say more about rounding than about the slope.
   const double shortest_informative = 1e3 * tolerance;
   BalanceStart point = { within_limits(Eigen::Vector2d::Zero(), start.moment), start.jacobian };
-  Trial trial = attempt(omega, point.moment);
+  Trial trial = attempt(omega, orientation, point.moment);
   unsigned int n_evaluations = 1;
   bool ended = trial.residual.norm() <= tolerance || !model->follows_moment();
   while (!ended && n_evaluations < 60)
@@ -131,7 +133,7 @@ SelfConsistentRing::Search SelfConsistentRing::search(double omega, const Balanc
     const Eigen::Vector2d next =
       within_limits(point.moment, point.moment - point.jacobian.inverse() * trial.residual);
     const Eigen::Vector2d step = next - point.moment;
-    Trial attempted = attempt(omega, next);
+    Trial attempted = attempt(omega, orientation, next);
     ++n_evaluations;
     const double residual = attempted.residual.norm();
     const bool stagnates =
@@ -148,11 +150,12 @@ SelfConsistentRing::Search SelfConsistentRing::search(double omega, const Balanc
   return { std::move(trial), point, n_evaluations, converged };
 }
 
-RingEquilibrium SelfConsistentRing::at(double omega, const BalanceStart *start) const
+RingEquilibrium SelfConsistentRing::at(double omega, const BalanceStart *start,
+                                       const Orientation &orientation) const
 {
-  Search found = search(omega, start ? *start : first_harmonic_start(omega));
+  Search found = search(omega, orientation, start ? *start : first_harmonic_start(omega));
   if (start && !found.converged)
-    found = search(omega, first_harmonic_start(omega));
+    found = search(omega, orientation, first_harmonic_start(omega));
   Trial &trial = found.trial;
   if (!found.converged)
     refuse(omega, found.balance.moment, trial.residual);

@@ -33,7 +33,7 @@ struct BalanceStart
 /// All balances at one spin, in the slip frame.
 struct RingEquilibrium
 {
-  AngularLoad load;           ///< normal load
+  RingStack load;             ///< normal load
   Wrench friction;            ///< T and tau_z of the table on the ring
   Eigen::Vector2d hand_force; ///< F = m a - T [N]
   double moment_ratio;        ///< m = |M_N| / (N R / 2)
@@ -56,12 +56,14 @@ public:
   SelfConsistentRing(Closure closure, const Motion &motion, std::shared_ptr<const LoadModel> model);
 
   /**
-   * The equilibrium at the spin @p omega [rad/s], searched from @p start if given; where that fails, and
-   * without it, from first_harmonic_start(). Sought to rounding or to the load model's accuracy.
+   * The equilibrium at the spin @p omega [rad/s] with the marks of glass and table at @p orientation,
+   * searched from @p start if given; where that fails, and without it, from first_harmonic_start(). Sought to
+   * rounding or to the load model's accuracy.
    * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
    * iteration does not converge, std::out_of_range where the load model has no data.
    */
-  RingEquilibrium at(double omega, const BalanceStart *start = nullptr) const;
+  RingEquilibrium at(double omega, const BalanceStart *start = nullptr,
+                     const Orientation &orientation = {}) const;
 
   /// Moment and Jacobian of the first harmonic in balance at @p omega, in closed form.
   BalanceStart first_harmonic_start(double omega) const;
@@ -78,11 +80,11 @@ public:
 private:
   /// Required minus carried moment if the friction is that of the load carrying @p moment.
   struct Trial;
-  Trial attempt(double omega, const Eigen::Vector2d &moment) const;
+  Trial attempt(double omega, const Orientation &orientation, const Eigen::Vector2d &moment) const;
 
   /// Broyden's method.
   struct Search;
-  Search search(double omega, const BalanceStart &start) const;
+  Search search(double omega, const Orientation &orientation, const BalanceStart &start) const;
 
   /// @p moment, or as much of the way from @p from to it as the load model can carry.
   Eigen::Vector2d within_limits(const Eigen::Vector2d &from, const Eigen::Vector2d &moment) const;

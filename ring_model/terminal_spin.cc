@@ -75,7 +75,7 @@ TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, dou
   return describe(torque, yaw_inertia, terminal_omega(torque, spin_scale, initial_spin), spin_scale / 8.);
 }
 
-TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion)
+TerminalSpin terminal_spin(const RingStack &load, const Motion &motion)
 {
   motion.validate();
   const CoulombRing ring(motion.friction_coefficient);

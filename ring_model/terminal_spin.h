@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
 #include "ring_model/motion.h"
+#include "ring_model/ring_stack.h"
 
 #include <functional>
 #include <vector>
@@ -36,7 +36,7 @@ TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, dou
 double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin = 0.);
 
 /// terminal_spin() from rest under a load that does not react to the spin (a frozen load).
-TerminalSpin terminal_spin(const AngularLoad &load, const Motion &motion);
+TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);
 
 /**
  * All zeros of @p torque in [@p lower, @p upper] in increasing order, each with its stability. Sign changes

@@ -15,8 +15,8 @@ TruncatedModel::TruncatedModel(std::shared_ptr<const LoadModel> model, unsigned 
           " harmonics carries no moment; keep the first at least");
 }
 
-AngularLoad TruncatedModel::load(double normal_force, const Eigen::Vector2d &moment) const
+RingStack TruncatedModel::rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip) const
 {
-  return model->load(normal_force, moment).truncated(n_max);
+  return model->rings(normal_force, moment, slip).truncated(n_max);
 }
 } // namespace stemware::ring

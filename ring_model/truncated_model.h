@@ -20,10 +20,11 @@ public:
   TruncatedModel(std::shared_ptr<const LoadModel> model, unsigned int n_max);
 
   /// Throws as the model does: a truncated load tips where the whole one tips.
-  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
   double radius() const override { return model->radius(); }
   double lift_off_ratio() const override { return model->lift_off_ratio(); }
   double moment_ratio_limit() const override { return model->moment_ratio_limit(); }
+  double accuracy() const override { return model->accuracy(); }
   bool follows_moment() const override { return model->follows_moment(); }
 
 private:

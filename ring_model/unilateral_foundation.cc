@@ -176,7 +176,8 @@ std::vector<double> UnilateralFoundation::shape(double moment_ratio) const
   return a;
 }
 
-AngularLoad UnilateralFoundation::load(double normal_force, const Eigen::Vector2d &moment) const
+RingStack UnilateralFoundation::rings(double normal_force, const Eigen::Vector2d &moment,
+                                      const Slip & /*slip*/) const
 {
   require_positive(normal_force, "the normal force", "N");
   require(moment.allFinite(), "the moment is (", moment.x(), ", ", moment.y(), ") N m, but must be finite");
@@ -188,6 +189,6 @@ AngularLoad UnilateralFoundation::load(double normal_force, const Eigen::Vector2
   // M_N = (pi R b_1, -pi R a_1): the load's maximum lies at the angle of (a_1, b_1).
   const double direction = std::atan2(moment.x(), -moment.y());
   std::vector<double> b(a.size(), 0.);
-  return AngularLoad(std::move(a), std::move(b), ring_radius).rotated(direction);
+  return RingStack(std::move(a), std::move(b), ring_radius).rotated(direction);
 }
 } // namespace stemware::ring

@@ -27,7 +27,7 @@ public:
    */
   UnilateralFoundation(double radius, double exponent, unsigned int n_harmonics = 128);
 
-  AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
   double radius() const override { return ring_radius; }
   double lift_off_ratio() const override { return 2. * p / (p + 1.); }
 

@@ -91,11 +91,11 @@ BENCHMARK(cold_load)->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisec
 class ElasticLoad : public ring::LoadModel
 {
 public:
-  ring::AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override
+  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override
   {
     ++n_loads;
     const LoadHarmonics pressed = foot.press({ normal_force, moment(0), moment(1) });
-    return ring::AngularLoad(pressed.a, pressed.b, pressed.ring_radius);
+    return ring::RingStack(pressed.a, pressed.b, pressed.ring_radius);
   }
   double radius() const override { return 0.03; }
   double lift_off_ratio() const override { return 1.2; }

@@ -32,7 +32,7 @@ std::vector<double> slip_ratios()
 }
 
 /// A load of a crowned rim close to lift-off: all 32 harmonics are there.
-AngularLoad load_of_32_harmonics()
+RingStack load_of_32_harmonics()
 {
   return UnilateralFoundation(0.03, 1.5, 32).load(2.943, { -0.040, -0.025 });
 }
@@ -63,7 +63,7 @@ BENCHMARK(kernels_to_32)->Unit(benchmark::kMillisecond);
 
 void torque_of_32_harmonics_by_kernels(benchmark::State &state)
 {
-  const AngularLoad load = load_of_32_harmonics();
+  const RingStack load = load_of_32_harmonics();
   const CoulombRing ring(0.3);
   const double omega = 0.999 * 0.35 / load.radius();
   for (auto _ : state)
@@ -75,7 +75,7 @@ BENCHMARK(torque_of_32_harmonics_by_kernels);
 /// 1e-15 mu N R.
 void torque_of_32_harmonics_by_gauss_kronrod(benchmark::State &state)
 {
-  const AngularLoad load = load_of_32_harmonics();
+  const RingStack load = load_of_32_harmonics();
   const double mu = 0.3, R = load.radius(), speed = 0.35, omega = 0.999 * speed / R;
   const double exact = CoulombRing(mu).wrench(load, omega, speed).torque;
   const auto integrand = [&](double theta)

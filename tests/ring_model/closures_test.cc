@@ -42,7 +42,7 @@ TEST(Closures, FirstHarmonicRowsOfTheReference)
                     name);
     for (const auto &[suffix, omega] : { std::pair{ "_0", 0. }, { "_T", spin.omega } })
     {
-      const AngularLoad load = ring.load(omega);
+      const RingStack load = ring.load(omega);
       const Wrench wrench = ring.wrench(omega);
       const std::string at = suffix;
       expect_relative(load.moment_ratio(), row["ratio" + at], 2e-13, name + " m" + at);
@@ -77,7 +77,7 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
     EXPECT_EQ(back.terminal_spin().omega, -there.terminal_spin().omega);
     for (const double omega : { 0., 3., -8., 20. })
     {
-      const AngularLoad load = there.load(omega), mirror = back.load(-omega);
+      const RingStack load = there.load(omega), mirror = back.load(-omega);
       const Wrench wrench = there.wrench(omega), reversed = back.wrench(-omega);
       EXPECT_EQ(mirror.a(1), load.a(1));
       EXPECT_EQ(mirror.b(1), -load.b(1));

@@ -14,7 +14,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 
-AngularLoad reference_load()
+RingStack reference_load()
 {
   const auto &general = reference()["general_wrench"];
   return { general["a"], general["b"], general["R"] };
@@ -24,7 +24,7 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
 {
   const auto &general = reference()["general_wrench"];
   const CoulombRing ring(general["mu"]);
-  const AngularLoad load = reference_load();
+  const RingStack load = reference_load();
   for (const auto &row : general["cases"])
   {
     const double speed = 0.35, omega = row["eps"].get<double>() * speed / load.radius();
@@ -40,7 +40,7 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
 TEST(CoulombRing, QuadratureAgreesWithKernels)
 {
   const CoulombRing ring(0.3);
-  const AngularLoad load = reference_load();
+  const RingStack load = reference_load();
   // Geometric convergence away from |eps| = 1 (N for 1e-15: docs/theory/kernels.md), algebraic at it.
   for (const auto &[eps, n_points, tolerance] : { std::tuple{ 0.1, 64u, 1e-15 },
                                                   { -0.5, 128u, 1e-15 },
@@ -67,7 +67,7 @@ TEST(CoulombRing, QuadratureErrsByTheAliasedKernels)
     std::vector<double> a(n + 1, 0.);
     a[0] = 1.;
     a[n] = 1.;
-    const AngularLoad load(a, std::vector<double>(n + 1, 0.), R);
+    const RingStack load(a, std::vector<double>(n + 1, 0.), R);
     double aliased = 0.;
     for (unsigned int j = 1; j <= 5; ++j)
     {
@@ -107,7 +107,7 @@ TEST(CoulombRing, NeverGivesEnergyToANonnegativeLoad)
   for (unsigned int trial = 0; trial < 3000; ++trial)
   {
     const auto [a, b] = numbers.nonnegative_load(1 + trial % 20);
-    const AngularLoad load(a, b, numbers.between(0.01, 0.1));
+    const RingStack load(a, b, numbers.between(0.01, 0.1));
     const double speed = numbers.between(0., 1.), omega = std::sinh(numbers.between(-6., 6.));
     const CoulombRing ring(numbers.between(0., 1.));
     const double dissipation = ring.dissipation(load, omega, speed);
@@ -124,7 +124,7 @@ TEST(CoulombRing, MirrorImageReversesSpinTorqueAndSideForce)
   for (unsigned int trial = 0; trial < 200; ++trial)
   {
     const auto [a, b] = numbers.nonnegative_load(9);
-    const AngularLoad load(a, b, 0.03);
+    const RingStack load(a, b, 0.03);
     const double omega = numbers.between(-30., 30.);
     const Wrench wrench = CoulombRing(0.3).wrench(load, omega, 0.35);
     const Wrench mirror = CoulombRing(0.3).wrench(load.mirrored(), -omega, 0.35);
@@ -140,7 +140,7 @@ TEST(CoulombRing, OnlyTheFirstHarmonicActsAtRest)
   for (unsigned int trial = 0; trial < 100; ++trial)
   {
     const auto [a, b] = numbers.nonnegative_load(12);
-    const AngularLoad load(a, b, 0.03);
+    const RingStack load(a, b, 0.03);
     const Wrench wrench = CoulombRing(0.3).wrench(load, 0., 0.35);
     expect_relative(wrench.torque, 0.3 * load.moment().x(), 1e-14, "tau(0) = mu M_Nx");
     EXPECT_NEAR(wrench.force_x, -0.3 * load.normal_force(), 1e-14);
@@ -151,7 +151,7 @@ TEST(CoulombRing, OnlyTheFirstHarmonicActsAtRest)
 TEST(CoulombRing, SmallSlipLawHoldsToSecondOrder)
 {
   // tau = mu R pi [b_1 - eps (a_0 + a_2/2)] - mu R (3 pi/8) eps^2 (b_1 + b_3) + O(eps^3)
-  const AngularLoad load = reference_load();
+  const RingStack load = reference_load();
   const double mu = 0.3, R = load.radius(), pi = boost::math::constants::pi<double>();
   double previous = 0.;
   for (const double eps : { 0.02, 0.01, 0.005 })
@@ -175,7 +175,7 @@ TEST(CoulombRing, TruncationBoundHolds)
   for (unsigned int trial = 0; trial < 500; ++trial)
   {
     const auto [a, b] = numbers.nonnegative_load(16);
-    const AngularLoad load(a, b, 0.03);
+    const RingStack load(a, b, 0.03);
     const double omega = std::sinh(numbers.between(-4., 4.)), speed = 0.35;
     const double full = ring.wrench(load, omega, speed).torque;
     for (const unsigned int n_max : { 0u, 1u, 2u, 3u, 8u, 16u })
@@ -190,7 +190,7 @@ TEST(CoulombRing, TruncationBoundHolds)
     }
   }
   // Sharp for a single harmonic that the torque sees, b_3.
-  const AngularLoad single({ 1., 0., 0., 0. }, { 0., 0., 0., 0.2 }, 0.03);
+  const RingStack single({ 1., 0., 0., 0. }, { 0., 0., 0., 0.2 }, 0.03);
   const double change =
     ring.wrench(single, 6., 0.35).torque - ring.wrench(single.truncated(2), 6., 0.35).torque;
   expect_relative(std::abs(change), ring.truncation_bound(single, 2, 6., 0.35), 1e-12, "sharp bound");
@@ -198,7 +198,7 @@ TEST(CoulombRing, TruncationBoundHolds)
 
 TEST(CoulombRing, PureSpinAndPureSlideAreOpposedFully)
 {
-  const AngularLoad load({ 1., 0.2 }, { 0., 0.3 }, 0.03);
+  const RingStack load({ 1., 0.2 }, { 0., 0.3 }, 0.03);
   const CoulombRing ring(0.4);
   expect_relative(ring.wrench(load, 5., 0.).torque, -0.4 * load.normal_force() * 0.03, 1e-14, "spin");
   expect_relative(ring.wrench(load, 0., 2.).force_x, -0.4 * load.normal_force(), 1e-14, "slide");
@@ -208,7 +208,7 @@ TEST(CoulombRing, ThePrintedTorqueOfThePaperHasTheWrongSign)
 {
   // - mu int lambda R (v sin - omega R) / |v_rel|, as printed, for the load of the paper's Fig. 3.
   const double mu = 0.3, R = 0.03, pi = boost::math::constants::pi<double>();
-  const AngularLoad load = AngularLoad::first_harmonic(0.3 * 9.81, { -0.01225, 0. }, R);
+  const RingStack load = RingStack::first_harmonic(0.3 * 9.81, { -0.01225, 0. }, R);
   const auto printed = [&](double omega, double speed)
   {
     double sum = 0.;
@@ -234,7 +234,7 @@ TEST(CoulombRing, RefusesBadInput)
 {
   EXPECT_THROW(CoulombRing(-0.1), std::invalid_argument);
   EXPECT_THROW(CoulombRing{ std::numeric_limits<double>::quiet_NaN() }, std::invalid_argument);
-  const AngularLoad load({ 1. }, { 0. }, 0.03);
+  const RingStack load({ 1. }, { 0. }, 0.03);
   EXPECT_THROW(CoulombRing(0.3).wrench(load, 0., 0.), std::invalid_argument);
   EXPECT_THROW(CoulombRing(0.3).wrench(load, 1., -1.), std::invalid_argument);
   EXPECT_THROW(CoulombRing(0.3).wrench_by_quadrature(load, 1., 1., 0), std::invalid_argument);

@@ -13,7 +13,7 @@ namespace
 {
 using test::expect_relative;
 
-AngularLoad some_load()
+RingStack some_load()
 {
   return { { 0.5, 0.12, -0.07, 0.03, 0.02 }, { 0., -0.15, 0.05, -0.04, 0.01 }, 0.03 };
 }
@@ -27,7 +27,7 @@ public:
 
 TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
 {
-  const AngularLoad load = some_load();
+  const RingStack load = some_load();
   for (const double eps :
        { 0., 1e-6, -0.27, 0.5, 0.9, 0.999, 1. - 1e-9, 1., 1. + 1e-12, -1.001, 1.3, 5., 1e4 })
   {
@@ -48,7 +48,7 @@ TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
 
 TEST(FrictionLaw, ConstantLawsUseTheKernels)
 {
-  const AngularLoad load = some_load();
+  const RingStack load = some_load();
   const Wrench exact = CoulombRing(0.3).wrench(load, 7., 0.35);
   for (const EstimatedWrench &found : { wrench(CoulombLaw(0.3), load, 7., 0.35),
                                         wrench(StribeckLaw({ 0.3, 0.3, 0.1, 0., 2. }), load, 7., 0.35) })
@@ -61,7 +61,7 @@ TEST(FrictionLaw, ConstantLawsUseTheKernels)
 TEST(FrictionLaw, ViscousPartIsLinear)
 {
   // mu = c |v_rel|: force = -c int lambda v_rel, a polynomial in the coefficients of the load.
-  const AngularLoad load = some_load();
+  const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius(),
                pi = boost::math::constants::pi<double>();
   const EstimatedWrench found = wrench(StribeckLaw({ 0., 0., 0.1, c, 2. }), load, omega, speed);
@@ -83,7 +83,7 @@ TEST(FrictionLaw, StribeckCurveHasItsLimits)
 
 TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
 {
-  const AngularLoad load = some_load();
+  const RingStack load = some_load();
   const double speed = 0.35, R = load.radius(), pi = boost::math::constants::pi<double>();
   const StribeckLaw law({ 0.5, 0.3, 0.1, 0.05, 2. });
   for (const double omega : { -20., -3., 0.5, 6., 60. })
@@ -111,7 +111,7 @@ TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
 {
   // A coefficient that falls with the slip speed works most where the slip is slow, on the driving side: the
   // ring spins faster than the paper's 3.12 rad/s; one that grows makes it slower.
-  const AngularLoad load = AngularLoad::first_harmonic(2.943, { 0.01225, 0. }, 0.03);
+  const RingStack load = RingStack::first_harmonic(2.943, { 0.01225, 0. }, 0.03);
   const auto terminal = [&](const FrictionLaw &law)
   {
     return terminal_spin([&](double omega) { return wrench(law, load, omega, 0.35).value.torque; }, 3e-4,

@@ -126,7 +126,7 @@ TEST(UnilateralFoundation, LoadsHaveTheResultantsAskedFor)
                    angle = numbers.between(0., 7.);
       const Eigen::Vector2d moment =
         0.5 * m * force * 0.04 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      const AngularLoad load = foundation.load(force, moment);
+      const RingStack load = foundation.rings(force, moment);
       expect_relative(load.normal_force(), force, 1e-14, "N");
       EXPECT_LE((load.moment() - moment).norm(), 1e-14 * force * 0.04);
     }
@@ -136,10 +136,10 @@ TEST(UnilateralFoundation, NamesTippingAndRefusesBadInput)
 {
   const UnilateralFoundation foundation(0.03, 1.);
   EXPECT_THROW(foundation.edge(2.), Tipping);
-  EXPECT_THROW(foundation.load(1., { 0.04, 0. }), Tipping);
+  EXPECT_THROW(foundation.rings(1., { 0.04, 0. }), Tipping);
   EXPECT_THROW(foundation.edge(-0.1), std::invalid_argument);
   EXPECT_THROW(foundation.edge(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
-  EXPECT_THROW(foundation.load(0., { 0., 0. }), std::invalid_argument);
+  EXPECT_THROW(foundation.rings(0., { 0., 0. }), std::invalid_argument);
   EXPECT_THROW(UnilateralFoundation(0.03, 0.), std::invalid_argument);
   EXPECT_THROW(UnilateralFoundation(-0.03, 1.), std::invalid_argument);
   EXPECT_THROW(UnilateralFoundation(0.03, 1., 0), std::invalid_argument);
@@ -149,18 +149,18 @@ TEST(FirstHarmonicModel, SaysWhenItTurnsNegative)
 {
   const FirstHarmonicModel model(0.03);
   EXPECT_EQ(model.lift_off_ratio(), 1.);
-  EXPECT_GT(model.load(2., { 0.029, 0. }).minimum(), 0.);
-  EXPECT_LT(model.load(2., { 0.031, 0. }).minimum(), 0.);
+  EXPECT_GT(model.rings(2., { 0.029, 0. }).minimum(), 0.);
+  EXPECT_LT(model.rings(2., { 0.031, 0. }).minimum(), 0.);
 }
 
 /// Samples of a rim of circular cross-section, each turned differently.
-std::vector<AngularLoad> torus_samples(const std::vector<double> &ratios, double force)
+std::vector<RingStack> torus_samples(const std::vector<double> &ratios, double force)
 {
   const UnilateralFoundation foundation(0.03, 1.5, 12);
-  std::vector<AngularLoad> samples;
+  std::vector<RingStack> samples;
   for (const double m : ratios)
     samples.push_back(
-      foundation.load(force, 0.5 * m * force * 0.03 * Eigen::Vector2d(std::cos(m), std::sin(m))));
+      foundation.rings(force, 0.5 * m * force * 0.03 * Eigen::Vector2d(std::cos(m), std::sin(m))));
   return samples;
 }
 
@@ -174,8 +174,8 @@ TEST(ResponseCurve, IsExactAtItsNodesAndSmoothBetween)
   const UnilateralFoundation foundation(0.03, 1.5, 12);
   for (const double m : ratios)
   {
-    const AngularLoad exact = foundation.load(force, { 0.5 * m * force * 0.03, 0. });
-    const AngularLoad load = curve.load(force, { 0.5 * m * force * 0.03, 0. });
+    const RingStack exact = foundation.rings(force, { 0.5 * m * force * 0.03, 0. });
+    const RingStack load = curve.rings(force, { 0.5 * m * force * 0.03, 0. });
     for (unsigned int n = 0; n <= 12; ++n)
     {
       EXPECT_NEAR(load.a(n), exact.a(n), 1e-14) << m << " " << n;
@@ -184,8 +184,8 @@ TEST(ResponseCurve, IsExactAtItsNodesAndSmoothBetween)
   }
   for (double m = 0.05; m < 1.1; m += 0.1)
   {
-    const AngularLoad exact = foundation.load(force, { 0., -0.5 * m * force * 0.03 });
-    const AngularLoad load = curve.load(force, { 0., -0.5 * m * force * 0.03 });
+    const RingStack exact = foundation.rings(force, { 0., -0.5 * m * force * 0.03 });
+    const RingStack load = curve.rings(force, { 0., -0.5 * m * force * 0.03 });
     for (unsigned int n = 0; n <= 12; ++n)
       EXPECT_NEAR(load.a(n), exact.a(n), 5e-5 * exact.a(0)) << m << " " << n;
     EXPECT_NEAR(load.moment().y(), exact.moment().y(), 1e-16);
@@ -195,14 +195,14 @@ TEST(ResponseCurve, IsExactAtItsNodesAndSmoothBetween)
 TEST(ResponseCurve, InterpolatesTheRingRadiusToo)
 {
   // A wide rim's ring radius grows with the moment ratio; N and M_N stay exact.
-  std::vector<AngularLoad> samples;
+  std::vector<RingStack> samples;
   const double force = 2., nominal = 0.03;
   const auto radius = [](double m) { return 0.03 * (1. + 0.01 * m * m); };
   for (const double m : { 0., 0.4, 0.8, 1.2 })
-    samples.push_back(AngularLoad::first_harmonic(force, { 0.5 * m * force * nominal, 0. }, radius(m)));
+    samples.push_back(RingStack::first_harmonic(force, { 0.5 * m * force * nominal, 0. }, radius(m)));
   const ResponseCurve curve(samples, nominal, 1.);
   const Eigen::Vector2d moment(0., 0.5 * 0.6 * force * nominal);
-  const AngularLoad load = curve.load(force, moment);
+  const RingStack load = curve.rings(force, moment);
   expect_relative(load.radius(), radius(0.6), 1e-14, "ring radius");
   EXPECT_LE((load.moment() - moment).norm(), 1e-16);
 }
@@ -227,11 +227,11 @@ TEST(ResponseCurve, InPiecesMeetsAKink)
   for (double m = 1.05; m < 1.3; m += 0.01)
   {
     const Eigen::Vector2d moment(0.5 * m * force * 0.03, 0.);
-    const AngularLoad exact = foundation.load(force, moment);
+    const RingStack exact = foundation.rings(force, moment);
     for (unsigned int n = 0; n <= 12; ++n)
       for (const auto &[curve, worst] : { std::pair{ &whole, &worst_whole }, { &pieces, &worst_pieces } })
-        *worst = std::max(*worst, std::hypot(curve->load(force, moment).a(n) - exact.a(n),
-                                             curve->load(force, moment).b(n) - exact.b(n)) /
+        *worst = std::max(*worst, std::hypot(curve->rings(force, moment).a(n) - exact.a(n),
+                                             curve->rings(force, moment).b(n) - exact.b(n)) /
                                     exact.a(0));
   }
   EXPECT_LE(worst_pieces, 4e-4);
@@ -241,7 +241,7 @@ TEST(ResponseCurve, InPiecesMeetsAKink)
   {
     const Eigen::Vector2d moment(0., 0.5 * m * force * 0.03 * (1. - 1e-16));
     for (unsigned int n = 0; n <= 12; ++n)
-      EXPECT_NEAR(pieces.load(force, moment).a(n), foundation.load(force, moment).a(n), 1e-13)
+      EXPECT_NEAR(pieces.rings(force, moment).a(n), foundation.rings(force, moment).a(n), 1e-13)
         << m << " " << n;
   }
 }
@@ -251,12 +251,12 @@ TEST(ResponseCurve, RefusesToExtrapolateAndLoadsThatDependOnMore)
   const double force = 2.;
   const auto samples = torus_samples({ 0., 0.5, 1. }, force);
   const ResponseCurve curve(samples, 0.03, 1.2);
-  EXPECT_NO_THROW(curve.load(force, { 0.03, 0. }));
-  EXPECT_THROW(curve.load(force, { 0.0301, 0. }), std::out_of_range);
-  EXPECT_THROW(curve.load(force, { 0.0601, 0. }), Tipping);
-  EXPECT_THROW(curve.load(1.1 * force, { 0.01, 0. }), std::invalid_argument);
+  EXPECT_NO_THROW(curve.rings(force, { 0.03, 0. }));
+  EXPECT_THROW(curve.rings(force, { 0.0301, 0. }), std::out_of_range);
+  EXPECT_THROW(curve.rings(force, { 0.0601, 0. }), Tipping);
+  EXPECT_THROW(curve.rings(1.1 * force, { 0.01, 0. }), std::invalid_argument);
 
-  const auto refused = [](std::vector<AngularLoad> bad, const char *reason)
+  const auto refused = [](std::vector<RingStack> bad, const char *reason)
   {
     try
     {
@@ -278,20 +278,20 @@ TEST(ResponseCurve, RefusesToExtrapolateAndLoadsThatDependOnMore)
   refused({ samples[0], torus_samples({ 0.5 }, 1.5)[0] }, "one normal force");
   // A second harmonic that stands across the first: a foot out of round, or friction coupling.
   const double a0 = force / (2. * pi);
-  refused({ samples[0], AngularLoad({ a0, 0.3 * a0, 0. }, { 0., 0., 1e-4 * a0 }, 0.03) },
+  refused({ samples[0], RingStack({ a0, 0.3 * a0, 0. }, { 0., 0., 1e-4 * a0 }, 0.03) },
           "depends on more than the moment ratio");
-  refused({ AngularLoad({ a0, 0., 1e-4 * a0 }, { 0., 0., 0. }, 0.03), samples[1] },
+  refused({ RingStack({ a0, 0., 1e-4 * a0 }, { 0., 0., 0. }, 0.03), samples[1] },
           "depends on more than the moment ratio");
 }
 
 TEST(FixedLoad, DoesNotAnswer)
 {
-  const AngularLoad load({ 1., 0.3 }, { 0., 0.1 }, 0.03);
+  const RingStack load({ 1., 0.3 }, { 0., 0.1 }, 0.03);
   const FixedLoad fixed(load);
   EXPECT_FALSE(fixed.follows_moment());
-  EXPECT_EQ(fixed.load(5., { 1., 1. }).a(1), 0.3);
+  EXPECT_EQ(fixed.rings(5., { 1., 1. }).a(1), 0.3);
   EXPECT_EQ(fixed.radius(), 0.03);
-  EXPECT_EQ(FixedLoad(AngularLoad({ 1., 1.3 }, { 0., 0. }, 0.03)).lift_off_ratio(), 0.);
+  EXPECT_EQ(FixedLoad(RingStack({ 1., 1.3 }, { 0., 0. }, 0.03)).lift_off_ratio(), 0.);
 }
 } // namespace
 } // namespace stemware::ring

@@ -25,7 +25,7 @@ TEST(SelfConsistentRing, UnilateralRowsOfTheReference)
     const RingEquilibrium rest = ring.at(0.), terminal = ring.at(spin.omega);
     const std::string name =
       "p " + std::to_string(row["p"].get<double>()) + " z_CM " + std::to_string(motion.centre_of_mass_height);
-    const auto direction = [](const AngularLoad &load) { return std::atan2(load.b(1), load.a(1)); };
+    const auto direction = [](const RingStack &load) { return std::atan2(load.b(1), load.a(1)); };
 
     expect_relative(rest.friction.torque, row["tau0"], 1e-13, name + " tau(0)");
     expect_relative(rest.moment_ratio, row["ratio0"], 1e-13, name + " m(0)");
@@ -90,10 +90,10 @@ TEST(SelfConsistentRing, AsksNoMoreThanTheModelsAccuracy)
   {
   public:
     using UnilateralFoundation::UnilateralFoundation;
-    AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override
+    RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &) const override
     {
       sign = -sign;
-      return UnilateralFoundation::load(normal_force, (1. + sign * 1e-9) * moment);
+      return UnilateralFoundation::rings(normal_force, (1. + sign * 1e-9) * moment);
     }
     double accuracy() const override { return 1e-9; }
 
@@ -109,10 +109,10 @@ TEST(SelfConsistentRing, AsksNoMoreThanTheModelsAccuracy)
 
 TEST(SelfConsistentRing, BalancesEverythingForAnyModelInBothSenses)
 {
-  std::vector<AngularLoad> samples;
+  std::vector<RingStack> samples;
   for (const double m : { 0., 0.3, 0.6, 0.9, 1.2, 1.5 })
     samples.push_back(
-      UnilateralFoundation(0.03, 2., 16).load(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }));
+      UnilateralFoundation(0.03, 2., 16).rings(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }));
   const std::vector<std::shared_ptr<const LoadModel>> models{
     std::make_shared<FirstHarmonicModel>(0.03), std::make_shared<UnilateralFoundation>(0.03, 1.),
     std::make_shared<UnilateralFoundation>(0.03, 1.5, 32),
@@ -158,7 +158,7 @@ TEST(SelfConsistentRing, UprightSlidingIsStableForALoadThatOnlyPushes)
   ASSERT_EQ(spins.size(), 1u);
   EXPECT_NEAR(spins[0].omega, 0., 1e-10);
   EXPECT_TRUE(spins[0].stable);
-  const AngularLoad load = ring.at(0.).load;
+  const RingStack load = ring.at(0.).load;
   const double mean = load.a(1) / (2. * load.a(0)), mean_square = 0.5 + load.a(2) / (4. * load.a(0));
   expect_relative(mean, 0.9, 1e-13, "<cos> = mu h / R");
   expect_relative(-spins[0].torque_slope * (0.35 / 0.03),
@@ -182,9 +182,9 @@ TEST(SelfConsistentRing, NamesLiftOffAndTipping)
 
 TEST(SelfConsistentRing, SaysWhenTheResponseCurveEnds)
 {
-  std::vector<AngularLoad> samples;
+  std::vector<RingStack> samples;
   for (const double m : { 0., 0.25, 0.5 })
-    samples.push_back(AngularLoad::first_harmonic(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }, 0.03));
+    samples.push_back(RingStack::first_harmonic(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }, 0.03));
   const auto curve = std::make_shared<ResponseCurve>(samples, 0.03, 1.);
   EXPECT_NO_THROW(SelfConsistentRing(Closure::paper, Motion(), curve).at(0.));
   EXPECT_THROW(SelfConsistentRing(Closure::full, Motion(), curve).at(0.),
@@ -194,7 +194,7 @@ TEST(SelfConsistentRing, SaysWhenTheResponseCurveEnds)
 TEST(SelfConsistentRing, KeepsAFixedLoad)
 {
   const Motion motion;
-  const AngularLoad load = UnilateralFoundation(0.03, 1.5).load(
+  const RingStack load = UnilateralFoundation(0.03, 1.5).rings(
     motion.normal_force(), required_moment_at_rest(Closure::full, motion));
   const SelfConsistentRing ring(Closure::full, motion, std::make_shared<FixedLoad>(load));
   EXPECT_LE(ring.at(0.).moment_residual,

@@ -19,7 +19,7 @@ double terminal_slip_ratio(const LoadModel &model, double moment_ratio)
   Motion motion;
   motion.orbit_speed = 1.;
   const double force = motion.normal_force();
-  return terminal_spin(model.load(force, { 0.5 * force * moment_ratio, 0. }), motion).omega;
+  return terminal_spin(model.rings(force, { 0.5 * force * moment_ratio, 0. }), motion).omega;
 }
 
 TEST(TerminalSpin, RadialLoadRowsOfTheReference)

@@ -38,7 +38,7 @@ TEST(TruncatedModel, CarriesTheWholeMomentAtEveryTruncation)
   const auto foundation = std::make_shared<UnilateralFoundation>(0.03, 1.5);
   for (const unsigned int n : { 1u, 2u, 5u })
   {
-    const AngularLoad load = TruncatedModel(foundation, n).load(2.943, { 0.03, -0.05 });
+    const RingStack load = TruncatedModel(foundation, n).rings(2.943, { 0.03, -0.05 });
     EXPECT_NEAR(load.normal_force(), 2.943, 1e-15);
     EXPECT_NEAR(load.moment().x(), 0.03, 1e-16);
     EXPECT_NEAR(load.moment().y(), -0.05, 1e-16);
@@ -58,7 +58,7 @@ TEST(TruncatedModel, FrictionActsBackOnTheMoment)
   const RingEquilibrium whole = truncated_ring(1., 64, motion).at(omega);
   const RingEquilibrium two = truncated_ring(1., 2, motion).at(omega);
   EXPECT_GT(std::abs(two.load.b(1) - whole.load.b(1)) / whole.load.a(0), 1e-5);
-  const auto imbalance = [&](const AngularLoad &load)
+  const auto imbalance = [&](const RingStack &load)
   {
     const Wrench friction = CoulombRing(motion.friction_coefficient).wrench(load, omega, motion.orbit_speed);
     return (required_moment(Closure::full, motion, { friction.force_x, friction.force_y }) - load.moment())

@@ -92,8 +92,8 @@ LoadKind resting_foot_kind(const Study &study, const std::shared_ptr<FootContact
       Study with_closure = study;
       with_closure.motion.closure = closure;
       const fem::LoadHarmonics load = foot->solve(demanded_load(with_closure), 0, {}).load;
-      const ring::AngularLoad kept =
-        ring::AngularLoad(load.a, load.b, load.ring_radius).truncated(n_harmonics);
+      const ring::RingStack kept =
+        ring::RingStack(load.a, load.b, load.ring_radius).truncated(n_harmonics);
       return { [kept](double) { return kept; }, [share = load.contact_fraction](double) { return share; } };
     }
   };

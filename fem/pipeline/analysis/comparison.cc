@@ -56,14 +56,14 @@ void solve(const Study &study, const LoadKind &kind, ComparisonRow &row)
   const ring::CoulombRing friction(orbit.friction_coefficient);
   row.state = "no balance";
   const ComparedLoad load = kind.load(row.closure, row.harmonics);
-  const ring::AngularLoad at_rest = load.at_spin(0);
+  const ring::RingStack at_rest = load.at_spin(0);
   row.tau_at_rest = friction.wrench(at_rest, 0, orbit.orbit_speed).torque;
   row.moment_ratio = at_rest.moment_ratio();
   bool has_balance = true;
   const auto torque = [&](double omega)
   {
     has_balance = false;
-    const ring::AngularLoad balanced = load.at_spin(omega);
+    const ring::RingStack balanced = load.at_spin(omega);
     has_balance = true;
     return friction.wrench(balanced, omega, orbit.orbit_speed).torque;
   };

@@ -1,59 +1,41 @@
 #pragma once
 
-#include "fem/pipeline/analysis/compared_loads.h"
+#include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/progress.h"
 
-#include <cstddef>
-#include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// The glass under one closure, on one kind of load with some of its harmonics. What does not exist is
-/// missing, and state says why.
-struct ComparisonRow
-{
-  ring::Closure closure = ring::Closure::full;
-  std::string load;
-  unsigned int harmonics = 0;
-  bool all_harmonics = false;
-  std::optional<double> tau_at_rest;      ///< [N m]
-  std::optional<double> moment_ratio;     ///< of the load at rest
-  std::optional<double> omega_terminal;   ///< [rad/s]
-  std::optional<double> band = {};        ///< half-width of its error band, where one was estimated [rad/s]
-  std::optional<double> difference;       ///< of omega_terminal to the paper's, relative to that
-  std::optional<double> least_load;       ///< at the terminal spin [N/rad]
-  std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin
-  /// "full contact", "lift-off", "formal" (the load, or what is left of it, would have to pull), "tips",
-  /// "no balance", "no terminal spin".
-  std::string state;
-  std::string trouble; ///< more about the last three
-};
-
-/// The closures that are compared, the paper's first.
-inline constexpr ring::Closure compared_closures[] = { ring::Closure::paper, ring::Closure::hand,
-                                                       ring::Closure::full };
-
-/// All rows: closures by kinds of loads by truncations, the paper's first.
+/// Moment balances by loads by truncations, side by side; the paper's is the first row.
 struct Comparison
 {
-  std::vector<ComparisonRow> rows;
+  std::vector<SpinRow> rows;
 
-  /// The row of a closure on a kind of load with @p n harmonics (0: all); nothing where there is none.
-  const ComparisonRow *find(ring::Closure closure, const std::string &load, unsigned int n = 0) const;
+  /// The row of a moment balance on a load (SpinRow::load) with @p n harmonics, 0: all; nothing where there
+  /// is none.
+  const SpinRow *find(ring::Closure closure, const std::string &load, unsigned int n = 0) const;
 };
 
-/// Gives the elastic foot in balance with all its harmonics its error bands under the closures paper and
-/// full: those that the answer names. A few further contact problems each; throws what they throw.
-void add_error_bands(const Study &study, Comparison &comparison);
+/// Names of the loads that are compared, from the simplest to the study's own.
+namespace compared_load
+{
+inline constexpr char first_harmonic[] = "first harmonic";
+inline constexpr char rigid_flat_rim[] = "rigid flat rim";
+inline constexpr char rigid_round_rim[] = "rigid round rim";
+inline constexpr char foot_at_rest[] = "elastic foot at rest";
+inline constexpr char foot_in_balance[] = "elastic foot";
+} // namespace compared_load
 
-/// Rows that a comparison of these kinds of loads has.
-std::size_t n_rows(const std::vector<LoadKind> &kinds);
-
-/// Solves for every row; no row's trouble stops the others. @p progress is told after each how many are done.
-Comparison compare_models(const Study &study, const std::vector<LoadKind> &kinds,
-                          const std::function<void(std::size_t n_done)> &progress = {});
+/// The study's glass under the moment balances paper, hand and full, on the paper's first harmonic, on rigid
+/// rims that only push, and on @p foot, where there is one, at rest and in balance with friction; each with
+/// 1, 2, 3 and all harmonics. No row's trouble stops the others. The foot in balance has error bands where
+/// they cost little.
+Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress);
 
 } // namespace stemware::pipeline

@@ -17,7 +17,7 @@ ring::PhasedTorqueFunction torque_of(const PhaseLoads &loads, const ring::Motion
   const ring::CoulombRing friction(motion.friction_coefficient);
   return [&loads, motion, n_harmonics, friction](double time, double yaw_angle, double omega)
   {
-    const ring::AngularLoad load = loads.at(omega, phase_of_marks(motion, time, yaw_angle));
+    const ring::RingStack load = loads.at(omega, phase_of_marks(motion, time, yaw_angle));
     return friction.wrench(load.truncated(n_harmonics), omega, motion.orbit_speed).torque;
   };
 }
@@ -45,7 +45,7 @@ std::vector<double> torques_at(double omega, const PhaseLoads &loads, const ring
 {
   const ring::CoulombRing friction(motion.friction_coefficient);
   std::vector<double> torques;
-  for (const ring::AngularLoad &load : loads.samples(omega))
+  for (const ring::RingStack &load : loads.samples(omega))
     torques.push_back(friction.wrench(load, omega, motion.orbit_speed).torque);
   return torques;
 }
@@ -54,10 +54,10 @@ std::vector<double> torques_at(double omega, const PhaseLoads &loads, const ring
 void take_worst(TruncationRow &row, double omega, const PhaseLoads &loads, const ring::Motion &motion)
 {
   const ring::CoulombRing friction(motion.friction_coefficient);
-  for (const ring::AngularLoad &load : loads.samples(omega))
+  for (const ring::RingStack &load : loads.samples(omega))
     row.bound =
       std::max(row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
-  for (const ring::AngularLoad &load : loads.samples(0))
+  for (const ring::RingStack &load : loads.samples(0))
     row.load_minimum = std::min(row.load_minimum, load.truncated(row.harmonics).minimum());
 }
 
@@ -113,7 +113,7 @@ SpinUpCurves spin_up_curves(const PhasedLoad &load, const MotionSection &motion)
   constexpr unsigned int n_intervals = 200;
   const ring::Motion &orbit = motion.orbit;
   const PhaseLoads &loads = *load.at_phase;
-  const ring::AngularLoad &at_rest = load.load.at_rest;
+  const ring::RingStack &at_rest = load.load.at_rest;
   SpinUpCurves curves;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     curves.time.push_back(motion.end_time * i / n_intervals);

@@ -54,7 +54,7 @@ fem::ResolvedFriction friction_at_terminal(const Study &study, const RingLoad &l
   const ring::Motion &motion = study.motion.orbit;
   if (!load.coupling)
     return friction_of(foot, at_rest, motion, omega);
-  const ring::AngularLoad terminal = load.at_spin(omega);
+  const ring::RingStack terminal = load.at_spin(omega);
   const FootContactResult result =
     foot.solve({ terminal.normal_force(), terminal.moment().x(), terminal.moment().y() },
                omega / motion.orbit_speed, {});

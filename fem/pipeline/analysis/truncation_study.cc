@@ -27,11 +27,11 @@ struct Question
   std::function<void()> one_done; ///< to be called after each truncation
 
   ring::CoulombRing friction() const { return ring::CoulombRing(motion.orbit.friction_coefficient); }
-  ring::Wrench wrench(const ring::AngularLoad &load, double omega) const
+  ring::Wrench wrench(const ring::RingStack &load, double omega) const
   {
     return friction().wrench(load, omega, motion.orbit.orbit_speed);
   }
-  double torque(const ring::AngularLoad &load, double omega) const { return wrench(load, omega).torque; }
+  double torque(const ring::RingStack &load, double omega) const { return wrench(load, omega).torque; }
 };
 
 ring::TorqueFunction torque_of(const Question &question, const LoadAtSpin &load)
@@ -39,7 +39,7 @@ ring::TorqueFunction torque_of(const Question &question, const LoadAtSpin &load)
   return [&question, load](double omega) { return question.torque(load(omega), omega); };
 }
 
-NegativeLoad negative_part(const ring::AngularLoad &load)
+NegativeLoad negative_part(const ring::RingStack &load)
 {
   return { load.minimum(), load.pulling_force() / load.normal_force() };
 }
@@ -88,7 +88,7 @@ TruncatedAnswer answer(const Question &question, const TruncatedLoad &load, unsi
 {
   TruncatedAnswer answer;
   answer.harmonics = n;
-  const ring::AngularLoad at_rest = load.kept(0);
+  const ring::RingStack at_rest = load.kept(0);
   answer.amplitude = std::hypot(at_rest.a(n), at_rest.b(n)) / at_rest.a(0);
   answer.tau_at_rest = question.torque(at_rest, 0);
   answer.at_rest = negative_part(at_rest);

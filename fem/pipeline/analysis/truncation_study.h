@@ -33,7 +33,7 @@ struct TruncatedAnswer
   std::optional<double> bound;                ///< a priori, see TruncationTable [N m]
   NegativeLoad at_rest;                       ///< of the load at rest
   std::optional<NegativeLoad> at_terminal;    ///< of the load at omega_terminal
-  std::optional<ring::AngularLoad> load = {}; ///< at omega_terminal
+  std::optional<ring::RingStack> load = {}; ///< at omega_terminal
   std::vector<double> spin_up;                ///< omega(t) [rad/s]; empty where it does not exist
   std::string trouble;                        ///< why something is missing; empty where nothing is
 

@@ -21,7 +21,7 @@ ring::TorqueFunction torque_of(const LoadAtSpin &load, const ring::Motion &motio
 
 } // namespace
 
-double spin_scale(const ring::AngularLoad &load, const ring::Motion &motion)
+double spin_scale(const ring::RingStack &load, const ring::Motion &motion)
 {
   return motion.orbit_speed / load.radius();
 }
@@ -50,7 +50,7 @@ ring::TerminalSpin truncated_terminal_spin(const LoadAtSpin &load, const ring::M
 YawStudy study_yaw(const LoadAtSpin &load, const ring::Motion &motion)
 {
   const ring::CoulombRing friction(motion.friction_coefficient);
-  const ring::AngularLoad at_rest = load(0);
+  const ring::RingStack at_rest = load(0);
   const double scale = spin_scale(at_rest, motion);
   const unsigned int n_all = at_rest.n_harmonics();
 
@@ -84,7 +84,7 @@ TorqueCurve torque_curve(const LoadAtSpin &load, const ring::Motion &motion)
 {
   constexpr int n_half = 120;
   const ring::CoulombRing friction(motion.friction_coefficient);
-  const ring::AngularLoad at_rest = load(0);
+  const ring::RingStack at_rest = load(0);
   TorqueCurve curve;
   for (int i = -n_half; i <= n_half; ++i)
   {
@@ -117,7 +117,7 @@ SpinUpCurves spin_up_curves(const LoadAtSpin &load, const MotionSection &motion,
 {
   constexpr unsigned int n_intervals = 200;
   const ring::Motion &orbit = motion.orbit;
-  const ring::AngularLoad at_rest = load(0);
+  const ring::RingStack at_rest = load(0);
   SpinUpCurves curves;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     curves.time.push_back(motion.end_time * i / n_intervals);

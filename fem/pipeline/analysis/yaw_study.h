@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/ring_load.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/terminal_spin.h"
 
@@ -39,7 +39,7 @@ struct YawStudy
 };
 
 /// The spin at which the rim is as fast as the glass, v / R [rad/s].
-double spin_scale(const ring::AngularLoad &load, const ring::Motion &motion);
+double spin_scale(const ring::RingStack &load, const ring::Motion &motion);
 
 /// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p
 /// n_all.

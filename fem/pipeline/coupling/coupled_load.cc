@@ -28,11 +28,11 @@ RingLoad balanced_load(const Study &study, const fem::LoadHarmonics &at_rest,
   const auto figures = std::make_shared<CouplingFigures>();
   const auto states = std::make_shared<BalancedStates>(
     ring::SelfConsistentRing(study.motion.closure, orbit, model), orbit.orbit_speed / radius, before);
-  load.at_spin = [states, figures, after, at_rest = load.at_rest](double omega) -> ring::AngularLoad
+  load.at_spin = [states, figures, after, at_rest = load.at_rest](double omega) -> ring::RingStack
   {
     if (omega == 0)
       return at_rest;
-    const ring::AngularLoad &balanced = states->at(omega).load;
+    const ring::RingStack &balanced = states->at(omega).load;
     if (states->size() > figures->n_balances)
       after(*states, *figures);
     return balanced;

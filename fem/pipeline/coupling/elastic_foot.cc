@@ -11,11 +11,11 @@ ElasticFoot::ElasticFoot(std::shared_ptr<FootContact> foot, double contact_radiu
 {
 }
 
-ring::AngularLoad ElasticFoot::load(double normal_force, const Eigen::Vector2d &moment) const
+ring::RingStack ElasticFoot::load(double normal_force, const Eigen::Vector2d &moment) const
 {
   pressed = foot->solve({ normal_force, moment.x(), moment.y() }, spin_per_speed, {}).load;
   ++n_solved;
-  return ring::AngularLoad(pressed.a, pressed.b, pressed.ring_radius);
+  return ring::RingStack(pressed.a, pressed.b, pressed.ring_radius);
 }
 
 } // namespace stemware::pipeline

@@ -16,7 +16,7 @@ public:
   ElasticFoot(std::shared_ptr<FootContact> foot, double contact_radius);
 
   /// Throws fem::ContactFailure.
-  ring::AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override;
+  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override;
   double radius() const override { return contact_radius; }
   double lift_off_ratio() const override { return 1; } // not used here: the contact itself knows
   double accuracy() const override { return 1e-11; }   // contact resultants are good to 1e-10 or better

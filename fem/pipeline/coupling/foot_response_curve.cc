@@ -47,10 +47,10 @@ FootResponseCurve measure_response(const Study &study, const std::shared_ptr<Foo
     {
       // No harmonics, and any radius will do; the curve is smooth with the one that a vanishing moment tends
       // to.
-      const ring::AngularLoad nearly = pressed.load(weight, moment_at(1e-4));
-      return ring::AngularLoad({ nearly.a(0), 0 }, { 0, 0 }, nearly.radius());
+      const ring::RingStack nearly = pressed.load(weight, moment_at(1e-4));
+      return ring::RingStack({ nearly.a(0), 0 }, { 0, 0 }, nearly.radius());
     }
-    ring::AngularLoad load = pressed.load(weight, moment_at(ratio));
+    ring::RingStack load = pressed.load(weight, moment_at(ratio));
     if (pressed.contact().contact_fraction < 1)
       lift_off = std::min(lift_off, ratio);
     return load;
@@ -59,7 +59,7 @@ FootResponseCurve measure_response(const Study &study, const std::shared_ptr<Foo
   {
     const LoadCurve curve =
       sample_load_curve(exact, 0, largest_moment_ratio(study), study.load.response_tolerance, 3000);
-    std::vector<std::vector<ring::AngularLoad>> pieces(curve.pieces.size());
+    std::vector<std::vector<ring::RingStack>> pieces(curve.pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (const auto &[ratio, load] : curve.pieces[i])
         pieces[i].push_back(load);

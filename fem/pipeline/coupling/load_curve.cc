@@ -17,7 +17,7 @@ namespace
 {
 
 /// Radius and coefficients one after the other.
-std::vector<double> as_row(const ring::AngularLoad &load, unsigned int n_harmonics)
+std::vector<double> as_row(const ring::RingStack &load, unsigned int n_harmonics)
 {
   std::vector<double> row = { load.radius() };
   for (unsigned int n = 0; n <= n_harmonics; ++n)
@@ -25,7 +25,7 @@ std::vector<double> as_row(const ring::AngularLoad &load, unsigned int n_harmoni
   return row;
 }
 
-ring::AngularLoad from_row(const std::vector<double> &row)
+ring::RingStack from_row(const std::vector<double> &row)
 {
   std::vector<double> a, b;
   for (std::size_t i = 1; i < row.size(); i += 2)
@@ -75,7 +75,7 @@ std::vector<double> chebyshev_nodes(double lower, double upper)
 
 } // namespace
 
-double load_difference(const ring::AngularLoad &one, const ring::AngularLoad &other)
+double load_difference(const ring::RingStack &one, const ring::RingStack &other)
 {
   double difference = std::abs(one.radius() / other.radius() - 1);
   for (unsigned int n = 0; n <= std::max(one.n_harmonics(), other.n_harmonics()); ++n)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include <cstddef>
 #include <functional>
@@ -12,10 +12,10 @@ namespace stemware::pipeline
 {
 
 /// A load that depends on one number, such as the spin or the moment ratio.
-using LoadFunction = std::function<ring::AngularLoad(double x)>;
+using LoadFunction = std::function<ring::RingStack(double x)>;
 
 /// Loads at some x.
-using LoadSamples = std::map<double, ring::AngularLoad>;
+using LoadSamples = std::map<double, ring::RingStack>;
 
 /// Samples from which a load can be interpolated, piece by piece: at the ends of one piece the next one
 /// begins.
@@ -37,7 +37,7 @@ public:
 };
 
 /// Largest difference of a coefficient over a_0, or of the ring radius over the radius.
-double load_difference(const ring::AngularLoad &one, const ring::AngularLoad &other);
+double load_difference(const ring::RingStack &one, const ring::RingStack &other);
 
 /// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes
 /// is checked at the 8 between them; where it differs by more than @p tolerance the piece is halved, else its

@@ -50,7 +50,7 @@ bool read_row(const std::string &line, Coefficients &coefficients)
 
 } // namespace
 
-ring::AngularLoad read_load_file(const std::string &file)
+ring::RingStack read_load_file(const std::string &file)
 {
   std::ifstream stream(file);
   if (!stream)
@@ -78,7 +78,7 @@ ring::AngularLoad read_load_file(const std::string &file)
   return { coefficients.a, coefficients.b, *coefficients.radius };
 }
 
-std::string load_file_text(const ring::AngularLoad &load)
+std::string load_file_text(const ring::RingStack &load)
 {
   DataColumn order = { "n", "1", {} }, a = { "a_n", "N/rad", {} }, b = { "b_n", "N/rad", {} },
              share = { "amplitude / a_0", "1", {} }, crest = { "direction of a crest", "rad", {} };

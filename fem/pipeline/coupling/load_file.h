@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include <string>
 
@@ -16,9 +16,9 @@ namespace stemware::pipeline
 /// i.e. rows n a_n b_n [N/rad] for n = 0, 1, 2, ... without gaps; further columns and other lines that start
 /// with # are ignored, so that the harmonics.dat of a results folder can be read. Throws BadInput with one
 /// sentence that names the line.
-ring::AngularLoad read_load_file(const std::string &file);
+ring::RingStack read_load_file(const std::string &file);
 
 /// The same table, with amplitude over a_0 and direction of the crest as further columns.
-std::string load_file_text(const ring::AngularLoad &load);
+std::string load_file_text(const ring::RingStack &load);
 
 } // namespace stemware::pipeline

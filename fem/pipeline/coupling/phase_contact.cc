@@ -34,7 +34,7 @@ public:
   {
   }
 
-  ring::AngularLoad at(double omega, const fem::FootPhase &phase)
+  ring::RingStack at(double omega, const fem::FootPhase &phase)
   {
     foot->turn_to(phase);
     return of_phase(phase).at_spin(omega);

@@ -20,7 +20,7 @@ constexpr unsigned int most_phases = 128;
 constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
 /// a_0 ... a_n, b_1 ... b_n, ring radius.
-Eigen::VectorXd column_of(const ring::AngularLoad &load)
+Eigen::VectorXd column_of(const ring::RingStack &load)
 {
   const unsigned int n = load.n_harmonics();
   Eigen::VectorXd column(2 * n + 2);
@@ -32,7 +32,7 @@ Eigen::VectorXd column_of(const ring::AngularLoad &load)
   return column;
 }
 
-ring::AngularLoad load_of(const Eigen::VectorXd &column)
+ring::RingStack load_of(const Eigen::VectorXd &column)
 {
   const auto n = static_cast<unsigned int>(column.size() - 2) / 2;
   std::vector<double> a(n + 1), b(n + 1, 0.);
@@ -40,7 +40,7 @@ ring::AngularLoad load_of(const Eigen::VectorXd &column)
     a[i] = column(i);
   for (unsigned int i = 1; i <= n; ++i)
     b[i] = column(n + i);
-  return ring::AngularLoad(std::move(a), std::move(b), column(2 * n + 1));
+  return ring::RingStack(std::move(a), std::move(b), column(2 * n + 1));
 }
 
 double difference(const Eigen::VectorXd &one, const Eigen::VectorXd &other)
@@ -175,7 +175,7 @@ Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
   return sum;
 }
 
-ring::AngularLoad PhaseLoads::at(double omega, const fem::FootPhase &phase) const
+ring::RingStack PhaseLoads::at(double omega, const fem::FootPhase &phase) const
 {
   const Eigen::VectorXd of_glass = grids.glass.weights(phase.glass),
                         of_table = grids.table.weights(phase.table);
@@ -192,7 +192,7 @@ ring::AngularLoad PhaseLoads::at(double omega, const fem::FootPhase &phase) cons
   return load_of(column);
 }
 
-ring::AngularLoad PhaseLoads::mean(double omega) const
+ring::RingStack PhaseLoads::mean(double omega) const
 {
   const Eigen::MatrixXd loads = at_spin(omega);
   Eigen::VectorXd mean = loads.rowwise().mean();
@@ -205,10 +205,10 @@ ring::AngularLoad PhaseLoads::mean(double omega) const
   return load_of(mean);
 }
 
-std::vector<ring::AngularLoad> PhaseLoads::samples(double omega) const
+std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
 {
   const Eigen::MatrixXd loads = at_spin(omega);
-  std::vector<ring::AngularLoad> all;
+  std::vector<ring::RingStack> all;
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
     all.push_back(load_of(loads.col(i)));
   return all;

@@ -3,7 +3,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/periodic_grid.h"
 #include "fem/pipeline/coupling/spin_interval.h"
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include <Eigen/Core>
 
@@ -15,7 +15,7 @@ namespace stemware::pipeline
 {
 
 /// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
-using LoadAtPhase = std::function<ring::AngularLoad(double omega, const fem::FootPhase &phase)>;
+using LoadAtPhase = std::function<ring::RingStack(double omega, const fem::FootPhase &phase)>;
 
 /// Phases of glass and table at which a load is sampled.
 struct PhaseGrids
@@ -45,13 +45,13 @@ public:
   /// not depend on the spin. @p load is kept.
   PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit);
 
-  ring::AngularLoad at(double omega, const fem::FootPhase &phase) const;
+  ring::RingStack at(double omega, const fem::FootPhase &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
-  ring::AngularLoad mean(double omega) const;
+  ring::RingStack mean(double omega) const;
 
   /// The loads at all sampled phases.
-  std::vector<ring::AngularLoad> samples(double omega) const;
+  std::vector<ring::RingStack> samples(double omega) const;
   const PhaseGrids &phases() const { return grids; }
 
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin

@@ -18,7 +18,7 @@ namespace
 {
 
 /// Share of the azimuth where a load that is known as a function is positive.
-double positive_share(const ring::AngularLoad &load)
+double positive_share(const ring::RingStack &load)
 {
   constexpr unsigned int n_azimuths = 3600;
   unsigned int n_loaded = 0;
@@ -40,7 +40,7 @@ std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise
 
 RingLoad load_of_thin_ring(const LoadAtSpin &at_spin)
 {
-  const ring::AngularLoad at_rest = at_spin(0);
+  const ring::RingStack at_rest = at_spin(0);
   RingLoad load = { at_spin, at_rest };
   load.normal_force = at_rest.normal_force();
   load.moment = at_rest.moment();
@@ -55,7 +55,7 @@ RingLoad load_of_thin_ring(const LoadAtSpin &at_spin)
 
 RingLoad frozen_contact_load(const fem::LoadHarmonics &contact, double contact_radius)
 {
-  const ring::AngularLoad frozen(contact.a, contact.b, contact.ring_radius);
+  const ring::RingStack frozen(contact.a, contact.b, contact.ring_radius);
   RingLoad load = { [frozen](double) { return frozen; }, frozen };
   load.normal_force = contact.normal_force;
   load.moment = { contact.moment_x, contact.moment_y };
@@ -75,7 +75,7 @@ RingLoad first_harmonic_load(const Study &study)
   {
     const fem::ContactLoad demand = demanded_load(study);
     const auto frozen =
-      ring::AngularLoad::first_harmonic(demand.normal_force, { demand.moment_x, demand.moment_y }, radius);
+      ring::RingStack::first_harmonic(demand.normal_force, { demand.moment_x, demand.moment_y }, radius);
     return load_of_thin_ring([frozen](double) { return frozen; });
   }
   const ring::FirstHarmonicRing ring(study.motion.closure, study.motion.orbit, radius);
@@ -84,7 +84,7 @@ RingLoad first_harmonic_load(const Study &study)
 
 RingLoad load_from_file(const Study &study)
 {
-  const ring::AngularLoad frozen = read_load_file(study.load.file);
+  const ring::RingStack frozen = read_load_file(study.load.file);
   if (!(frozen.moment_ratio() < 2))
     throw BadInput("The load of " + study.load.file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
                    to_short_text(frozen.moment_ratio()) + ", but a ring tips at 2; give smaller a_1, b_1.");

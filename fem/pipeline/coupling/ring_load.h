@@ -2,7 +2,7 @@
 
 #include "fem/contact/load_harmonics.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include <Eigen/Core>
 
@@ -16,7 +16,7 @@ namespace stemware::pipeline
 {
 
 /// The load on the ring at the spin omega [rad/s]; constant for a frozen load.
-using LoadAtSpin = std::function<ring::AngularLoad(double omega)>;
+using LoadAtSpin = std::function<ring::RingStack(double omega)>;
 
 /// How a load in balance with friction at every spin has been found, so far.
 struct CouplingFigures
@@ -32,7 +32,7 @@ struct CouplingFigures
 struct RingLoad
 {
   LoadAtSpin at_spin;                               ///< constant unless the load is in balance at every spin
-  ring::AngularLoad at_rest;                        ///< at_spin(0)
+  ring::RingStack at_rest;                        ///< at_spin(0)
   double normal_force = 0;                          ///< N [N]
   Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N [N m] at rest
   double moment_ratio = 0;                          ///< |M_N| / (N R / 2) at rest, R the contact radius

@@ -30,7 +30,7 @@ std::string crest(double a, double b, unsigned int n)
 
 } // namespace
 
-ReportTable harmonics_table(const ring::AngularLoad &load)
+ReportTable harmonics_table(const ring::RingStack &load)
 {
   ReportTable table = { "Harmonics of the load over its mean, a_0 = " + formatted("%.6g", load.a(0)) +
                           " N/rad",

@@ -25,10 +25,10 @@ DataColumn column(const std::string &name, const std::string &unit, const std::v
   return result;
 }
 
-std::string load_table(const ring::AngularLoad &load)
+std::string load_table(const ring::RingStack &load)
 {
   constexpr unsigned int n_intervals = 720;
-  const ring::AngularLoad first = load.truncated(1);
+  const ring::RingStack first = load.truncated(1);
   DataColumn theta = { "theta", "rad", {} }, all = { "lambda, all harmonics", "N/rad", {} },
              one = { "lambda, first harmonic", "N/rad", {} };
   for (unsigned int i = 0; i <= n_intervals; ++i)

@@ -78,7 +78,7 @@ ReportTable model_table(const Study &study, const StudyResult &result)
 ReportSection load_section(const StudyResult &result)
 {
   const RingLoad &load = result.load;
-  const ring::AngularLoad &series = load.at_rest;
+  const ring::RingStack &series = load.at_rest;
   const double size = load.normal_force * series.radius();
   const std::string text =
     "What the glass puts on the table before it spins: N = " + number(load.normal_force) +

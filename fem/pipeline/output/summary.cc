@@ -132,7 +132,7 @@ Json closure_summary(const std::vector<ClosureRow> &rows)
 
 nlohmann::ordered_json load_summary(const RingLoad &load)
 {
-  const ring::AngularLoad &series = load.at_rest;
+  const ring::RingStack &series = load.at_rest;
   Json a = Json::array(), b = Json::array();
   for (unsigned int n = 0; n <= series.n_harmonics(); ++n)
   {

@@ -44,7 +44,7 @@ Json finite_or_null(double value)
 }
 
 /// The coefficients of a load, or null.
-Json series_summary(const std::optional<ring::AngularLoad> &load)
+Json series_summary(const std::optional<ring::RingStack> &load)
 {
   if (!load)
     return nullptr;

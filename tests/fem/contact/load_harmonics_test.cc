@@ -26,7 +26,7 @@ std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 }
 } // namespace
 
-TEST(AngularLoad, HarmonicsOfAKnownLoad)
+TEST(RingStack, HarmonicsOfAKnownLoad)
 {
   const LoadHarmonics load = harmonics_of(ring_of_forces(40, 0.03), 4);
   const double a[] = { 0.5, 0.3, 0.05, 0, 0 };
@@ -43,7 +43,7 @@ TEST(AngularLoad, HarmonicsOfAKnownLoad)
   EXPECT_NEAR(load.mean_radius, 0.03, 1e-16);
 }
 
-TEST(AngularLoad, RingRadiusCarriesTheMomentOfTwoRings)
+TEST(RingStack, RingRadiusCarriesTheMomentOfTwoRings)
 {
   // Two rings of different radius and first harmonic: the moment over pi times the summed first harmonic lies
   // between their radii.
@@ -56,7 +56,7 @@ TEST(AngularLoad, RingRadiusCarriesTheMomentOfTwoRings)
               pi * load.ring_radius * std::hypot(load.a[1], load.b[1]), 1e-16);
 }
 
-TEST(AngularLoad, WithoutMomentTheRadiusIsTheLimit)
+TEST(RingStack, WithoutMomentTheRadiusIsTheLimit)
 {
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 24; ++i)
@@ -67,7 +67,7 @@ TEST(AngularLoad, WithoutMomentTheRadiusIsTheLimit)
   EXPECT_NEAR(load.mean_radius, 0.031, 1e-15);
 }
 
-TEST(AngularLoad, RefusesNoLoad)
+TEST(RingStack, RefusesNoLoad)
 {
   EXPECT_THROW(harmonics_of({}, 2), std::invalid_argument);
 }

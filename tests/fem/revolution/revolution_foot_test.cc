@@ -31,10 +31,10 @@ public:
   {
   }
 
-  ring::AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override
+  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override
   {
     const LoadHarmonics pressed = foot.press({ normal_force, moment(0), moment(1) }, {}, spin_per_speed);
-    return ring::AngularLoad(pressed.a, pressed.b, pressed.ring_radius);
+    return ring::RingStack(pressed.a, pressed.b, pressed.ring_radius);
   }
   double radius() const override { return 0.03; }
   double lift_off_ratio() const override { return 1.2; }

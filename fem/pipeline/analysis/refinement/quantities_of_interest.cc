@@ -16,7 +16,7 @@ namespace
 
 void add_load_figures(const RingLoad &load, const FigureNoise &noise, std::vector<FollowedFigure> &figures)
 {
-  const ring::AngularLoad &at_rest = load.at_rest;
+  const ring::RingStack &at_rest = load.at_rest;
   const double mean = at_rest.a(0);
   for (unsigned int n = 1; n <= n_followed_harmonics; ++n)
   {

@@ -67,7 +67,7 @@ public:
 
 void add_load(const RingLoad &load, ValueList &list)
 {
-  const ring::AngularLoad &series = load.at_rest;
+  const ring::RingStack &series = load.at_rest;
   list.add(load.normal_force);
   list.add(load.moment_ratio);
   list.add(load.contact_fraction);

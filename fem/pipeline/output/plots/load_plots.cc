@@ -24,7 +24,7 @@ std::vector<double> azimuths()
 }
 
 /// The truncations that pictures show: after 1, 2 and 3 harmonics, then all.
-std::vector<unsigned int> shown_truncations(const ring::AngularLoad &load)
+std::vector<unsigned int> shown_truncations(const ring::RingStack &load)
 {
   std::vector<unsigned int> orders;
   for (const unsigned int n : { 1u, 2u, 3u })
@@ -45,7 +45,7 @@ std::pair<double, double> amplitude_range(const std::vector<double> &values)
 }
 
 /// 1 where the rim carries load, nan elsewhere, so that gnuplot interrupts the line.
-DataBlock contact_arc(const ring::AngularLoad &load, std::vector<LoadSample> samples)
+DataBlock contact_arc(const ring::RingStack &load, std::vector<LoadSample> samples)
 {
   if (samples.empty())
     for (const double theta : azimuths())
@@ -82,7 +82,7 @@ plot cos(t), sin(t) with lines lt 8 title "rim", \
 
 } // namespace
 
-ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSample> &pointwise)
+ReportFigure load_figure(const ring::RingStack &load, const std::vector<LoadSample> &pointwise)
 {
   const std::vector<double> theta = azimuths();
   const std::vector<unsigned int> orders = shown_truncations(load);
@@ -90,7 +90,7 @@ ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSa
   std::string curves;
   for (std::size_t i = 0; i < orders.size(); ++i)
   {
-    const ring::AngularLoad truncated = load.truncated(orders[i]);
+    const ring::RingStack truncated = load.truncated(orders[i]);
     std::vector<double> values;
     for (const double angle : theta)
       values.push_back(truncated(angle) / load.a(0));
@@ -110,12 +110,12 @@ ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSa
            data_blocks(blocks) };
 }
 
-ReportFigure higher_harmonics_figure(const ring::AngularLoad &load)
+ReportFigure higher_harmonics_figure(const ring::RingStack &load)
 {
   std::vector<double> degrees;
   for (const double theta : azimuths())
     degrees.push_back(theta * 360 / boost::math::double_constants::two_pi);
-  const ring::AngularLoad first = load.truncated(1);
+  const ring::RingStack first = load.truncated(1);
   CurvePlot plot = {
     "higher_harmonics",
     "What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.",
@@ -136,7 +136,7 @@ ReportFigure higher_harmonics_figure(const ring::AngularLoad &load)
   return curve_figure(plot);
 }
 
-ReportFigure spectrum_figure(const ring::AngularLoad &load, const std::vector<double> &band)
+ReportFigure spectrum_figure(const ring::RingStack &load, const std::vector<double> &band)
 {
   Curve curve = { "", {}, {}, CurveStyle::points };
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)

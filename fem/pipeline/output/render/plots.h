@@ -3,7 +3,7 @@
 #include "fem/contact/pressure_map.h"
 #include "fem/pipeline/analysis/yaw_study.h"
 #include "fem/pipeline/output/render/report.h"
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include <optional>
 #include <string>
@@ -62,13 +62,13 @@ std::string truncation_title(unsigned int n, unsigned int n_all);
 /// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
 /// and the arc of the rim that carries load according to @p pointwise (sorted by theta; empty: the whole rim
 /// where the series is positive).
-ReportFigure load_figure(const ring::AngularLoad &load, const std::vector<LoadSample> &pointwise);
+ReportFigure load_figure(const ring::RingStack &load, const std::vector<LoadSample> &pointwise);
 
 /// What the harmonics beyond the first add to the load, over a_0.
-ReportFigure higher_harmonics_figure(const ring::AngularLoad &load);
+ReportFigure higher_harmonics_figure(const ring::RingStack &load);
 
 /// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
-ReportFigure spectrum_figure(const ring::AngularLoad &load, const std::vector<double> &band = {});
+ReportFigure spectrum_figure(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
 /// footprint must have a point under pressure.

@@ -13,7 +13,7 @@ namespace
 /// A frozen load with harmonics up to 9, all of which matter.
 LoadAtSpin rich_load()
 {
-  const ring::AngularLoad load({ 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
+  const ring::RingStack load({ 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
                                { 0, -0.3, 0, 0.04, 0, 0.01, 0, -0.003, 0, 0.001 }, 0.03);
   return [load](double) { return load; };
 }
@@ -45,7 +45,7 @@ TEST(YawStudy, BoundHoldsForEveryTruncation)
 {
   const ring::Motion motion;
   const ring::CoulombRing friction(motion.friction_coefficient);
-  const ring::AngularLoad load = rich_load()(0);
+  const ring::RingStack load = rich_load()(0);
   const YawStudy study = study_yaw(rich_load(), motion);
   const double omega = study.terminal.omega;
   for (const TruncationRow &row : study.truncations)
@@ -59,7 +59,7 @@ TEST(YawStudy, BoundHoldsForEveryTruncation)
 
 TEST(YawStudy, WithoutAMomentThereIsNoSpinToRelateTo)
 {
-  const ring::AngularLoad even({ 0.47, 0, 0.05 }, { 0, 0, 0 }, 0.03);
+  const ring::RingStack even({ 0.47, 0, 0.05 }, { 0, 0, 0 }, 0.03);
   const YawStudy study = study_yaw([even](double) { return even; }, ring::Motion());
   EXPECT_EQ(study.terminal.omega, 0);
   for (const TruncationRow &row : study.truncations)

@@ -25,7 +25,7 @@ public:
       : UnilateralFoundation(rim, 1.5)
   {
   }
-  ring::AngularLoad load(double normal_force, const Eigen::Vector2d &moment) const override
+  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override
   {
     ++n_loads;
     return UnilateralFoundation::load(normal_force, moment);
@@ -34,7 +34,7 @@ public:
 };
 
 /// Loads of the rim over the moment ratio.
-ring::AngularLoad rim_load(double moment_ratio)
+ring::RingStack rim_load(double moment_ratio)
 {
   return ring::UnilateralFoundation(rim, 1.5).load(weight, { 0, -moment_ratio * weight * rim / 2 });
 }
@@ -103,7 +103,7 @@ TEST(LoadCurve, SaysWhenSamplesDoNotSuffice)
 
 TEST(LoadCurve, DifferenceSeesEveryPartOfALoad)
 {
-  const ring::AngularLoad load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, rim);
+  const ring::RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, rim);
   EXPECT_EQ(load_difference(load, load), 0);
   EXPECT_NEAR(load_difference({ { 0.5, 0.1, 0.03 }, { 0, 0.2, 0.03 }, rim }, load), 0.02, 1e-15);
   EXPECT_NEAR(load_difference({ { 0.5, 0.1, 0.02 }, { 0, 0.2, 0.02 }, rim }, load), 0.02, 1e-15);

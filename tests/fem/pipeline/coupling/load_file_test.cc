@@ -14,8 +14,8 @@ using test::ScratchFolder;
 TEST(LoadFile, ReadsWhatItWrites)
 {
   const ScratchFolder scratch;
-  const ring::AngularLoad load({ 0.47, 0.1 / 3, -1e-7 }, { 0, -0.13, 2e-300 }, 0.0300007);
-  const ring::AngularLoad again = read_load_file(scratch.write("harmonics.dat", load_file_text(load)));
+  const ring::RingStack load({ 0.47, 0.1 / 3, -1e-7 }, { 0, -0.13, 2e-300 }, 0.0300007);
+  const ring::RingStack again = read_load_file(scratch.write("harmonics.dat", load_file_text(load)));
   ASSERT_EQ(again.n_harmonics(), 2u);
   for (unsigned int n = 0; n <= 2; ++n)
   {

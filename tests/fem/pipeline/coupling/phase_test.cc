@@ -18,15 +18,15 @@ namespace ring = stemware::ring;
 constexpr double two_pi = boost::math::double_constants::two_pi;
 
 /// A load of made-up smooth dependence on both phases and the spin.
-ring::AngularLoad made_up_load(double omega, const FootPhase &phase)
+ring::RingStack made_up_load(double omega, const FootPhase &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
-  return ring::AngularLoad({ 1., 0.3 + 0.1 * std::cos(omega / 5) * wave, 0.2 * wave },
+  return ring::RingStack({ 1., 0.3 + 0.1 * std::cos(omega / 5) * wave, 0.2 * wave },
                            { 0., 0.1 * wave / (1 + omega * omega / 50), -0.05 * wave * wave },
                            0.03 * (1 + 1e-3 * wave));
 }
 
-double difference(const ring::AngularLoad &one, const ring::AngularLoad &other)
+double difference(const ring::RingStack &one, const ring::RingStack &other)
 {
   double largest = std::abs(one.radius() / other.radius() - 1);
   for (unsigned int n = 0; n <= one.n_harmonics(); ++n)
@@ -145,7 +145,7 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
     {
-      const ring::AngularLoad load = made_up_load(1.7, { two_pi * i / n, two_pi * j / n });
+      const ring::RingStack load = made_up_load(1.7, { two_pi * i / n, two_pi * j / n });
       moment += load.moment() / (n * n);
       for (unsigned int k = 0; k <= 2; ++k)
       {
@@ -157,7 +157,7 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
   const PhaseGrids grids = find_phases(made_up_load, { two_pi / 3, two_pi / 2 });
   for (const PhaseGrids &sampled : { grids, grids.halved() })
   {
-    const ring::AngularLoad mean = PhaseLoads(made_up_load, sampled, 3.).mean(1.7);
+    const ring::RingStack mean = PhaseLoads(made_up_load, sampled, 3.).mean(1.7);
     for (unsigned int k = 0; k <= 2; ++k)
     {
       EXPECT_NEAR(mean.a(k), a[k], 2e-7);
@@ -170,7 +170,7 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
 TEST(PhaseLoads, SayThatAJumpIsNotResolved)
 {
   const auto jump = [](double, const FootPhase &phase) {
-    return ring::AngularLoad({ 1., 0.1, std::sin(2 * phase.glass) > 0.1 ? 0.1 : 0. }, { 0., 0., 0. }, 0.03);
+    return ring::RingStack({ 1., 0.1, std::sin(2 * phase.glass) > 0.1 ? 0.1 : 0. }, { 0., 0., 0. }, 0.03);
   };
   EXPECT_THROW(find_phases(jump, { two_pi / 2, 0 }), std::runtime_error);
 }

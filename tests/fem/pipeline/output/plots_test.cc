@@ -19,7 +19,7 @@ using test::ScratchFolder;
 const double two_pi = 2 * std::acos(-1.);
 
 /// A load that has left the table over a third of the rim.
-const ring::AngularLoad lifted({ 1, 0, -0.4, 0, 0.05 }, { 0, -1.3, 0, 0.1, 0 }, 0.03);
+const ring::RingStack lifted({ 1, 0, -0.4, 0, 0.05 }, { 0, -1.3, 0, 0.1, 0 }, 0.03);
 
 /// Draws the figure alone and says what went wrong.
 std::string draw(const ReportFigure &figure, const ScratchFolder &scratch)
@@ -93,7 +93,7 @@ TEST(Figures, Spectrum)
   const auto columns = data_of(figure, scratch);
   ASSERT_EQ(columns.size(), 3u);
   EXPECT_NEAR(columns[1][1], 0.4, 1e-15);
-  EXPECT_EQ(draw(spectrum_figure(ring::AngularLoad({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
+  EXPECT_EQ(draw(spectrum_figure(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
 }
 
 TEST(Figures, Footprint)

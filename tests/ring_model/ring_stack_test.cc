@@ -1,4 +1,5 @@
-#include "ring_model/angular_load.h"
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/ring_stack.h"
 #include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -18,7 +19,7 @@ std::string refusal(std::vector<double> a, std::vector<double> b, double radius)
 {
   try
   {
-    AngularLoad(std::move(a), std::move(b), radius);
+    RingStack(std::move(a), std::move(b), radius);
   }
   catch (const std::invalid_argument &error)
   {
@@ -27,11 +28,11 @@ std::string refusal(std::vector<double> a, std::vector<double> b, double radius)
   return "accepted";
 }
 
-TEST(AngularLoad, ResultantsAreThoseOfThePointwiseLoad)
+TEST(RingStack, ResultantsAreThoseOfThePointwiseLoad)
 {
   test::Numbers numbers(1);
   const auto [a, b] = numbers.nonnegative_load(7);
-  const AngularLoad load(a, b, 0.04);
+  const RingStack load(a, b, 0.04);
   // M_N = sum r x f = (sum y f, -sum x f); the trapezoidal rule is exact for these harmonics.
   double force = 0., moment_x = 0., moment_y = 0.;
   const unsigned int n_points = 32;
@@ -48,9 +49,9 @@ TEST(AngularLoad, ResultantsAreThoseOfThePointwiseLoad)
   expect_relative(load.moment_ratio(), std::hypot(moment_x, moment_y) / (force * 0.04 / 2.), 1e-13, "m");
 }
 
-TEST(AngularLoad, FirstHarmonicCarriesItsMoment)
+TEST(RingStack, FirstHarmonicCarriesItsMoment)
 {
-  const AngularLoad load = AngularLoad::first_harmonic(2.943, { -0.01225, 0.004 }, 0.03);
+  const RingStack load = RingStack::first_harmonic(2.943, { -0.01225, 0.004 }, 0.03);
   expect_relative(load.normal_force(), 2.943, 1e-15, "N");
   expect_relative(load.moment().x(), -0.01225, 1e-15, "M_x");
   expect_relative(load.moment().y(), 0.004, 1e-15, "M_y");
@@ -59,18 +60,18 @@ TEST(AngularLoad, FirstHarmonicCarriesItsMoment)
   expect_relative(load.minimum(), load.a(0) * (1. - load.moment_ratio()), 1e-15, "minimum");
 }
 
-TEST(AngularLoad, FindsTheGlobalMinimum)
+TEST(RingStack, FindsTheGlobalMinimum)
 {
   // a_0 + A cos 4 (theta - t) + a small second harmonic that singles out one of four near-equal minima.
   const double angle = 0.3;
-  const AngularLoad load = AngularLoad({ 1., 0., 0., 0., 0.5 }, { 0., 0., 0., 0., 0. }, 1.).rotated(angle);
+  const RingStack load = RingStack({ 1., 0., 0., 0., 0.5 }, { 0., 0., 0., 0., 0. }, 1.).rotated(angle);
   expect_relative(load.minimum(), 0.5, 1e-14, "pure fourth harmonic");
 
   test::Numbers numbers(2);
   for (unsigned int trial = 0; trial < 40; ++trial)
   {
     const auto [a, b] = numbers.nonnegative_load(2 + trial % 15);
-    const AngularLoad random(a, b, 0.03);
+    const RingStack random(a, b, 0.03);
     double scan = std::numeric_limits<double>::infinity();
     for (unsigned int i = 0; i < 20000; ++i)
       scan = std::min(scan, random(2. * pi * i / 20000.));
@@ -79,29 +80,29 @@ TEST(AngularLoad, FindsTheGlobalMinimum)
   }
 }
 
-TEST(AngularLoad, PullsWithItsNegativePart)
+TEST(RingStack, PullsWithItsNegativePart)
 {
   // int max(0, -(1 + m cos theta)) dtheta over the arc |theta - pi| < arccos(1/m).
   for (const double m : { 1.0001, 1.2, 1.9, 5. })
   {
-    const AngularLoad load({ 2., 2. * m }, { 0., 0. }, 0.03);
+    const RingStack load({ 2., 2. * m }, { 0., 0. }, 0.03);
     const double pull = 2. * 2. * (std::sqrt(m * m - 1.) - std::acos(1. / m));
     for (const double angle : { 0., 0.5, pi / 16. })
       EXPECT_NEAR(load.rotated(angle).pulling_force(), pull, 1e-13) << m << " turned by " << angle;
   }
   // 1 - 1.5 cos 4 theta turned: four arcs.
-  const AngularLoad four({ 1., 0., 0., 0., -1.5 }, { 0., 0., 0., 0., 0. }, 1.);
+  const RingStack four({ 1., 0., 0., 0., -1.5 }, { 0., 0., 0., 0., 0. }, 1.);
   EXPECT_NEAR(four.rotated(0.3).pulling_force(), 2. * (std::sqrt(1.25) - std::acos(1. / 1.5)), 1e-14);
-  EXPECT_EQ(AngularLoad({ 1., 0.9 }, { 0., 0. }, 1.).pulling_force(), 0.);
-  EXPECT_EQ(AngularLoad({ 1. }, { 0. }, 1.).pulling_force(), 0.);
+  EXPECT_EQ(RingStack({ 1., 0.9 }, { 0., 0. }, 1.).pulling_force(), 0.);
+  EXPECT_EQ(RingStack({ 1. }, { 0. }, 1.).pulling_force(), 0.);
 }
 
-TEST(AngularLoad, TurnsMirrorsAndTruncates)
+TEST(RingStack, TurnsMirrorsAndTruncates)
 {
   test::Numbers numbers(3);
   const auto [a, b] = numbers.nonnegative_load(6);
-  const AngularLoad load(a, b, 0.03);
-  const AngularLoad turned = load.rotated(0.7), mirror = load.mirrored(), cut = load.truncated(2);
+  const RingStack load(a, b, 0.03);
+  const RingStack turned = load.rotated(0.7), mirror = load.mirrored(), cut = load.truncated(2);
   for (const double theta : { 0., 0.5, 2., 4. })
   {
     EXPECT_NEAR(turned(theta + 0.7), load(theta), 1e-14);
@@ -114,7 +115,58 @@ TEST(AngularLoad, TurnsMirrorsAndTruncates)
   EXPECT_EQ(load.truncated(50).n_harmonics(), 6u);
 }
 
-TEST(AngularLoad, RefusesBadInputWithTheValue)
+/// Three rings, one of them negative nearly everywhere.
+RingStack three_rings()
+{
+  return RingStack({ { 0.028, { 0.3, 0.1, 0.02 }, { 0., 0.05, -0.01 } },
+                     { 0.030, { 0.25, -0.04, 0.03 }, { 0., 0.12, 0.02 } },
+                     { 0.033, { -0.05, 0.01, 0.005 }, { 0., -0.02, 0.01 } } });
+}
+
+TEST(RingStack, OfSeveralRingsIsTheirSum)
+{
+  const RingStack load = three_rings();
+  EXPECT_NEAR(load.normal_force(), 2 * pi * 0.5, 1e-15);
+  EXPECT_NEAR(load.a(2), 0.055, 1e-16);
+  // Resultants of the point forces lambda_j dtheta at r_j, by the trapezoidal rule, which is exact here.
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (const RingStack::Ring &ring : load.rings())
+    for (int i = 0; i < 12; ++i)
+    {
+      const double theta = 2 * pi * i / 12;
+      double density = ring.a[0];
+      for (unsigned int n = 1; n <= 2; ++n)
+        density += ring.a[n] * std::cos(n * theta) + ring.b[n] * std::sin(n * theta);
+      moment += density * 2 * pi / 12 * ring.radius * Eigen::Vector2d(std::sin(theta), -std::cos(theta));
+    }
+  EXPECT_NEAR((load.moment() - moment).norm(), 0., 1e-17);
+  // The one ring of radius() has the same resultants and harmonics.
+  const RingStack one({ load.a(0), load.a(1), load.a(2) }, { 0., load.b(1), load.b(2) }, load.radius());
+  EXPECT_NEAR(one.moment().norm(), load.moment().norm(), 1e-17);
+  EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.0), 1e-15);
+  EXPECT_NEAR(load.mirrored()(-1.0), load(1.0), 1e-15);
+  EXPECT_EQ(load.truncated(1).rings().size(), 3u);
+}
+
+TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
+{
+  const CoulombRing friction(0.3);
+  const RingStack load = three_rings();
+  for (const double omega : { 0., -3., 11.7, 40. })
+  {
+    const Wrench exact = friction.wrench(load, omega, 0.35),
+                 sum = friction.wrench_by_quadrature(load, omega, 0.35, 20000);
+    EXPECT_NEAR(exact.torque, sum.torque, 1e-7 * 0.3 * 0.03);
+    EXPECT_NEAR(exact.force_x, sum.force_x, 1e-6 * 0.3);
+    EXPECT_NEAR(exact.force_y, sum.force_y, 1e-6 * 0.3);
+    // Power: T.v + tau omega.
+    EXPECT_NEAR(friction.dissipation(load, omega, 0.35), -(exact.force_x * 0.35 + exact.torque * omega),
+                1e-15);
+  }
+  EXPECT_NEAR(friction.wrench(load, 0, 0.35).torque, 0.3 * load.moment().x(), 1e-17); // tau_z(0) = mu M_Nx
+}
+
+TEST(RingStack, RefusesBadInputWithTheValue)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal({ 1., nan }, { 0., 0. }, 0.03).find("harmonic 1 of the load is (nan"), std::string::npos);
@@ -124,8 +176,11 @@ TEST(AngularLoad, RefusesBadInputWithTheValue)
   EXPECT_NE(refusal({ 1., 2. }, { 0. }, 0.03).find("2 cosine and 1 sine"), std::string::npos);
   EXPECT_NE(refusal({ 1. }, { 0.5 }, 0.03).find("b_0 is 0.5"), std::string::npos);
   EXPECT_NE(refusal({}, {}, 0.03).find("at least one"), std::string::npos);
-  EXPECT_THROW(AngularLoad::first_harmonic(1., { nan, 0. }, 0.03), std::invalid_argument);
-  EXPECT_THROW(AngularLoad::first_harmonic(-1., { 0., 0. }, 0.03), std::invalid_argument);
+  EXPECT_THROW(RingStack(std::vector<RingStack::Ring>{}), std::invalid_argument);
+  EXPECT_THROW(RingStack({ { 0.03, { 1. }, { 0. } }, { 0.04, { 1., 0. }, { 0., 0. } } }),
+               std::invalid_argument);
+  EXPECT_THROW(RingStack::first_harmonic(1., { nan, 0. }, 0.03), std::invalid_argument);
+  EXPECT_THROW(RingStack::first_harmonic(-1., { 0., 0. }, 0.03), std::invalid_argument);
 }
 } // namespace
 } // namespace stemware::ring

@@ -1,4 +1,4 @@
-#include "ring_model/angular_load.h"
+#include "ring_model/ring_stack.h"
 
 #include "ring_model/constants.h"
 #include "ring_model/require.h"
@@ -17,7 +17,7 @@ namespace
 {
 /// Where @p load passes through 0 between two angles at which its signs differ, to 1e-9: what lies on the
 /// wrong side then is of the square of that.
-double sign_change(const AngularLoad &load, double from, double to)
+double sign_change(const RingStack &load, double from, double to)
 {
   const bool pulls_at_from = load(from) < 0.;
   while (to - from > 1e-9)
@@ -29,24 +29,40 @@ double sign_change(const AngularLoad &load, double from, double to)
 }
 } // namespace
 
-AngularLoad::AngularLoad(std::vector<double> a, std::vector<double> b, double radius)
-    : cosine(std::move(a))
-    , sine(std::move(b))
-    , ring_radius(radius)
+RingStack::RingStack(std::vector<Ring> rings)
+    : stack(std::move(rings))
 {
-  require(!cosine.empty() && cosine.size() == sine.size(), "the load has ", cosine.size(), " cosine and ",
-          sine.size(), " sine coefficients, but must have equally many and at least one");
-  for (unsigned int n = 0; n < cosine.size(); ++n)
-    require(std::isfinite(cosine[n]) && std::isfinite(sine[n]), "harmonic ", n, " of the load is (",
-            cosine[n], ", ", sine[n], ") N/rad, but must be finite");
+  require(!stack.empty(), "the load has no ring; give at least one");
+  const std::size_t n_coefficients = stack.front().a.size();
+  cosine.assign(n_coefficients, 0.);
+  sine.assign(n_coefficients, 0.);
+  for (const Ring &ring : stack)
+  {
+    require(!ring.a.empty() && ring.a.size() == ring.b.size(), "the load has ", ring.a.size(), " cosine and ",
+            ring.b.size(), " sine coefficients, but must have equally many and at least one");
+    require(ring.a.size() == n_coefficients, "one ring of the load has ", ring.a.size(),
+            " coefficients, another ", n_coefficients, "; give all rings equally many");
+    for (std::size_t n = 0; n < n_coefficients; ++n)
+    {
+      require(std::isfinite(ring.a[n]) && std::isfinite(ring.b[n]), "harmonic ", n, " of the load is (",
+              ring.a[n], ", ", ring.b[n], ") N/rad, but must be finite");
+      cosine[n] += ring.a[n];
+      sine[n] += ring.b[n];
+    }
+    require(ring.b[0] == 0., "the sine coefficient b_0 is ", ring.b[0],
+            " N/rad, but must be zero: sin 0 has no amplitude");
+    require_positive(ring.radius, "the ring radius", "m");
+  }
   require(cosine[0] > 0., "the mean load a_0 is ", cosine[0],
           " N/rad, but must be positive: the table pushes the ring up");
-  require(sine[0] == 0., "the sine coefficient b_0 is ", sine[0],
-          " N/rad, but must be zero: sin 0 has no amplitude");
-  require_positive(ring_radius, "the ring radius", "m");
 }
 
-AngularLoad AngularLoad::first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius)
+RingStack::RingStack(std::vector<double> a, std::vector<double> b, double radius)
+    : RingStack(std::vector<Ring>{ { radius, std::move(a), std::move(b) } })
+{
+}
+
+RingStack RingStack::first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius)
 {
   require_positive(normal_force, "the normal force", "N");
   require_positive(radius, "the ring radius", "m");
@@ -55,22 +71,42 @@ AngularLoad AngularLoad::first_harmonic(double normal_force, const Eigen::Vector
            radius };
 }
 
-double AngularLoad::normal_force() const
+double RingStack::radius() const
+{
+  if (stack.size() == 1)
+    return stack.front().radius;
+  const double first = std::hypot(a(1), b(1));
+  if (first > 0.)
+    return moment().norm() / (pi * first);
+  double sum = 0., weights = 0.;
+  for (const Ring &ring : stack)
+  {
+    sum += std::abs(ring.a[0]) * ring.radius;
+    weights += std::abs(ring.a[0]);
+  }
+  return sum / weights;
+}
+
+double RingStack::normal_force() const
 {
   return 2. * pi * cosine[0];
 }
 
-Eigen::Vector2d AngularLoad::moment() const
+Eigen::Vector2d RingStack::moment() const
 {
-  return { pi * ring_radius * b(1), -pi * ring_radius * a(1) };
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  if (n_harmonics() >= 1)
+    for (const Ring &ring : stack)
+      sum += pi * ring.radius * Eigen::Vector2d(ring.b[1], -ring.a[1]);
+  return sum;
 }
 
-double AngularLoad::moment_ratio() const
+double RingStack::moment_ratio() const
 {
   return std::hypot(a(1), b(1)) / cosine[0];
 }
 
-double AngularLoad::operator()(double theta) const
+double RingStack::operator()(double theta) const
 {
   double sum = cosine[0];
   for (unsigned int n = 1; n < cosine.size(); ++n)
@@ -78,7 +114,7 @@ double AngularLoad::operator()(double theta) const
   return sum;
 }
 
-double AngularLoad::derivative(double theta) const
+double RingStack::derivative(double theta) const
 {
   double sum = 0.;
   for (unsigned int n = 1; n < cosine.size(); ++n)
@@ -86,7 +122,7 @@ double AngularLoad::derivative(double theta) const
   return sum;
 }
 
-std::vector<double> AngularLoad::evenly_spaced_values() const
+std::vector<double> RingStack::evenly_spaced_values() const
 {
   // The angles n theta_i are multiples of one spacing: a table of one turn serves all of them.
   const unsigned int n_samples = 32 * n_harmonics();
@@ -103,7 +139,7 @@ std::vector<double> AngularLoad::evenly_spaced_values() const
   return samples;
 }
 
-std::map<double, double> AngularLoad::local_minima() const
+std::map<double, double> RingStack::local_minima() const
 {
   const std::vector<double> samples = evenly_spaced_values();
   const std::size_t n_samples = samples.size();
@@ -121,7 +157,7 @@ std::map<double, double> AngularLoad::local_minima() const
   return minima;
 }
 
-double AngularLoad::minimum() const
+double RingStack::minimum() const
 {
   if (n_harmonics() <= 1)
     return cosine[0] - std::hypot(a(1), b(1));
@@ -131,7 +167,7 @@ double AngularLoad::minimum() const
   return least;
 }
 
-double AngularLoad::integral(double from, double to) const
+double RingStack::integral(double from, double to) const
 {
   double sum = cosine[0] * (to - from);
   for (unsigned int n = 1; n < cosine.size(); ++n)
@@ -141,7 +177,7 @@ double AngularLoad::integral(double from, double to) const
   return sum;
 }
 
-double AngularLoad::pulling_force() const
+double RingStack::pulling_force() const
 {
   // The minima are among the angles: a load may be negative between two samples alone.
   const std::vector<double> samples = evenly_spaced_values();
@@ -165,32 +201,38 @@ double AngularLoad::pulling_force() const
   return force;
 }
 
-AngularLoad AngularLoad::truncated(unsigned int n_max) const
+RingStack RingStack::truncated(unsigned int n_max) const
 {
-  const auto n_kept = static_cast<std::ptrdiff_t>(std::min(n_max, n_harmonics())) + 1;
-  return { { cosine.begin(), cosine.begin() + n_kept },
-           { sine.begin(), sine.begin() + n_kept },
-           ring_radius };
+  std::vector<Ring> kept(stack);
+  for (Ring &ring : kept)
+  {
+    const std::size_t n_kept = std::min(n_max, n_harmonics()) + 1;
+    ring.a.resize(n_kept);
+    ring.b.resize(n_kept);
+  }
+  return RingStack(std::move(kept));
 }
 
-AngularLoad AngularLoad::rotated(double angle) const
+RingStack RingStack::rotated(double angle) const
 {
   require_finite(angle, "the angle of rotation");
-  std::vector<double> a_turned(cosine), b_turned(sine);
-  for (unsigned int n = 1; n < cosine.size(); ++n)
-  {
-    const double c = std::cos(n * angle), s = std::sin(n * angle);
-    a_turned[n] = cosine[n] * c - sine[n] * s;
-    b_turned[n] = cosine[n] * s + sine[n] * c;
-  }
-  return { std::move(a_turned), std::move(b_turned), ring_radius };
+  std::vector<Ring> turned(stack);
+  for (std::size_t j = 0; j < stack.size(); ++j)
+    for (unsigned int n = 1; n <= n_harmonics(); ++n)
+    {
+      const double c = std::cos(n * angle), s = std::sin(n * angle);
+      turned[j].a[n] = stack[j].a[n] * c - stack[j].b[n] * s;
+      turned[j].b[n] = stack[j].a[n] * s + stack[j].b[n] * c;
+    }
+  return RingStack(std::move(turned));
 }
 
-AngularLoad AngularLoad::mirrored() const
+RingStack RingStack::mirrored() const
 {
-  std::vector<double> reversed(sine);
-  for (unsigned int n = 1; n < reversed.size(); ++n)
-    reversed[n] = -sine[n];
-  return { cosine, std::move(reversed), ring_radius };
+  std::vector<Ring> reversed(stack);
+  for (Ring &ring : reversed)
+    for (std::size_t n = 1; n < ring.b.size(); ++n)
+      ring.b[n] = -ring.b[n];
+  return RingStack(std::move(reversed));
 }
 } // namespace stemware::ring

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "ring_model/closures.h"
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/ring_stack.h"
+#include "ring_model/terminal_spin.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// What the ring under a load is like, or why there is no answer.
+enum class Standing
+{
+  full_contact,    ///< the whole rim carries load
+  lift_off,        ///< a part of the rim carries none
+  formal,          ///< the load, or what is left of it, would have to pull on the table
+  tips,            ///< no load that only pushes carries the moment
+  no_balance,      ///< no balance of moments was found
+  no_terminal_spin ///< the torque does not vanish
+};
+
+/// "full contact", "lift-off", "formal", "tips", "no balance", "no terminal spin".
+std::string to_string(Standing standing);
+
+/// One load at one spin.
+struct RingState
+{
+  ring::RingStack load;       ///< its harmonics that act on the ring
+  ring::Wrench friction = {}; ///< T and tau_z
+  double moment_ratio = 0;    ///< RingStack::moment_ratio()
+  double minimum = 0;         ///< least value of lambda [N/rad]
+  double pulling_share = 0;   ///< what the table would have to pull with, over N
+};
+
+/// The answer to the one question of the project: what spin does this load give, with these of its harmonics?
+/// Rows of run, truncate, compare, sweep and converge. What does not exist is missing, and `standing` says
+/// why.
+struct SpinRow
+{
+  ring::Closure closure = ring::Closure::full; ///< the moment balance
+  std::string load;                            ///< "first harmonic", "rigid flat rim", "elastic foot", ...
+  unsigned int harmonics = 0;                  ///< that act on the ring
+  bool all_harmonics = false;
+
+  std::optional<RingState> at_rest;
+  std::optional<ring::TerminalSpin> terminal;
+  std::optional<RingState> at_terminal;
+  std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin
+  std::optional<double> band = {};        ///< half-width of the error band of the terminal spin [rad/s]
+  std::vector<double> torques = {}; ///< tau_z at the spins asked for [N m]; NaN where there is no balance
+  Standing standing = Standing::no_balance;
+  std::string reason = {}; ///< why something is missing; empty where nothing is
+
+  // Beside another row:
+  std::optional<double>
+    relative_change = {}; ///< of the terminal spin to that of all harmonics; nothing if that is 0
+  std::optional<double>
+    bound = {}; ///< a priori, on the change of tau_z at the terminal spin of all harmonics [N m]
+  std::optional<double> difference_to_paper = {}; ///< of the terminal spin to the paper's, relative to that
+  std::vector<double> spin_up = {};               ///< omega(t) from rest [rad/s]; empty where there is none
+  std::optional<double>
+    largest_deviation = {};                   ///< of omega(t) from that of all harmonics, over all t [rad/s]
+  std::optional<double> final_deviation = {}; ///< of omega(t) from that of all harmonics, at the end [rad/s]
+
+  std::optional<double> omega_terminal() const; ///< [rad/s]
+  /// I_z / |d tau_z / d omega| at the terminal spin [s]; nothing where there is none, or the slope is 0.
+  std::optional<double> time_constant() const;
+  /// sqrt(a_n^2 + b_n^2) / a_0 of the highest harmonic kept, at rest; 0 where there is no load at rest.
+  double amplitude() const;
+  /// The worse of rest and terminal spin: least lambda [N/rad], and what the table would pull with over N.
+  double least_load() const;
+  double pulling_share() const;
+  bool pulls() const { return least_load() < 0; }
+};
+
+} // namespace stemware::pipeline

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "fem/geometry/waviness.h"
+#include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/study/study.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// tau_z(omega) and the friction force over the spin.
+struct TorqueCurve
+{
+  std::vector<double> omega;                    ///< [rad/s]
+  std::vector<double> slip_ratio;               ///< omega R / v
+  std::vector<ring::Wrench> friction;           ///< of all harmonics
+  std::vector<unsigned int> harmonics;          ///< of the truncations
+  std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
+};
+
+/// omega(t) from rest at equally spaced times.
+struct SpinUpCurves
+{
+  std::vector<double> time;           ///< [s]
+  std::vector<double> adaptive;       ///< all harmonics, error control [rad/s]
+  std::vector<double> euler;          ///< all harmonics, forward Euler as in the paper [rad/s]
+  std::vector<double> first_harmonic; ///< first harmonic alone, error control [rad/s]
+  std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
+  std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
+};
+
+/// What a load that depends on the phase adds to a study of the spin.
+struct PhaseStudy
+{
+  double spin_ripple = 0;         ///< half of largest minus smallest spin in the long run [rad/s]
+  double spin_uncertainty = 0;    ///< of the mean spin in the long run [rad/s]
+  double zero_of_mean_torque = 0; ///< spin at which the torque vanishes on average over the phases [rad/s]
+  double torque_ripple = 0; ///< half of largest minus smallest torque over the phases, at the mean spin [N m]
+  double least_load = 0;    ///< pointwise, at rest, of all sampled phases [N/rad]
+  double least_contact_fraction = 0; ///< at rest, of all sampled phases
+  unsigned int n_glass_phases = 1;   ///< sampled
+  unsigned int n_table_phases = 1;
+  std::size_t n_spins = 1;        ///< sampled; 1 for a load that does not depend on the spin
+  double interpolation_error = 0; ///< of the load between samples, over a_0
+
+  /// At each sampled phase: where the marks stand [rad], and the torque at rest and at the mean spin [N m].
+  std::vector<fem::FootPhase> phases;
+  std::vector<double> torque_at_rest;
+  std::vector<double> torque_at_terminal;
+};
+
+/// What follows from a load for the spin.
+struct SpinStudy
+{
+  std::vector<SpinRow> rows;     ///< by harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last
+  std::vector<SpinRow> closures; ///< a first harmonic on a ring of the contact radius: paper, hand, full
+  TorqueCurve torque;            ///< from -1.5 v/R to 1.5 v/R
+  SpinUpCurves spin_up;
+  std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
+
+  const SpinRow &all() const { return rows.back(); }
+  /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
+  /// related.
+  bool spins_up() const { return rows.front().relative_change.has_value(); }
+};
+
+/// Solves for everything. Throws std::runtime_error where all harmonics have no terminal spin, or the spin
+/// under a load that depends on the phase does not settle; what contact solutions and balances throw.
+SpinStudy study_spin(const BalancedLoad &load, const Study &study);
+
+} // namespace stemware::pipeline

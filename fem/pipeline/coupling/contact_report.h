@@ -1,0 +1,59 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "ring_model/ring_stack.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The load at rest, as the ring is given it and as the table carries it.
+struct LoadReport
+{
+  ring::RingStack rings;
+  double normal_force = 0;                          ///< N [N]
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N = (sum y f, -sum x f) [N m]
+  double moment_ratio = 0;                          ///< |M_N| / (N R / 2), R the contact radius
+  double mean_radius = 0;                           ///< sum f r / sum f [m]
+  double contact_fraction = 0;                      ///< share of azimuths that carry load
+  double minimum = 0;                               ///< least pointwise load [N/rad]
+  std::vector<fem::AzimuthLoad>
+    pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
+};
+
+/// The finite-element side of a study.
+struct FootReport
+{
+  fem::FootDescription foot;
+  std::string friction_coupling; ///< "elastic" or "none"
+  fem::ContactState at_rest;
+  fem::Footprint footprint;                        ///< at rest
+  fem::ResolvedFriction friction_at_rest = {};     ///< of the pressure where it lies, beside the ring's
+  fem::ResolvedFriction friction_at_terminal = {}; ///< likewise at the terminal spin
+  std::vector<fem::FieldFile> fields = {};         ///< of the state at rest; this rank's
+};
+
+/// How a load in balance with friction at every spin has been found.
+struct CouplingStatistics
+{
+  std::size_t n_balances = 0;                ///< spins at which contact, friction and moments are in balance
+  std::size_t n_contact_solutions = 0;       ///< that those took
+  std::optional<double> response_error;      ///< of the curve over the moment ratio, over a_0
+  std::optional<double> interpolation_error; ///< of loads interpolated in the spin, over a_0
+};
+
+/// Everything about the contact that a study reports, at rest and at the terminal spin.
+struct ContactReport
+{
+  LoadReport load;                            ///< at rest
+  std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
+  std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
+};
+
+} // namespace stemware::pipeline

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <map>
+#include <vector>
+
+namespace stemware::ring
+{
+/**
+ * The normal load on the table: J concentric rings at radii r_j, each with
+ *
+ *   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
+ *
+ * with theta from the direction of sliding, counter-clockwise seen from above (slip frame: x along the
+ * motion, y to its left, z up). Their sum lambda(theta) is the load of the whole contact; where this class
+ * speaks of the load, a_n, b_n or a value at theta, it means the sum. One ring may be negative somewhere, or
+ * altogether; a sum that is negative pulls.
+ *
+ * It is the plain value that a contact calculation hands to the ring: no history, SI units. Loads that depend
+ * on the spin, or are cut off, are models (LoadModel), not other types of load.
+ */
+class RingStack
+{
+public:
+  /// One ring of the stack.
+  struct Ring
+  {
+    double radius;         ///< r_j > 0 [m]
+    std::vector<double> a; ///< a_{j,0}...a_{j,n_max} [N/rad]
+    std::vector<double> b; ///< as many; b_{j,0} = 0
+  };
+
+  /**
+   * @param rings At least one, all with equally many coefficients; the sum of the a_{j,0} is N / 2 pi > 0.
+   * @throws std::invalid_argument naming the value that is not allowed.
+   */
+  explicit RingStack(std::vector<Ring> rings);
+
+  /// One ring: a_0...a_{n_max}, b_0 = 0...b_{n_max} [N/rad] at @p radius R > 0 [m]. Throws as above.
+  RingStack(std::vector<double> a, std::vector<double> b, double radius);
+
+  /**
+   * One ring whose first harmonic carries @p normal_force N [N] with the moment @p moment = M_N [N m]:
+   * b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} / (pi R). Formal: it turns negative where |M_N| > N R / 2.
+   * @throws std::invalid_argument if a value is not finite or N, R are not positive.
+   */
+  static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
+
+  /// The rings by themselves.
+  const std::vector<Ring> &rings() const { return stack; }
+
+  /// Highest harmonic n_max.
+  unsigned int n_harmonics() const { return static_cast<unsigned int>(cosine.size()) - 1; }
+
+  /// a_n [N/rad]; zero beyond n_harmonics().
+  double a(unsigned int n) const { return n < cosine.size() ? cosine[n] : 0.; }
+
+  /// b_n [N/rad]; zero beyond n_harmonics().
+  double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
+
+  /// The radius of the one ring that has the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2))
+  /// [m]: R itself where there is one ring. Several rings without a first harmonic have their mean, weighted
+  /// with |a_{j,0}|.
+  double radius() const;
+
+  /// N = 2 pi a_0 [N].
+  double normal_force() const;
+
+  /// M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
+  Eigen::Vector2d moment() const;
+
+  /// m = |M_N| / (N R / 2) = sqrt(a_1^2 + b_1^2) / a_0 with R = radius(). A ring that cannot pull tips at m
+  /// = 2.
+  double moment_ratio() const;
+
+  /// lambda(theta) [N/rad], theta in rad.
+  double operator()(double theta) const;
+
+  /// d lambda / d theta [N/rad^2].
+  double derivative(double theta) const;
+
+  /**
+   * The least value of lambda over all theta [N/rad]. Every local minimum found among 32 samples per wave
+   * length of the highest harmonic is polished to rounding.
+   */
+  double minimum() const;
+
+  /**
+   * What the table would have to pull with, int max(0, -lambda) dtheta [N]: 0 unless minimum() is negative.
+   * Between the changes of sign, found as the minimum is, the integral is exact.
+   */
+  double pulling_force() const;
+
+  /// The load without the harmonics above @p n_max.
+  RingStack truncated(unsigned int n_max) const;
+
+  /// The load turned counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
+  RingStack rotated(double angle) const;
+
+  /// The mirror image in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change sign.
+  RingStack mirrored() const;
+
+private:
+  /// lambda at 32 n_max angles, evenly spaced from 0 [N/rad].
+  std::vector<double> evenly_spaced_values() const;
+
+  /// Local minima by their angle, polished to rounding, and the samples next to them; an angle may be a
+  /// little outside [0, 2 pi).
+  std::map<double, double> local_minima() const;
+
+  /// Integral of lambda from one angle to another [N].
+  double integral(double from, double to) const;
+
+  std::vector<Ring> stack;
+  std::vector<double> cosine; ///< a_n of the sum
+  std::vector<double> sine;   ///< b_n of the sum
+};
+} // namespace stemware::ring

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace stemware::ring
+{
+/// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
+/// theta = chi + glass, one of the table at theta = chi + table [rad].
+struct Orientation
+{
+  double glass = 0;
+  double table = 0;
+};
+
+/// How the ring slides, as far as the normal load may depend on it: friction that deforms the foot has the
+/// direction of the slip, and an out-of-flat rim or table turns under the load.
+struct Slip
+{
+  double spin_per_speed = 0; ///< omega / v [1/m], counter-clockwise > 0
+  Orientation orientation;
+};
+} // namespace stemware::ring
