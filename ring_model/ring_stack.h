@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -100,6 +101,17 @@ public:
 
   /// The mirror image in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change sign.
   RingStack mirrored() const;
+
+  /// All numbers of the stack in a row, ring by ring: r_j, a_{j,0}...a_{j,n_max}, b_{j,1}...b_{j,n_max}. Rows
+  /// of equally many rings and harmonics may be added and interpolated.
+  std::vector<double> coefficients() const;
+
+  /// The stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
+  static RingStack from_coefficients(const std::vector<double> &row, std::size_t n_rings = 1);
+
+  /// Largest difference between coefficients of the sums over a_0 of @p other, or of radius() over that of @p
+  /// other.
+  double difference(const RingStack &other) const;
 
 private:
   /// lambda at 32 n_max angles, evenly spaced from 0 [N/rad].

@@ -63,7 +63,7 @@ double terminal_omega(const TorqueFunction &torque, double spin_scale, double in
     near = far;
     torque_near = torque_far;
   }
-  throw std::runtime_error(sentence("no terminal spin: from ", initial_spin,
+  throw NoTerminalSpin(sentence("no terminal spin: from ", initial_spin,
                                     " rad/s the yaw torque keeps its sign up to ", near,
                                     " rad/s, where it is ", torque_near, " N m"));
 }

@@ -4,12 +4,20 @@
 #include "ring_model/ring_stack.h"
 
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace stemware::ring
 {
 /// Yaw torque tau_z [N m] at the spin omega [rad/s].
 using TorqueFunction = std::function<double(double omega)>;
+
+/// The torque keeps its sign as far as one searches: nothing ends the spin-up.
+class NoTerminalSpin : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A spin at which the yaw torque vanishes.
 struct TerminalSpin
@@ -27,7 +35,7 @@ struct TerminalSpin
  *
  * @param spin_scale Spin at which the torque varies, v / R [rad/s]; the search ends 64 times as far away.
  * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
- *         std::runtime_error if the torque does not change sign within the search.
+ *         NoTerminalSpin if the torque does not change sign within the search.
  */
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
                            double initial_spin = 0.);

@@ -166,6 +166,23 @@ TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
   EXPECT_NEAR(friction.wrench(load, 0, 0.35).torque, 0.3 * load.moment().x(), 1e-17); // tau_z(0) = mu M_Nx
 }
 
+TEST(RingStack, GoesThroughItsCoefficients)
+{
+  const RingStack load = three_rings();
+  const std::vector<double> row = load.coefficients();
+  ASSERT_EQ(row.size(), 18u);
+  EXPECT_EQ(row[6], 0.030);
+  EXPECT_EQ(row[10], 0.12); // b_1 of the second ring
+  const RingStack again = RingStack::from_coefficients(row, 3);
+  EXPECT_EQ(again.coefficients(), row);
+  EXPECT_EQ(again.difference(load), 0.);
+  std::vector<double> other(row);
+  other[10] += 0.02;
+  EXPECT_NEAR(RingStack::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
+  EXPECT_GT(RingStack::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
+  EXPECT_THROW(RingStack::from_coefficients(row, 4), std::invalid_argument);
+}
+
 TEST(RingStack, RefusesBadInputWithTheValue)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/analysis/study_result.h"
+#include "fem/pipeline/analysis/spin_study.h"
 
 #include <optional>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -11,25 +12,25 @@ namespace stemware::pipeline
 struct SpinComparison
 {
   double all_harmonics = 0;               ///< the study's own
-  double first_harmonic = 0;              ///< of the first harmonic alone, in the same balance of moments
-  std::optional<double> paper_closure;    ///< first harmonic, the paper's balance of moments
-  std::optional<double> complete_closure; ///< first harmonic, closure `full`
+  double first_harmonic = 0;              ///< of the first harmonic alone, in the same moment balance
+  std::optional<double> paper_closure;    ///< first harmonic, the paper's moment balance
+  std::optional<double> complete_closure; ///< first harmonic, moment balance `full`
   bool is_formal = false; ///< whether the last two, or one of them, would have to pull on the table
 
   /// What the harmonics beyond the first add to the spin, relative to the first alone; nothing where that
   /// does not spin.
   std::optional<double> harmonic_effect() const;
-  /// What the closure `full` adds to the spin, relative to the closure `paper`.
+  /// What the moment balance `full` adds to the spin, relative to `paper`.
   std::optional<double> closure_effect() const;
 };
 
 /// For a load in balance with friction at every spin, the first harmonic is in such a balance too; for a
 /// frozen load it is the first harmonic of that load.
-SpinComparison compare_spins(const Study &study, const StudyResult &result);
+SpinComparison compare_spins(const Study &study, const SpinStudy &spin);
 
-/// The same from its parts: the closures' own spins, and the terminal spin under all harmonics and under the
-/// load cut off after the first.
-SpinComparison compare_spins(const Study &study, const std::vector<ClosureRow> &closures,
-                             double all_harmonics, double truncated);
+/// SpinComparison from its parts: SpinStudy::closures, and the terminal spin under all harmonics and under the load cut
+/// off after the first.
+SpinComparison compare_spins(const Study &study, const std::vector<SpinRow> &closures, double all_harmonics,
+                             double truncated);
 
 } // namespace stemware::pipeline

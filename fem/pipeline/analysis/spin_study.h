@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/geometry/waviness.h"
 #include "fem/pipeline/analysis/spin_row.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
@@ -48,7 +47,7 @@ struct PhaseStudy
   double interpolation_error = 0; ///< of the load between samples, over a_0
 
   /// At each sampled phase: where the marks stand [rad], and the torque at rest and at the mean spin [N m].
-  std::vector<fem::FootPhase> phases;
+  std::vector<ring::Orientation> phases;
   std::vector<double> torque_at_rest;
   std::vector<double> torque_at_terminal;
 };
@@ -67,6 +66,12 @@ struct SpinStudy
   /// related.
   bool spins_up() const { return rows.front().relative_change.has_value(); }
 };
+
+/// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its load.
+std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
+
+/// A first harmonic on a ring of the contact radius under the moment balances paper, hand and full.
+std::vector<SpinRow> closure_rows(const Study &study);
 
 /// Solves for everything. Throws std::runtime_error where all harmonics have no terminal spin, or the spin
 /// under a load that depends on the phase does not settle; what contact solutions and balances throw.

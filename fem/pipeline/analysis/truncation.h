@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
 
 #include <optional>
 #include <string>

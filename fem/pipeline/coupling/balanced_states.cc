@@ -9,10 +9,10 @@ namespace stemware::pipeline
 {
 
 BalancedStates::BalancedStates(ring::SelfConsistentRing glass, double spin_scale,
-                               std::function<void(double)> before)
+                               const ring::Orientation &orientation)
     : glass(std::move(glass))
     , reach(spin_scale / 4)
-    , before(std::move(before))
+    , orientation(orientation)
 {
 }
 
@@ -21,10 +21,8 @@ const ring::RingEquilibrium &BalancedStates::at(double omega)
   const auto known = states.find(omega);
   if (known != states.end())
     return known->second.balance;
-  if (before)
-    before(omega);
   const ring::BalanceStart start = start_near(omega);
-  const ring::RingEquilibrium balance = glass.at(omega, &start);
+  const ring::RingEquilibrium balance = glass.at(omega, &start, orientation);
   const Eigen::Vector2d correction = balance.balance.moment - glass.first_harmonic_start(omega).moment;
   return states.emplace(omega, State{ balance, correction }).first->second.balance;
 }

@@ -3,24 +3,22 @@
 #include "ring_model/self_consistent_ring.h"
 
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Balances of load, friction and hand at one spin after the other, each kept.
+/// Balances of load, friction and moments at one spin after the other, each kept.
 ///
-/// A balance starts from the ones already known nearby: what M_N differs there from the first harmonic's
-/// closed form is extrapolated to the new spin, so that on a path of close spins the first load tried is
-/// usually the balanced one.
+/// A balance starts from those already known nearby: what M_N differs there from the first harmonic's closed
+/// form is extrapolated to the new spin, so that on a path of close spins the first load tried is usually the
+/// balanced one.
 class BalancedStates
 {
 public:
-  /// @p spin_scale v / R [rad/s]; @p before is called with every spin before it is solved.
-  BalancedStates(ring::SelfConsistentRing glass, double spin_scale, std::function<void(double)> before = {});
+  /// @p spin_scale v / R [rad/s]; the marks of glass and table stand at @p orientation.
+  BalancedStates(ring::SelfConsistentRing glass, double spin_scale, const ring::Orientation &orientation = {});
 
   /// The balance at @p omega [rad/s]. Throws as ring::SelfConsistentRing::at().
   const ring::RingEquilibrium &at(double omega);
@@ -43,7 +41,7 @@ private:
 
   const ring::SelfConsistentRing glass;
   const double reach; ///< spins further away say nothing
-  const std::function<void(double)> before;
+  const ring::Orientation orientation;
   States states;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "fem/contact/foot.h"
+#include "fem/pipeline/study/study.h"
 #include "ring_model/ring_stack.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,5 +57,13 @@ struct ContactReport
   std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
   std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
 };
+
+class BalancedLoad;
+class ElasticFoot;
+
+/// Describes the load of @p study at rest and at the terminal spin @p omega_terminal [rad/s]. @p foot is study_foot(), @p
+/// load find_load() of it. May solve the contact at the terminal spin, and again at rest. Throws as the load.
+ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                       double omega_terminal);
 
 } // namespace stemware::pipeline

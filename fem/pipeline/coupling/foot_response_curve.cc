@@ -1,6 +1,5 @@
 #include "fem/pipeline/coupling/foot_response_curve.h"
 
-#include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/load_curve.h"
 #include "ring_model/first_harmonic_ring.h"
 
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -32,11 +32,11 @@ double largest_moment_ratio(const Study &study)
 
 } // namespace
 
-FootResponseCurve measure_response(const Study &study, const std::shared_ptr<FootContact> &foot)
+FootResponseCurve measure_response(const Study &study, const ElasticFoot &foot)
 {
   const double radius = study.glass.profile.contact_radius;
   const double weight = study.motion.orbit.normal_force();
-  const ElasticFoot pressed(foot, radius);
+  const std::size_t n_before = foot.n_solutions();
   const auto moment_at = [=](double ratio) { return Eigen::Vector2d(0, -ratio * weight * radius / 2); };
 
   FootResponseCurve response;
@@ -47,13 +47,15 @@ FootResponseCurve measure_response(const Study &study, const std::shared_ptr<Foo
     {
       // No harmonics, and any radius will do; the curve is smooth with the one that a vanishing moment tends
       // to.
-      const ring::RingStack nearly = pressed.load(weight, moment_at(1e-4));
-      return ring::RingStack({ nearly.a(0), 0 }, { 0, 0 }, nearly.radius());
+      const ring::RingStack nearly = foot.rings(weight, moment_at(1e-4));
+      std::vector<double> a(nearly.n_harmonics() + 1, 0.), b(a.size(), 0.);
+      a[0] = nearly.a(0);
+      return ring::RingStack(std::move(a), std::move(b), nearly.radius());
     }
-    ring::RingStack load = pressed.load(weight, moment_at(ratio));
-    if (pressed.contact().contact_fraction < 1)
+    const fem::ContactState state = foot.solve(weight, moment_at(ratio));
+    if (state.load.contact_fraction < 1)
       lift_off = std::min(lift_off, ratio);
-    return load;
+    return ring_stack(state.load);
   };
   try
   {
@@ -72,7 +74,7 @@ FootResponseCurve measure_response(const Study &study, const std::shared_ptr<Foo
       std::string("Load/Coupling = response does not reach Load/Response tolerance: ") + failure.what() +
       "; give a larger tolerance, or set Coupling = exact.");
   }
-  response.n_solutions = pressed.n_solutions();
+  response.n_solutions = foot.n_solutions() - n_before;
   return response;
 }
 

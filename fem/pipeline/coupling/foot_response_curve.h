@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/coupling/foot_contact.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
 #include "ring_model/response_curve.h"
 
 #include <cstddef>
@@ -17,11 +18,11 @@ struct FootResponseCurve
   std::size_t n_solutions = 0; ///< contact solutions that it took
 };
 
-/// Presses @p foot at moment ratios from 0 to a little above the largest that the closure's first harmonic
-/// needs at any spin, until the curve is as good as Load/Response tolerance.
+/// Solves the contact of @p foot at moment ratios from 0 to a little above the largest that the moment balance
+/// of a first harmonic needs at any spin, until the curve is as good as Load/Response tolerance.
 ///
 /// @p foot must be isotropic. Throws fem::ContactFailure, and std::runtime_error where the tolerance is not
 /// reached.
-FootResponseCurve measure_response(const Study &study, const std::shared_ptr<FootContact> &foot);
+FootResponseCurve measure_response(const Study &study, const ElasticFoot &foot);
 
 } // namespace stemware::pipeline

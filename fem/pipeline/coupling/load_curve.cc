@@ -16,48 +16,26 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Radius and coefficients one after the other.
-std::vector<double> as_row(const ring::RingStack &load, unsigned int n_harmonics)
-{
-  std::vector<double> row = { load.radius() };
-  for (unsigned int n = 0; n <= n_harmonics; ++n)
-    row.insert(row.end(), { load.a(n), load.b(n) });
-  return row;
-}
-
-ring::RingStack from_row(const std::vector<double> &row)
-{
-  std::vector<double> a, b;
-  for (std::size_t i = 1; i < row.size(); i += 2)
-  {
-    a.push_back(row[i]);
-    b.push_back(row[i + 1]);
-  }
-  return { std::move(a), std::move(b), row[0] };
-}
-
 /// The polynomial through all samples.
 LoadFunction polynomial(const LoadSamples &samples)
 {
-  unsigned int n_harmonics = 0;
-  for (const auto &[place, load] : samples)
-    n_harmonics = std::max(n_harmonics, load.n_harmonics());
+  const std::size_t n_rings = samples.begin()->second.rings().size();
   std::vector<double> x;
   std::vector<std::vector<double>> rows;
   for (const auto &[place, load] : samples)
   {
     x.push_back(place);
-    rows.push_back(as_row(load, n_harmonics));
+    rows.push_back(load.coefficients());
   }
   const std::size_t width = rows.front().size();
   const std::size_t order = x.size() - 1;
   const boost::math::vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>> curve(
     std::move(x), std::move(rows), order);
-  return [curve, width](double place)
+  return [curve, width, n_rings](double place)
   {
     std::vector<double> row(width);
     curve(row, place);
-    return from_row(row);
+    return ring::RingStack::from_coefficients(row, n_rings);
   };
 }
 
@@ -74,15 +52,6 @@ std::vector<double> chebyshev_nodes(double lower, double upper)
 }
 
 } // namespace
-
-double load_difference(const ring::RingStack &one, const ring::RingStack &other)
-{
-  double difference = std::abs(one.radius() / other.radius() - 1);
-  for (unsigned int n = 0; n <= std::max(one.n_harmonics(), other.n_harmonics()); ++n)
-    difference = std::max({ difference, std::abs(one.a(n) - other.a(n)) / other.a(0),
-                            std::abs(one.b(n) - other.b(n)) / other.a(0) });
-  return difference;
-}
 
 LoadFunction LoadCurve::interpolate() const
 {
@@ -122,7 +91,7 @@ LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double uppe
     const LoadFunction coarse = polynomial(every_second);
     double difference = 0;
     for (std::size_t i = 1; i < nodes.size(); i += 2)
-      difference = std::max(difference, load_difference(coarse(nodes[i]), all.at(nodes[i])));
+      difference = std::max(difference, coarse(nodes[i]).difference(all.at(nodes[i])));
     if (difference <= tolerance)
     {
       curve.error = std::max(curve.error, difference);

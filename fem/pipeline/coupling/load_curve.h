@@ -22,7 +22,7 @@ using LoadSamples = std::map<double, ring::RingStack>;
 struct LoadCurve
 {
   std::vector<LoadSamples> pieces;
-  double error = 0; ///< bound on the interpolation's error that checks have confirmed, see load_difference()
+  double error = 0; ///< bound on the interpolation's error that checks have confirmed, see RingStack::difference()
   std::size_t n_samples = 0; ///< loads that were computed
 
   /// The load between the samples, one polynomial for each piece; from the first sample to the last.
@@ -35,9 +35,6 @@ class ToleranceMissed : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
-
-/// Largest difference of a coefficient over a_0, or of the ring radius over the radius.
-double load_difference(const ring::RingStack &one, const ring::RingStack &other);
 
 /// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes
 /// is checked at the 8 between them; where it differs by more than @p tolerance the piece is halved, else its

@@ -20,7 +20,7 @@ double period_of(const std::vector<fem::GapHarmonic> &harmonics)
 
 } // namespace
 
-fem::FootPhase phase_of_marks(const ring::Motion &motion, double time, double yaw_angle)
+ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle)
 {
   const double behind =
     motion.orbit_rate() * time + motion.sense_sign() * boost::math::double_constants::half_pi;

@@ -3,6 +3,7 @@
 #include "fem/geometry/waviness.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/motion.h"
+#include "ring_model/slip.h"
 
 namespace stemware::pipeline
 {
@@ -10,7 +11,7 @@ namespace stemware::pipeline
 /// Where the marks of glass and table stand in the slip frame at @p time, the glass having yawed by @p
 /// yaw_angle since t = 0: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the orbit
 /// angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
-fem::FootPhase phase_of_marks(const ring::Motion &motion, double time, double yaw_angle);
+ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle);
 
 /// Rim and table of a study as gaps.
 fem::RimImperfection imperfection_of(const Study &study);

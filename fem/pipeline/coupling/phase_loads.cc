@@ -19,35 +19,10 @@ constexpr double largest_allowed = 1e-3;
 constexpr unsigned int most_phases = 128;
 constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
-/// a_0 ... a_n, b_1 ... b_n, ring radius.
 Eigen::VectorXd column_of(const ring::RingStack &load)
 {
-  const unsigned int n = load.n_harmonics();
-  Eigen::VectorXd column(2 * n + 2);
-  for (unsigned int i = 0; i <= n; ++i)
-    column(i) = load.a(i);
-  for (unsigned int i = 1; i <= n; ++i)
-    column(n + i) = load.b(i);
-  column(2 * n + 1) = load.radius();
-  return column;
-}
-
-ring::RingStack load_of(const Eigen::VectorXd &column)
-{
-  const auto n = static_cast<unsigned int>(column.size() - 2) / 2;
-  std::vector<double> a(n + 1), b(n + 1, 0.);
-  for (unsigned int i = 0; i <= n; ++i)
-    a[i] = column(i);
-  for (unsigned int i = 1; i <= n; ++i)
-    b[i] = column(n + i);
-  return ring::RingStack(std::move(a), std::move(b), column(2 * n + 1));
-}
-
-double difference(const Eigen::VectorXd &one, const Eigen::VectorXd &other)
-{
-  const Eigen::Index last = one.size() - 1;
-  return std::max((one - other).head(last).cwiseAbs().maxCoeff() / one(0),
-                  std::abs(other(last) / one(last) - 1));
+  const std::vector<double> row = load.coefficients();
+  return Eigen::Map<const Eigen::VectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
 }
 
 PeriodicGrid first_grid(double period)
@@ -62,29 +37,29 @@ double error_between(const LoadAtPhase &load, const PhaseGrids &grids, double gl
   double error = 0;
   for (unsigned int i = 0; i < grids.size(); ++i)
   {
-    fem::FootPhase between = grids.phase(i);
+    ring::Orientation between = grids.phase(i);
     between.glass += glass_step / 2;
     between.table += table_step / 2;
-    error = std::max(error, difference(column_of(load(0, between)), column_of(loads.at(0, between))));
+    error = std::max(error, loads.at(0, between).difference(load(0, between)));
   }
   return error;
 }
 
 } // namespace
 
-fem::FootPhase PhaseGrids::phase(unsigned int i) const
+ring::Orientation PhaseGrids::phase(unsigned int i) const
 {
   return { glass.node(i / table.size()), table.node(i % table.size()) };
 }
 
 PhaseGrids PhaseGrids::halved() const
 {
-  return { glass.halved(), table.halved(), error };
+  return { glass.halved(), table.halved(), periods, error };
 }
 
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
 {
-  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), 0 };
+  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0 };
   const auto refine = [&](PeriodicGrid &grid, const auto &error_of_grid)
   {
     if (grid.size() == 1)
@@ -104,13 +79,20 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
   return grids;
 }
 
-PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double spin_unit)
+PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double spin_unit,
+                       const PhaseExtremes &extremes)
     : load(std::move(load_given))
     , grids(grids)
     , spin_unit(spin_unit)
+    , extremes(extremes)
     , at_rest(sample(0))
     , largest_error(grids.error)
 {
+}
+
+ring::RingStack PhaseLoads::load_of(const Eigen::VectorXd &column) const
+{
+  return ring::RingStack::from_coefficients({ column.begin(), column.end() }, n_rings);
 }
 
 Eigen::MatrixXd PhaseLoads::sample(double omega) const
@@ -118,7 +100,9 @@ Eigen::MatrixXd PhaseLoads::sample(double omega) const
   Eigen::MatrixXd columns;
   for (unsigned int i = 0; i < grids.size(); ++i)
   {
-    const Eigen::VectorXd column = column_of(load(omega, grids.phase(i)));
+    const ring::RingStack exact = load(omega, grids.phase(i));
+    const Eigen::VectorXd column = column_of(exact);
+    n_rings = exact.rings().size();
     columns.conservativeResize(column.size(), grids.size());
     columns.col(i) = column;
   }
@@ -140,7 +124,7 @@ SpinInterval PhaseLoads::find_spins(long interval) const
       Eigen::VectorXd interpolated = Eigen::VectorXd::Zero(exact.size());
       for (unsigned int k = 0; k < spins.size(); ++k)
         interpolated += weights(k) * at_one_phase(spins.node(k));
-      error = std::max(error, difference(exact, interpolated));
+      error = std::max(error, load_of(interpolated).difference(load_of(exact)));
     }
     if (error <= tolerance || 2 * (spins.size() - 1) > most_steps)
     {
@@ -175,7 +159,7 @@ Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
   return sum;
 }
 
-ring::RingStack PhaseLoads::at(double omega, const fem::FootPhase &phase) const
+ring::RingStack PhaseLoads::at(double omega, const ring::Orientation &phase) const
 {
   const Eigen::VectorXd of_glass = grids.glass.weights(phase.glass),
                         of_table = grids.table.weights(phase.table);
@@ -195,14 +179,16 @@ ring::RingStack PhaseLoads::at(double omega, const fem::FootPhase &phase) const
 ring::RingStack PhaseLoads::mean(double omega) const
 {
   const Eigen::MatrixXd loads = at_spin(omega);
-  Eigen::VectorXd mean = loads.rowwise().mean();
+  const ring::RingStack mean = load_of(loads.rowwise().mean());
+  if (mean.rings().size() > 1)
+    return mean; // its radii are the same at every phase
   // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
-  const Eigen::Index n = (mean.size() - 2) / 2, radius = mean.size() - 1;
-  const double size = std::hypot(mean(1), mean(n + 1));
-  if (size > 0)
-    mean(radius) = std::hypot(loads.row(1).dot(loads.row(radius)), loads.row(n + 1).dot(loads.row(radius))) /
-                   (static_cast<double>(loads.cols()) * size);
-  return load_of(mean);
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (Eigen::Index i = 0; i < loads.cols(); ++i)
+    moment += load_of(loads.col(i)).moment() / static_cast<double>(loads.cols());
+  const ring::RingStack::Ring &ring = mean.rings().front();
+  const double first = mean.moment().norm() / ring.radius;
+  return first > 0 ? ring::RingStack(ring.a, ring.b, moment.norm() / first) : mean;
 }
 
 std::vector<ring::RingStack> PhaseLoads::samples(double omega) const

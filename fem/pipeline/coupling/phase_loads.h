@@ -15,17 +15,18 @@ namespace stemware::pipeline
 {
 
 /// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
-using LoadAtPhase = std::function<ring::RingStack(double omega, const fem::FootPhase &phase)>;
+using LoadAtPhase = std::function<ring::RingStack(double omega, const ring::Orientation &phase)>;
 
 /// Phases of glass and table at which a load is sampled.
 struct PhaseGrids
 {
   PeriodicGrid glass;
   PeriodicGrid table;
+  PhasePeriods periods; ///< with which the load repeats itself
   double error = 0; ///< of the load at rest between them, over a_0 (of the ring radius: over it)
 
   unsigned int size() const { return glass.size() * table.size(); }
-  fem::FootPhase phase(unsigned int i) const;
+  ring::Orientation phase(unsigned int i) const;
   /// With half the phases: enough for the mean over them.
   PhaseGrids halved() const;
 };
@@ -35,6 +36,13 @@ struct PhaseGrids
 /// above 1e-3.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods);
 
+/// The worst of all sampled phases, at rest.
+struct PhaseExtremes
+{
+  double least_load = 0;             ///< pointwise [N/rad]
+  double least_contact_fraction = 0; ///< share of the rim that carries load
+};
+
 /// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled on a grid
 /// of phases and, interval by interval as spins are asked for, on Chebyshev points; interpolated in between,
 /// trigonometrically in the phases and by polynomials in the spin.
@@ -43,9 +51,9 @@ class PhaseLoads
 public:
   /// @p spin_unit is the length of the intervals of spins, which begin at 0 [rad/s]; 0 for a load that does
   /// not depend on the spin. @p load is kept.
-  PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit);
+  PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit, const PhaseExtremes &extremes = {});
 
-  ring::RingStack at(double omega, const fem::FootPhase &phase) const;
+  ring::RingStack at(double omega, const ring::Orientation &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
   ring::RingStack mean(double omega) const;
@@ -57,16 +65,18 @@ public:
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
   /// Largest difference from the load found halfway between samples, over a_0 (of the ring radius: over it).
   double error() const { return largest_error; }
+  const PhasePeriods &periods() const { return grids.periods; }
+  const PhaseExtremes &at_rest_extremes() const { return extremes; }
 
 private:
-  /// Samples on one interval of spins: per spin a matrix with a column per phase, of a_0 ... a_n, b_1 ... b_n
-  /// and the ring radius.
+  /// Samples on one interval of spins: per spin a matrix with a column per phase, RingStack::coefficients().
   struct Samples
   {
     SpinInterval spins;
     std::vector<Eigen::MatrixXd> columns;
   };
 
+  ring::RingStack load_of(const Eigen::VectorXd &column) const;
   Eigen::MatrixXd sample(double omega) const;
   SpinInterval find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
@@ -75,6 +85,8 @@ private:
   const LoadAtPhase load;
   const PhaseGrids grids;
   const double spin_unit;
+  const PhaseExtremes extremes;
+  mutable std::size_t n_rings = 1; ///< of every sample
   const Eigen::MatrixXd at_rest;
   mutable std::map<long, Samples> intervals;
   mutable double largest_error;

@@ -104,6 +104,11 @@ struct LoadSection
   std::string file;                     ///< Fourier coefficients, used with source = file
 
   bool is_static() const { return moment_ratio >= 0; }
+  /// Whether the load is one of a contact in balance with friction at every spin.
+  bool is_in_balance() const
+  {
+    return source == LoadSource::contact && !is_static() && coupling != LoadCoupling::frozen;
+  }
 };
 
 /// Everything that a study file says: one member per subsection. SI units, or any other consistent set.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/ring_load.h"
+#include "fem/pipeline/coupling/balanced_load.h"
 #include "ring_model/motion.h"
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace stemware::pipeline
 {
 
 /// A quantity whose discretisation error is estimated.
-struct FollowedFigure
+struct QuantityOfInterest
 {
   std::string key;  ///< in summary.json: "omega_terminal"
   std::string name; ///< for people: "terminal spin"
@@ -21,18 +21,21 @@ struct FollowedFigure
 };
 
 /// A quantity of the study with its error band.
-struct BandedFigure
+struct BandedQuantity
 {
-  FollowedFigure figure;
-  double band = 0;       ///< half-width: the exact value of the model lies within figure.value -/+ band
+  QuantityOfInterest quantity;
+  double band = 0;       ///< half-width: the exact value of the model lies within quantity.value -/+ band
   double richardson = 0; ///< the value with the errors of all axes taken away as far as they are known
 
   /// Whether the value is zero to within rounding, as that of a harmonic which symmetry forbids.
   bool is_zero() const;
 };
 
+/// What is known about the discretisation errors of a study; empty where they were not estimated.
+using ErrorBands = std::vector<BandedQuantity>;
+
 /// What is no discretisation error and yet differs between discretisations.
-struct FigureNoise
+struct QuantityNoise
 {
   double relative = 1e-9;        ///< tolerances of contact and balances, relative to the mean load
   unsigned int n_azimuths = 256; ///< at which the contact can tell loaded from free
@@ -44,21 +47,21 @@ struct FigureNoise
 ///
 /// @p near, where given, is a spin close to the terminal one, from which it is searched. Throws as @p load
 /// and ring::terminal_spin().
-std::vector<FollowedFigure> followed_figures(const RingLoad &load, const ring::Motion &motion,
+std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load, const ring::Motion &motion,
                                              const std::vector<double> &spins,
-                                             const std::optional<double> &near, const FigureNoise &noise);
+                                             const std::optional<double> &near, const QuantityNoise &noise);
 
 /// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
 /// the terminal spin @p omega_terminal.
-std::vector<double> followed_spins(double omega_terminal);
+std::vector<double> spins_of_interest(double omega_terminal);
 
 /// Highest harmonic that is followed.
-constexpr unsigned int n_followed_harmonics = 8;
+constexpr unsigned int n_harmonics_of_interest = 8;
 
-/// The figure with that key; throws std::out_of_range when there is none.
-const FollowedFigure &figure_of(const std::vector<FollowedFigure> &figures, const std::string &key);
+/// The quantity with that key; throws std::out_of_range when there is none.
+const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities, const std::string &key);
 
-/// The half-width of the error band of the figure with that key; nothing where there is no such figure.
-std::optional<double> band_of(const std::vector<BandedFigure> &figures, const std::string &key);
+/// The half-width of the error band of the quantity with that key; nothing where there is no such quantity.
+std::optional<double> band_of(const ErrorBands &quantities, const std::string &key);
 
 } // namespace stemware::pipeline

@@ -14,12 +14,6 @@ namespace
 constexpr unsigned int highest_degree = 4;
 constexpr unsigned int most_halvings = 6;
 
-/// Tables that allow no penetration take as many lines as there are amplitudes.
-bool lines_follow_harmonics(const Study &study)
-{
-  return study.table.kind == TableKind::rigid || study.table.kind == TableKind::elastic;
-}
-
 /// A member of a study, as something that can be set.
 using Parameter = std::function<unsigned int &(Study &)>;
 
@@ -107,11 +101,12 @@ unsigned int &azimuth_lines(Study &study)
   return study.contact.azimuth_lines;
 }
 
+/// Where the table is hard, there are as many lines as amplitudes, so lines are no parameter of their own.
 void add_harmonics_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
 {
   const ContactSection &contact = study.contact;
   Allowed numbers;
-  if (!lines_follow_harmonics(study))
+  if (!study.table.is_hard())
     numbers.most = (contact.azimuth_lines - 1) / 2;
   add_axis(harmonics_axis, study, harmonics, doubled(contact.harmonics, n_levels, numbers), axes);
 }
@@ -131,7 +126,7 @@ std::vector<RefinementAxis> axes_of_revolution(const Study &study, unsigned int 
   add_axis(mesh_axis, study, refinements, counted(contact.refinements, n_levels, most_halvings), axes);
   add_axis(degree_axis, study, degree, degrees(contact.degree, highest_degree), axes);
   add_harmonics_axis(study, n_levels, axes);
-  if (!lines_follow_harmonics(study))
+  if (!study.table.is_hard())
     add_lines_axis(study, n_levels, axes);
   return axes;
 }
@@ -196,7 +191,7 @@ unsigned int n_contact_azimuths(const Study &study)
 {
   if (study.contact.body == BodyKind::solid)
     return study.contact.resolution.azimuthal_cells;
-  return lines_follow_harmonics(study) ? 2 * study.contact.harmonics + 1 : study.contact.azimuth_lines;
+  return study.table.is_hard() ? 2 * study.contact.harmonics + 1 : study.contact.azimuth_lines;
 }
 
 } // namespace stemware::pipeline

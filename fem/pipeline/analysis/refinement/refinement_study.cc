@@ -1,14 +1,15 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
-#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
+#include <functional>
 #include <stdexcept>
-#include <thread>
 
 namespace stemware::pipeline
 {
@@ -16,28 +17,28 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A level that has to be solved, and where its figures go.
+/// A level that has to be solved, and where its quantities go.
 struct Task
 {
   const RefinementAxis *axis;
   const RefinementLevel *level;
-  std::vector<FollowedFigure> *figures;
+  std::vector<QuantityOfInterest> *quantities;
 };
 
-/// Figures of every level of every axis; the study's own levels are known.
-using LevelFigures = std::vector<std::vector<std::vector<FollowedFigure>>>;
+/// Quantities of every level of every axis; the study's own levels are known.
+using LevelQuantities = std::vector<std::vector<std::vector<QuantityOfInterest>>>;
 
-std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes, const std::vector<FollowedFigure> &own,
-                             LevelFigures &figures)
+std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes, const std::vector<QuantityOfInterest> &own,
+                             LevelQuantities &quantities)
 {
   std::vector<Task> tasks;
-  figures.resize(axes.size());
+  quantities.resize(axes.size());
   for (std::size_t a = 0; a < axes.size(); ++a)
-    figures[a].resize(axes[a].levels.size(), own);
+    quantities[a].resize(axes[a].levels.size(), own);
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
       if (l != axes[a].own)
-        tasks.push_back({ &axes[a], &axes[a].levels[l], &figures[a][l] });
+        tasks.push_back({ &axes[a], &axes[a].levels[l], &quantities[a][l] });
   // The finest first: the longest work should not be begun last.
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const Task &one, const Task &other) { return one.axis->role < other.axis->role; });
@@ -66,72 +67,64 @@ std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes, const std:
   }
 }
 
-/// Works off the tasks in order, @p n_threads at a time; the first failure ends it.
-void solve(const std::vector<Task> &tasks, unsigned int n_threads,
-           const std::function<void(const Task &)> &solve_one, const RefinementProgress &progress)
+/// Solves all tasks, side by side unless each takes all ranks together; throws what the first that failed has thrown.
+void solve(const std::vector<Task> &tasks, bool one_by_one, const std::function<void(const Task &)> &solve_one,
+           Progress &progress)
 {
-  std::atomic<std::size_t> next{ 0 };
-  std::size_t n_done = 0;
-  std::size_t failed = tasks.size();
-  std::exception_ptr error;
+  std::vector<std::exception_ptr> failures(tasks.size());
   std::mutex mutex;
-  const auto work = [&]
+  std::size_t n_done = 0;
+  tbb::task_group_context context;
+  const auto solve_task = [&](std::size_t i)
   {
-    for (std::size_t i = next++; i < tasks.size(); i = next++)
-      try
-      {
-        solve_one(tasks[i]);
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (progress)
-          progress(++n_done, tasks.size());
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (i < failed)
-        {
-          failed = i;
-          error = std::current_exception();
-        }
-        next = tasks.size();
-      }
+    try
+    {
+      solve_one(tasks[i]);
+      const std::lock_guard<std::mutex> lock(mutex);
+      progress.pieces_done("levels", ++n_done, tasks.size());
+    }
+    catch (...)
+    {
+      failures[i] = std::current_exception();
+      context.cancel_group_execution();
+    }
   };
-  std::vector<std::thread> threads;
-  for (unsigned int t = 1; t < std::min<std::size_t>(n_threads, tasks.size()); ++t)
-    threads.emplace_back(work);
-  work();
-  for (std::thread &thread : threads)
-    thread.join();
-  if (error)
-    fail_at(tasks[failed], error);
+  if (one_by_one)
+    for (std::size_t i = 0; i < tasks.size() && !context.is_group_execution_cancelled(); ++i)
+      solve_task(i);
+  else
+    tbb::parallel_for(std::size_t(0), tasks.size(), solve_task, tbb::simple_partitioner(), context);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (failures[i])
+      fail_at(tasks[i], failures[i]);
 }
 
-AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<FollowedFigure>> &levels)
+AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<QuantityOfInterest>> &levels)
 {
   AxisResult result = { axis, {} };
   for (std::size_t f = 0; f < levels[axis.own].size(); ++f)
   {
-    FigureSequence sequence;
+    QuantitySequence sequence;
     double rounding = 0;
-    for (const std::vector<FollowedFigure> &level : levels)
+    for (const std::vector<QuantityOfInterest> &level : levels)
     {
       sequence.values.push_back(level[f].value);
       rounding = std::max(rounding, level[f].rounding);
     }
     sequence.judged = judge_refinement(sequence.values, axis.decay, rounding);
-    result.figures.push_back(sequence);
+    result.quantities.push_back(sequence);
   }
   return result;
 }
 
-BandedFigure combine(const FollowedFigure &figure, std::size_t f, const std::vector<AxisResult> &axes)
+BandedQuantity combine(const QuantityOfInterest &quantity, std::size_t f, const std::vector<AxisResult> &axes)
 {
-  BandedFigure banded = { figure, figure.rounding, figure.value };
+  BandedQuantity banded = { quantity, quantity.rounding, quantity.value };
   double space = 0;
   double order = 0;
   for (const AxisResult &result : axes)
   {
-    const RefinementSequence &judged = result.figures[f].judged;
+    const RefinementSequence &judged = result.quantities[f].judged;
     const double band = judged.bands[result.axis.own];
     const bool has_finer = result.axis.own + 1 < result.axis.levels.size();
     if (result.axis.role == AxisRole::space)
@@ -141,7 +134,7 @@ BandedFigure combine(const FollowedFigure &figure, std::size_t f, const std::vec
     else if (has_finer)
       order = band;
     if (result.axis.role != AxisRole::order && has_finer)
-      banded.richardson += judged.limit - figure.value;
+      banded.richardson += judged.limit - quantity.value;
   }
   banded.band += std::max(space, order);
   return banded;
@@ -149,68 +142,63 @@ BandedFigure combine(const FollowedFigure &figure, std::size_t f, const std::vec
 
 } // namespace
 
-const BandedFigure &RefinementResult::figure(const std::string &key) const
+const BandedQuantity &RefinementResult::quantity(const std::string &key) const
 {
-  const auto found = std::find_if(figures.begin(), figures.end(),
-                                  [&](const BandedFigure &banded) { return banded.figure.key == key; });
-  if (found == figures.end())
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const BandedQuantity &banded) { return banded.quantity.key == key; });
+  if (found == quantities.end())
     throw std::out_of_range("no quantity of a refinement study is called " + key);
   return *found;
 }
 
-RefinementResult refine(const Study &study, const std::vector<FollowedFigure> &own,
+RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest> &own,
                         const std::vector<double> &spins, const std::vector<RefinementAxis> &axes,
-                        unsigned int n_threads, const RefinementProgress &progress)
+                        fem::ComplianceCache &cache, Progress &progress)
 {
-  const double near = figure_of(own, "omega_terminal").value;
-  fem::ComplianceStore store;
+  const double near = quantity_of(own, "omega_terminal").value;
   const auto solve_one = [&](const Task &task)
   {
     const Study &refined = task.level->study;
-    *task.figures = figures_of_load(refined, find_load(refined, store).load, spins, near);
+    const BalancedLoad load = find_load(refined, study_foot(refined, cache));
+    *task.quantities = quantities_of_load(refined, load, spins, near);
   };
-  LevelFigures figures;
-  const std::vector<Task> tasks = open_tasks(axes, own, figures);
-  solve(tasks, study.contact.body == BodyKind::revolution ? n_threads : 1, solve_one, progress);
+  LevelQuantities quantities;
+  const std::vector<Task> tasks = open_tasks(axes, own, quantities);
+  solve(tasks, study.contact.body == BodyKind::solid, solve_one, progress);
 
   RefinementResult result;
   for (std::size_t a = 0; a < axes.size(); ++a)
-    result.axes.push_back(judge(axes[a], figures[a]));
+    result.axes.push_back(judge(axes[a], quantities[a]));
   for (std::size_t f = 0; f < own.size(); ++f)
-    result.figures.push_back(combine(own[f], f, result.axes));
+    result.quantities.push_back(combine(own[f], f, result.axes));
   return result;
 }
 
-std::vector<FollowedFigure> figures_of_load(const Study &study, const RingLoad &load,
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                             const std::vector<double> &spins,
                                             const std::optional<double> &near)
 {
-  FigureNoise noise;
+  QuantityNoise noise;
   noise.n_azimuths = n_contact_azimuths(study);
   if (study.load.coupling == LoadCoupling::response)
     noise.relative = std::max(noise.relative, study.load.response_tolerance);
-  return followed_figures(load, study.motion.orbit, spins, near, noise);
+  return quantities_of_interest(load, study.motion.orbit, spins, near, noise);
 }
 
 bool has_quick_error_bands(const Study &study)
 {
   return study.load.source == LoadSource::contact && study.contact.body == BodyKind::revolution &&
-         (study.table.kind == TableKind::mat || study.table.kind == TableKind::rough) &&
-         !study.has_waviness();
+         !study.table.is_hard() && !study.has_waviness();
 }
 
-RefinementResult estimate_error_bands(const Study &study, const RingLoad &load, double omega_terminal)
-{
-  const std::vector<double> spins = followed_spins(omega_terminal);
-  const std::vector<FollowedFigure> own = figures_of_load(study, load, spins, omega_terminal);
-  return refine(study, own, spins, quick_axes(study), std::max(1u, std::thread::hardware_concurrency()));
-}
-
-std::optional<double> terminal_spin_band(const Study &study, const RingLoad &load, double omega_terminal)
+ErrorBands error_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
+                       fem::ComplianceCache &cache)
 {
   if (!has_quick_error_bands(study))
-    return std::nullopt;
-  return estimate_error_bands(study, load, omega_terminal).figure("omega_terminal").band;
+    return {};
+  const std::vector<double> spins = spins_of_interest(omega_terminal);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega_terminal);
+  return refine(study, own, spins, quick_axes(study), cache).quantities;
 }
 
 } // namespace stemware::pipeline

@@ -2,8 +2,10 @@
 
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
+#include "fem/pipeline/support/progress.h"
+#include "fem/revolution/compliance_cache.h"
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +13,7 @@ namespace stemware::pipeline
 {
 
 /// One quantity along one axis.
-struct FigureSequence
+struct QuantitySequence
 {
   std::vector<double> values; ///< one per level
   RefinementSequence judged;
@@ -21,48 +23,41 @@ struct FigureSequence
 struct AxisResult
 {
   RefinementAxis axis;
-  std::vector<FigureSequence> figures; ///< one per quantity
+  std::vector<QuantitySequence> quantities; ///< one per quantity
 };
 
 /// A refinement study: every axis, and the bands that they make together.
 struct RefinementResult
 {
   std::vector<AxisResult> axes;
-  std::vector<BandedFigure> figures;
+  ErrorBands quantities;
 
-  const BandedFigure &figure(const std::string &key) const; ///< throws std::out_of_range
+  const BandedQuantity &quantity(const std::string &key) const; ///< throws std::out_of_range
 };
 
-/// Called after each solved level with the number of levels solved and of all of them; from one thread at a
-/// time.
-using RefinementProgress = std::function<void(std::size_t n_done, std::size_t n_all)>;
-
-/// Solves @p axes around the study whose own figures are @p own, with the torque followed at @p spins. Bodies
-/// of revolution are solved by @p n_threads threads side by side, solid bodies one after the other by all
-/// ranks.
+/// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins: axis by axis,
+/// level by level, each with its own foot, load and terminal spin. Feet share their compliances through @p cache; they are
+/// solved side by side, unless one takes all ranks together. @p progress is told of the levels.
 ///
 /// The band of a quantity is the sum over the axes in space of the study's own bands there, or the band
 /// of the degree where that has finer levels and is wider, plus the bands of harmonics and lines. Throws what
 /// the first level that fails throws, with the level named in front.
-RefinementResult refine(const Study &study, const std::vector<FollowedFigure> &own,
+RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest> &own,
                         const std::vector<double> &spins, const std::vector<RefinementAxis> &axes,
-                        unsigned int n_threads, const RefinementProgress &progress = {});
+                        fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
-/// Figures of a study whose load is known.
-std::vector<FollowedFigure> figures_of_load(const Study &study, const RingLoad &load,
-                                            const std::vector<double> &spins,
-                                            const std::optional<double> &near);
+/// Quantities of a study whose load is known.
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near);
 
-/// Whether estimate_error_bands() costs little beside the study itself: a body of revolution on a mat or a
-/// rough table. Where the contact is as narrow as Hertz makes it, finer meshes take seconds.
+/// Whether error_bands() cost little beside the study itself: a body of revolution on a table that is not hard. Where
+/// the contact is as narrow as Hertz makes it, finer meshes take seconds.
 bool has_quick_error_bands(const Study &study);
 
-/// The error bands of a body of revolution's figures by the fewest further contact problems (quick_axes()).
-/// @p load is the study's own, @p omega_terminal its terminal spin.
-RefinementResult estimate_error_bands(const Study &study, const RingLoad &load, double omega_terminal);
-
-/// Half-width of the error band of the terminal spin @p omega_terminal alone [rad/s]; nothing where
-/// has_quick_error_bands() denies it.
-std::optional<double> terminal_spin_band(const Study &study, const RingLoad &load, double omega_terminal);
+/// The error bands of a study's quantities by the fewest further contact problems (quick_axes()); none where
+/// has_quick_error_bands() denies it. @p load is the study's own, @p omega_terminal its terminal spin.
+ErrorBands error_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
+                       fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 
-#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/spin_comparison.h"
-#include "ring_model/coulomb_ring.h"
+#include "fem/pipeline/coupling/study_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +37,6 @@ std::vector<SweepQuantity> make_quantities()
   return quantities;
 }
 
-/// Terminal spin of the paper's ansatz; nothing where there is none: a formal load can push for ever.
-std::optional<double> formal_terminal_spin(const std::vector<ClosureRow> &closures, ring::Closure closure)
-{
-  const auto row = std::find_if(closures.begin(), closures.end(),
-                                [=](const ClosureRow &candidate) { return candidate.closure == closure; });
-  return row == closures.end() ? std::nullopt : row->omega_terminal;
-}
-
 std::optional<double> in_percent(const std::optional<double> &share)
 {
   return share ? std::optional(100 * *share) : std::nullopt;
@@ -65,9 +57,9 @@ public:
   std::vector<std::optional<double>> values;
 };
 
-void add_load(const RingLoad &load, ValueList &list)
+void add_load(const LoadReport &load, ValueList &list)
 {
-  const ring::RingStack &series = load.at_rest;
+  const ring::RingStack &series = load.rings;
   list.add(load.normal_force);
   list.add(load.moment_ratio);
   list.add(load.contact_fraction);
@@ -77,31 +69,31 @@ void add_load(const RingLoad &load, ValueList &list)
   list.add(series.a(0));
   for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
   {
-    const bool is_there = n <= series.n_harmonics();
-    list.add(is_there ? series.a(n) / series.a(0) : 0);
-    list.add(is_there ? series.b(n) / series.a(0) : 0);
+    list.add(series.a(n) / series.a(0));
+    list.add(series.b(n) / series.a(0));
   }
 }
 
-void add_spin(const Study &study, const RingLoad &load, ValueList &list)
+void add_spin(const Study &study, const BalancedLoad &load, ValueList &list)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  const ring::CoulombRing friction(motion.friction_coefficient);
-  const ring::TerminalSpin terminal =
-    truncated_terminal_spin(load.at_spin, motion, load.at_rest.n_harmonics());
-  const double truncated = truncated_terminal_spin(load.at_spin, motion, 1).omega;
-  const auto closures = compare_closures(motion, study.glass.profile.contact_radius);
-  const SpinComparison spins = compare_spins(study, closures, terminal.omega, truncated);
-  list.add(friction.wrench(load.at_rest, 0, motion.orbit_speed).torque);
-  list.add(terminal.omega);
-  list.add(truncated);
-  list.add(formal_terminal_spin(closures, study.motion.closure));
+  SpinQuestion question = { study.motion.orbit };
+  question.with_minima = false;
+  const SpinRow first = spin_row(load.truncated(1), question);
+  question.with_slope = true;
+  const SpinRow all = spin_row(load, question);
+  const std::vector<SpinRow> closures = closure_rows(study);
+  const SpinComparison spins =
+    compare_spins(study, closures, all.terminal->omega, first.terminal->omega);
+  list.add(all.at_rest->friction.torque);
+  list.add(all.terminal->omega);
+  list.add(first.terminal->omega);
+  list.add(std::find_if(closures.begin(), closures.end(), [&](const SpinRow &row)
+                        { return row.closure == study.motion.closure; })->omega_terminal());
   // A glass that does not spin up has a spin of rounding, to which nothing can be related.
-  const bool is_spinning =
-    std::abs(spins.first_harmonic) > 1e-12 * motion.orbit_speed / load.at_rest.radius();
+  const bool is_spinning = std::abs(spins.first_harmonic) > 1e-12 * load.spin_scale(study.motion.orbit);
   list.add(is_spinning ? in_percent(spins.harmonic_effect()) : std::nullopt);
   list.add(in_percent(spins.closure_effect()));
-  list.add(std::isfinite(terminal.time_constant) ? std::optional(terminal.time_constant) : std::nullopt);
+  list.add(all.time_constant());
 }
 
 } // namespace
@@ -120,17 +112,17 @@ std::size_t quantity_index(const std::string &name)
   throw std::logic_error("a sweep has no quantity " + name);
 }
 
-CaseResult solve_case(const Study &study, fem::ComplianceStore &store)
+CaseResult solve_case(const Study &study, fem::ComplianceCache &cache)
 {
-  const StudyLoad found = find_load(study, store);
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
   ValueList list;
-  add_load(found.load, list);
-  add_spin(study, found.load, list);
+  add_load(load.report(), list);
+  add_spin(study, load, list);
   CaseResult result;
-  if (found.contact)
+  if (load.contact())
   {
-    list.add(found.contact->result.solution.n_iterations);
-    result.outcome = fem::to_string(found.contact->result.solution.outcome);
+    list.add(load.contact()->solution.n_iterations);
+    result.outcome = fem::to_string(load.contact()->solution.outcome);
   }
   else
     list.add(std::nullopt);

@@ -1,0 +1,233 @@
+#include "fem/pipeline/analysis/spin.h"
+
+#include "fem/contact/contact_newton.h"
+#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/phase_loads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr double spin_up_accuracy = 1e-10; ///< of omega(t), relative to v / R
+
+/// Time over which the mean spin is taken: a good dozen of the slowest repetition of the phase, which in a
+/// glass that nearly follows its orbit may take for ever, and of the time in which the spin forgets its
+/// start.
+double averaging_window(const PhasePeriods &periods, const ring::Motion &motion,
+                        const ring::TerminalSpin &terminal)
+{
+  const double orbit = std::abs(motion.orbit_rate());
+  double slowest = periods.table / orbit;
+  if (periods.glass > 0)
+    slowest = std::max(slowest,
+                       periods.glass / std::max(std::abs(terminal.omega - motion.orbit_rate()), 0.1 * orbit));
+  return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
+}
+
+RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega)
+{
+  RingState state = { load.at(omega) };
+  const ring::Motion &motion = question.motion;
+  state.friction =
+    ring::CoulombRing(motion.friction_coefficient).wrench(state.load, omega, motion.orbit_speed);
+  state.moment_ratio = state.load.moment_ratio();
+  if (question.with_minima)
+  {
+    state.minimum = state.load.minimum();
+    state.pulling_share = state.minimum < 0 ? state.load.pulling_force() / state.load.normal_force() : 0;
+  }
+  return state;
+}
+
+/// tau_z, or NaN with a reason where the load has no balance.
+double torque_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega, std::string &reason)
+{
+  try
+  {
+    return wrench(load, motion, omega).torque;
+  }
+  catch (const std::runtime_error &failure)
+  {
+    reason = failure.what();
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// The load between rest and @p terminal, and a little beyond.
+BalancedLoad on_the_way_to(double terminal, const BalancedLoad &load)
+{
+  const double margin = 0.02 * std::abs(terminal);
+  return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
+}
+
+/// Fills the row as far as it gets. @p searching says whether the load itself had an answer everywhere.
+void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &row)
+{
+  row.harmonics = load.n_harmonics();
+  row.all_harmonics = row.harmonics == load.report().rings.n_harmonics();
+  row.at_rest = ring_state(load, question, 0);
+  for (const double omega : question.torques_at)
+    row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
+  const LongRunSpin found =
+    terminal_spin(load, question.motion, question.search_from, question.with_slope);
+  const double omega = found.spin.omega;
+  row.terminal = found.spin;
+  row.ripple = found.ripple;
+  row.spin_uncertainty = found.uncertainty;
+  row.zero_of_mean_torque = found.zero_of_mean_torque;
+  row.at_terminal = ring_state(load, question, omega);
+  row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
+  if (!question.times.empty())
+    for (const ring::YawSample &sample :
+         spin_up(question.on_the_way ? *question.on_the_way : on_the_way_to(omega, load), question.motion,
+                 question.times))
+      row.spin_up.push_back(sample.omega);
+}
+
+} // namespace
+
+ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion)
+{
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  return [=](double time, double yaw_angle, double omega)
+  {
+    return friction
+      .wrench(load.at(omega, orientation_of_marks(motion, time, yaw_angle)), omega, motion.orbit_speed)
+      .torque;
+  };
+}
+
+ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double omega)
+{
+  return ring::CoulombRing(motion.friction_coefficient).wrench(load.at(omega), omega, motion.orbit_speed);
+}
+
+LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double search_from,
+                          bool with_slope)
+{
+  constexpr double accuracy = 1e-9; // of the mean in the long run
+  const double scale = load.spin_scale(motion);
+  const auto torque = [&](double omega) { return wrench(load, motion, omega).torque; };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  LongRunSpin result;
+  if (with_slope || load.phases())
+    result.spin = ring::terminal_spin(torque, motion.yaw_inertia, scale, search_from);
+  else
+    result.spin = { ring::terminal_omega(torque, scale, search_from), nan, nan, false };
+  result.zero_of_mean_torque = result.spin.omega;
+  if (!load.phases())
+    return result;
+  const ring::LongTimeSpin mean = ring::long_time_spin(
+    torque_function(load, motion), motion.yaw_inertia, result.spin.omega,
+    averaging_window(load.phases()->periods(), motion, result.spin), accuracy, scale);
+  result.spin.omega = mean.mean;
+  result.ripple = mean.ripple;
+  result.uncertainty = mean.uncertainty;
+  return result;
+}
+
+SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question)
+{
+  SpinRow row;
+  solve_row(load, question, row);
+  return row;
+}
+
+SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
+{
+  SpinRow row;
+  try
+  {
+    solve_row(load, question, row);
+  }
+  catch (const ring::NoTerminalSpin &failure)
+  {
+    row.standing = Standing::no_terminal_spin;
+    row.reason = failure.what();
+  }
+  catch (const std::exception &failure)
+  {
+    row.standing = standing_of_failure();
+    row.reason = failure.what();
+  }
+  return row;
+}
+
+Standing standing_of_failure()
+{
+  try
+  {
+    throw;
+  }
+  catch (const ring::Tipping &)
+  {
+    return Standing::tips;
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    return failure.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance;
+  }
+  catch (const std::exception &)
+  {
+    return Standing::no_balance;
+  }
+}
+
+void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question, SpinRow &row)
+{
+  const ring::Motion &motion = question.motion;
+  const double omega = all.terminal->omega;
+  // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
+  // related.
+  const double scale = motion.orbit_speed / all.at_rest->load.radius();
+  if (row.terminal && std::abs(omega) > 1e-12 * scale)
+    row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
+  row.bound = ring::CoulombRing(motion.friction_coefficient)
+                .truncation_bound(whole, row.harmonics, omega, motion.orbit_speed);
+  if (row.spin_up.empty() || all.spin_up.empty())
+    return;
+  double largest = 0;
+  for (std::size_t i = 0; i < row.spin_up.size(); ++i)
+    largest = std::max(largest, std::abs(row.spin_up[i] - all.spin_up[i]));
+  row.largest_deviation = largest;
+  row.final_deviation = std::abs(row.spin_up.back() - all.spin_up.back());
+}
+
+std::vector<unsigned int> truncation_orders(unsigned int n_all)
+{
+  std::vector<unsigned int> orders;
+  for (const unsigned int n : { 1u, 2u, 3u })
+    if (n < n_all)
+      orders.push_back(n);
+  for (unsigned int octave = 4; octave < n_all; octave *= 2)
+    for (const unsigned int n : { octave, octave + octave / 2 })
+      if (n < n_all)
+        orders.push_back(n);
+  orders.push_back(n_all);
+  return orders;
+}
+
+std::vector<double> output_times(double end)
+{
+  constexpr unsigned int n_intervals = 200;
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    times.push_back(end * i / n_intervals);
+  return times;
+}
+
+std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
+                                     const std::vector<double> &times)
+{
+  return ring::yaw_motion(torque_function(load, motion), motion.yaw_inertia, 0, times, spin_up_accuracy,
+                          load.spin_scale(motion));
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,62 @@
+#include "fem/pipeline/analysis/spin_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+std::string to_string(Standing standing)
+{
+  switch (standing)
+  {
+  case Standing::full_contact:
+    return "full contact";
+  case Standing::lift_off:
+    return "lift-off";
+  case Standing::formal:
+    return "formal";
+  case Standing::tips:
+    return "tips";
+  case Standing::no_balance:
+    return "no balance";
+  case Standing::no_terminal_spin:
+    return "no terminal spin";
+  }
+  throw std::logic_error("a standing without a name");
+}
+
+std::optional<double> SpinRow::omega_terminal() const
+{
+  return terminal ? std::optional(terminal->omega) : std::nullopt;
+}
+
+std::optional<double> SpinRow::time_constant() const
+{
+  return terminal && std::isfinite(terminal->time_constant) ? std::optional(terminal->time_constant)
+                                                            : std::nullopt;
+}
+
+double SpinRow::amplitude() const
+{
+  if (!at_rest)
+    return 0;
+  const ring::RingStack &load = at_rest->load;
+  return std::hypot(load.a(harmonics), load.b(harmonics)) / load.a(0);
+}
+
+double SpinRow::least_load() const
+{
+  double least = at_rest ? at_rest->minimum : 0;
+  if (at_terminal)
+    least = std::min(least, at_terminal->minimum);
+  return least;
+}
+
+double SpinRow::pulling_share() const
+{
+  return std::max(at_rest ? at_rest->pulling_share : 0, at_terminal ? at_terminal->pulling_share : 0);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,111 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/support/progress.h"
+#include "ring_model/closures.h"
+#include "ring_model/load_model.h"
+#include "ring_model/motion.h"
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+class PhaseLoads;
+
+/// The load on the ring at every spin: what all questions about the spin are asked of, wherever the load comes from.
+///
+/// A value with shared insides: copies are cheap, and the balances that one copy finds are known to all. A load that is
+/// the same at every spin, or at every phase of an out-of-flat rim, is the special case that does not look at the argument.
+class BalancedLoad
+{
+public:
+  using AtSpin = std::function<ring::RingStack(double omega)>;
+
+  /// The insides of a load; at() goes through the functions, so they may solve contacts.
+  struct Parts
+  {
+    LoadReport at_rest;
+    AtSpin at_spin; ///< empty: the load at rest
+    AtSpin whole = {}; ///< all harmonics of the pressure behind a truncated load, see whole(); empty: at_spin
+    std::shared_ptr<const PhaseLoads> phases = {};        ///< nothing where the phase does not matter
+    std::shared_ptr<CouplingStatistics> statistics = {};  ///< nothing where the spin does not matter
+    std::shared_ptr<const fem::ContactState> contact = {}; ///< at rest; nothing where the load does not come from one
+    bool is_costly = false;                               ///< whether a load takes contact solutions
+  };
+
+  explicit BalancedLoad(Parts parts);
+
+  /// The load at the spin @p omega [rad/s]; the mean over the phases where these matter. Throws what contact solutions
+  /// and balances throw.
+  ring::RingStack at(double omega) const;
+
+  /// The load with the marks of glass and table at @p orientation.
+  ring::RingStack at(double omega, const ring::Orientation &orientation) const;
+
+  ring::RingStack at_rest() const { return at(0); }
+
+  /// All harmonics of the pressure at @p omega, of which at() may give a part only: the pressure that the contact puts
+  /// on the table under the resultants of at().
+  ring::RingStack whole(double omega) const;
+
+  /// This load cut off after @p n_harmonics; neither contact nor friction is solved again.
+  BalancedLoad truncated(unsigned int n_harmonics) const;
+
+  /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value would be a
+  /// balance of its own: interpolated between exact ones, to 1e-9 of a_0 where 200 of them suffice, else to 1e-7 or
+  /// 1e-5, else exact; outside exact. The error goes to statistics(). A load that is not costly stays as it is.
+  BalancedLoad interpolated(double lower, double upper) const;
+
+  /// This load for a picture over spins from @p lower to @p upper: interpolated to 1e-4 of a_0 if that is possible.
+  BalancedLoad for_plots(double lower, double upper) const;
+
+  /// Highest harmonic of at().
+  unsigned int n_harmonics() const;
+
+  /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
+  double spin_scale(const ring::Motion &motion) const;
+
+  /// The insides, to make another load of.
+  const Parts &insides() const { return *parts; }
+  const LoadReport &report() const { return parts->at_rest; } ///< of the whole load at rest
+  const PhaseLoads *phases() const { return parts->phases.get(); }
+  const fem::ContactState *contact() const { return parts->contact.get(); }
+  std::optional<CouplingStatistics> statistics() const;
+  bool follows_spin() const { return parts->statistics != nullptr; }
+
+private:
+  BalancedLoad with_curve(AtSpin curve) const;
+
+  std::shared_ptr<const Parts> parts;
+  AtSpin curve; ///< in the place of parts->at_spin; empty: that itself
+  unsigned int n_kept = std::numeric_limits<unsigned int>::max();
+};
+
+/// What a load is to be in balance with.
+struct MomentBalance
+{
+  ring::Motion motion;
+  ring::Closure closure = ring::Closure::full;
+  ring::Orientation orientation; ///< of the marks of glass and table
+};
+
+/// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p at_rest is the load
+/// at omega = 0, where the friction, (-mu N, 0), is known beforehand. @p n_harmonics cuts what enters T and tau_z;
+/// friction in an elastic foot feels the whole pressure. @p progress is told of every balance and must live as long as
+/// the load.
+///
+/// The load throws as ring::SelfConsistentRing::at() and the model do.
+BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const MomentBalance &balance,
+                     const LoadReport &at_rest,
+                     unsigned int n_harmonics = std::numeric_limits<unsigned int>::max(),
+                     Progress &progress = silent_progress());
+
+/// A load that a formula gives, as a report: pointwise quantities are those of the series.
+LoadReport report_of(const ring::RingStack &load);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,69 @@
+#include "fem/pipeline/coupling/contact_report.h"
+
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+fem::ResolvedFriction friction_of(ElasticFoot &foot, const fem::ContactState &state, const ring::Motion &motion,
+                                  double omega)
+{
+  return fem::resolved_friction(foot.body().point_forces(state), motion.friction_coefficient, omega,
+                                motion.orbit_speed);
+}
+
+/// The contact in balance at @p omega; that at rest where the load is the same at every spin.
+fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, const ring::Motion &motion,
+                           double omega)
+{
+  const fem::ContactState &at_rest = *load.contact();
+  if (!load.follows_spin())
+    return at_rest;
+  const ring::RingStack balanced = load.at(omega);
+  const fem::FootPhase &marks = at_rest.slip.orientation;
+  return foot.solve(balanced.normal_force(), balanced.moment(),
+                    { omega / motion.orbit_speed, { marks.glass, marks.table } });
+}
+
+FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load, double omega_terminal)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  const fem::ContactState &at_rest = *load.contact();
+  FootReport report;
+  report.foot = foot.body().description();
+  report.friction_coupling = study.friction_deforms_foot() ? "elastic" : "none";
+  report.at_rest = at_rest;
+  report.footprint = foot.body().footprint(at_rest);
+  report.friction_at_rest = friction_of(foot, at_rest, motion, 0);
+  report.friction_at_terminal =
+    friction_of(foot, state_at(foot, load, motion, omega_terminal), motion, omega_terminal);
+  // The fields are those of the state solved last.
+  if (foot.n_solutions() > 1)
+  {
+    const fem::LoadHarmonics &rest = at_rest.load;
+    const fem::FootPhase &marks = at_rest.slip.orientation;
+    report.fields = foot.body().fields(foot.solve(rest.normal_force, { rest.moment_x, rest.moment_y },
+                                                  { 0, { marks.glass, marks.table } }));
+  }
+  else
+    report.fields = foot.body().fields(at_rest);
+  return report;
+}
+
+} // namespace
+
+ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                       double omega_terminal)
+{
+  ContactReport report = { load.report(), std::nullopt, std::nullopt };
+  if (foot)
+    report.foot = describe_foot(study, *foot, load, omega_terminal);
+  report.coupling = load.statistics();
+  return report;
+}
+
+} // namespace stemware::pipeline
