@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/balanced_states.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/truncated_model.h"
 #include "ring_model/unilateral_foundation.h"
@@ -91,7 +91,7 @@ LoadKind resting_foot_kind(const Study &study, const std::shared_ptr<FootContact
     {
       Study with_closure = study;
       with_closure.motion.closure = closure;
-      const fem::LoadHarmonics load = foot->solve(demanded_load(with_closure), 0, {}).load;
+      const fem::LoadHarmonics load = foot->solve(with_closure.required_resultants(), 0, {}).load;
       const ring::AngularLoad kept =
         ring::AngularLoad(load.a, load.b, load.ring_radius).truncated(n_harmonics);
       return { [kept](double) { return kept; }, [share = load.contact_fraction](double) { return share; } };

@@ -33,7 +33,7 @@ std::string state_of_failure()
   }
   catch (const BadInput &)
   {
-    return "tips"; // demanded_load() refuses nothing else
+    return "tips"; // required_resultants() refuses nothing else
   }
   catch (const std::exception &)
   {

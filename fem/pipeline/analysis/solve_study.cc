@@ -1,8 +1,7 @@
 #include "fem/pipeline/analysis/solve_study.h"
 
 #include "fem/pipeline/coupling/coupled_load.h"
-#include "fem/pipeline/study/contact_demand.h"
-#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/study/study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,12 +33,12 @@ ContactFigures solve_foot_contact(const Study &study, FootContact &contact, cons
 {
   ContactFigures figures;
   figures.body = contact.name();
-  figures.friction_coupling = to_string(used_friction_coupling(study));
+  figures.friction_coupling = study.friction_deforms_foot() ? "elastic" : "none";
   figures.n_cells = contact.n_cells();
   figures.n_unknowns = contact.n_unknowns();
   figures.n_contact_nodes = contact.n_contact_nodes();
   figures.mesh_report = contact.mesh_report();
-  figures.result = contact.solve(demanded_load(study), 0, observer.newton_step);
+  figures.result = contact.solve(study.required_resultants(), 0, observer.newton_step);
   figures.footprint = contact.footprint(figures.result);
   figures.friction_at_rest = friction_of(contact, figures.result, study.motion.orbit, 0);
   tell(observer.stage_done, "contact");

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 struct ContactFigures
 {
   std::string body;                    ///< FootContact::name()
-  std::string friction_coupling;       ///< used_friction_coupling(), by name
+  std::string friction_coupling;       ///< "elastic" where friction deforms the foot, else "none"
   std::optional<unsigned int> n_cells; ///< of a three-dimensional mesh
   unsigned int n_unknowns = 0;
   unsigned int n_contact_nodes = 0;

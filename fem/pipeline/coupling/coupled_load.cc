@@ -4,7 +4,7 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/foot_response_curve.h"
 #include "fem/pipeline/coupling/load_curve.h"
-#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <stdexcept>
@@ -108,8 +108,7 @@ LoadAtSpin for_many_spins(const RingLoad &load, double lower, double upper)
 
 bool follows_spin(const Study &study)
 {
-  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 ||
-         used_friction_coupling(study) == FrictionCoupling::elastic;
+  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms_foot();
 }
 
 std::string frozen_note(const Study &study)

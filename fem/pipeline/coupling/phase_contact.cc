@@ -1,8 +1,7 @@
 #include "fem/pipeline/coupling/phase_contact.h"
 
 #include "fem/pipeline/coupling/coupled_load.h"
-#include "fem/pipeline/study/contact_demand.h"
-#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/study/study.h"
 #include "ring_model/closures.h"
 
 #include <algorithm>
@@ -18,8 +17,7 @@ namespace
 bool spin_matters(const Study &study)
 {
   return study.load.coupling == LoadCoupling::exact &&
-         (ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 ||
-          used_friction_coupling(study) == FrictionCoupling::elastic);
+         (ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms_foot());
 }
 
 /// Contact loads phase by phase, each phase with its own balances of friction and moment.
@@ -59,7 +57,7 @@ private:
     const auto known = loads.find(place);
     if (known != loads.end())
       return known->second;
-    const FootContactResult pressed = foot->solve(demanded_load(study), 0, {});
+    const FootContactResult pressed = foot->solve(study.required_resultants(), 0, {});
     const auto count = [this](std::size_t)
     {
       if (progress)

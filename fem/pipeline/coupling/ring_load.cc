@@ -1,9 +1,9 @@
 #include "fem/pipeline/coupling/ring_load.h"
 
 #include "fem/pipeline/coupling/load_file.h"
-#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "ring_model/first_harmonic_ring.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -73,7 +73,7 @@ RingLoad first_harmonic_load(const Study &study)
   const double radius = study.glass.profile.contact_radius;
   if (study.load.is_static())
   {
-    const fem::ContactLoad demand = demanded_load(study);
+    const fem::ContactLoad demand = study.required_resultants();
     const auto frozen =
       ring::AngularLoad::first_harmonic(demand.normal_force, { demand.moment_x, demand.moment_y }, radius);
     return load_of_thin_ring([frozen](double) { return frozen; });

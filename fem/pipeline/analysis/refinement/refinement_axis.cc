@@ -17,7 +17,7 @@ constexpr unsigned int most_halvings = 6;
 /// Tables that allow no penetration take as many lines as there are amplitudes.
 bool lines_follow_harmonics(const Study &study)
 {
-  return study.table.kind == TableKind::rigid || study.table.kind == TableKind::elastic;
+  return study.table.is_hard();
 }
 
 /// A member of a study, as something that can be set.
