@@ -1,6 +1,6 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/support/program.h"
-#include "fem/pipeline/support/spelling.h"
+#include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
 

@@ -4,12 +4,11 @@
 #include "fem/pipeline/output/comparison_tables.h"
 #include "fem/pipeline/output/console_report.h"
 #include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/study/flatness.h"
-#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/text_layout.h"
 #include "fem/pipeline/support/work_progress.h"
 
 #include <ostream>

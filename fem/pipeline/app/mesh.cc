@@ -1,7 +1,7 @@
-#include "fem/pipeline/app/mesh.h"
-
 #include "fem/geometry/mesh_writer.h"
-#include "fem/pipeline/coupling/foot_contact.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/output/mesh_report.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/study/study_file.h"
@@ -12,6 +12,8 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
+
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <sstream>
@@ -24,6 +26,14 @@ using Triangulation = dealii::Triangulation<3, 3>;
 
 namespace
 {
+
+/// What `mesh` is told.
+struct MeshOptions
+{
+  StudyOptions study;              ///< study_file and output may be empty
+  std::string check;               ///< a mesh file to look at; empty: the study's own mesh
+  std::vector<std::string> writes; ///< files to write, .msh or .vtu
+};
 
 /// What can be refused before any mesh is made.
 void check_options(const MeshOptions &options)
@@ -45,20 +55,8 @@ void check_options(const MeshOptions &options)
 
 MeshFindings read_mesh(const std::string &file, const std::optional<Study> &study, Triangulation &mesh)
 {
-  MeshFindings findings;
-  findings.origin = file;
-  try
-  {
-    findings.report = fem::read_foot_mesh(file, mesh);
-  }
-  catch (const std::invalid_argument &error)
-  {
-    throw BadInput(error.what());
-  }
-  findings.check = fem::check_mesh(mesh);
-  if (study)
-    require_same_glass(*findings.report, file, *study);
-  return findings;
+  const fem::MeshReport report = read_mesh_file(file, study, mesh);
+  return { file, fem::check_mesh(mesh), report };
 }
 
 /// The study's generated foot as a file has to describe it, with the crown in the mesh.
@@ -95,8 +93,8 @@ void print_json(const Findings &findings)
   std::cout << line.dump() << std::endl;
 }
 
-} // namespace
-
+/// Looks at a foot mesh, of a study or of a file, says what it finds, and writes it; with --output also a
+/// folder with a report. Throws BadInput for a mesh that cannot be used, OutputFailure.
 void mesh(const MeshOptions &options)
 {
   // 1. Which mesh, and where the results go.
@@ -117,7 +115,7 @@ void mesh(const MeshOptions &options)
   Triangulation mesh;
   const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, study, mesh);
   console() << mesh_text(findings) << std::flush;
-  require_usable(findings);
+  require_usable(findings.origin, findings.check);
   stopwatch.finish("mesh");
 
   // 3. The mesh in files, and the report.
@@ -133,6 +131,38 @@ void mesh(const MeshOptions &options)
   }
   else if (options.study.json && is_first_rank())
     print_json(all);
+}
+
+} // namespace
+
+void add_mesh_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<MeshOptions>();
+  CLI::App *verb = program.add_subcommand("mesh", "Write the three-dimensional mesh of a foot, or check one");
+  verb->add_option("STUDY", options->study.study_file, "Study file, .prm or .json, whose mesh it is");
+  verb->add_option("--check", options->check, "Looks at a mesh file instead")->type_name("FILE.msh");
+  verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
+    ->type_name("FILE.msh|FILE.vtu")
+    ->allow_extra_args(false);
+  verb
+    ->add_option("--output", options->study.output, "Folder for report.html and summary.json; default: none")
+    ->type_name("DIR");
+  options->study.verb = "mesh";
+  add_override_option(*verb, options->study);
+  add_console_options(*verb, options->study);
+  verb->footer(R"(Examples:
+  stemware mesh my_glass.prm                                  what the study's mesh is like
+  stemware mesh my_glass.prm --write foot.msh --write foot.vtu
+  stemware mesh my_glass.prm --write fine.msh --set "Contact/Azimuthal cells=96"
+  stemware mesh --check my_foot.msh                           can it be used? (exit code 1: no)
+  stemware mesh my_glass.prm --check my_foot.msh              and is it of the same size?
+  stemware mesh --check my_foot.msh --write my_foot.vtu       to look for the bad cells
+  stemware mesh --check my_foot.msh --output results/my_foot  report.html with pictures
+
+  .msh  Gmsh's format 2.2: linear hexahedra, stem cut with id 1, contact zone with id 2; can be
+        read again with Contact/Mesh file. The crown is in it, as a polygon between vertices.
+  .vtu  for ParaView: the cells with their scaled Jacobian and boundary id)");
+  verb->callback([&chosen, options] { chosen = [options] { mesh(*options); }; });
 }
 
 } // namespace stemware::pipeline

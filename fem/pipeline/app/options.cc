@@ -1,7 +1,7 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/output/render/report.h"
-#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
@@ -71,11 +71,12 @@ void add_console_options(CLI::App &verb, StudyOptions &options)
 Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
+  watch_for_interruption();
   Study study = read_study(options.study_file, options.overrides);
-  demanded_load(study); // refuses a glass that would tip
+  study.required_resultants(); // refuses a glass that would tip
   if (needs_mpi || study.load.source == LoadSource::contact)
     start_mpi();
-  watch_for_interruption(); // after MPI, which puts handlers of its own in place
+  watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     " << options.study_file << std::endl;
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())

@@ -1,18 +1,22 @@
-#include "fem/pipeline/app/sweep.h"
-
 #include "fem/pipeline/analysis/sweep/case_workers.h"
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
+#include "fem/pipeline/analysis/sweep/sweep_plan.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/output/sweep_report.h"
 #include "fem/pipeline/output/sweep_table.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/text_layout.h"
 #include "fem/pipeline/support/work_progress.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
+#include <fmt/format.h>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -27,6 +31,15 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
+/// What `stemware sweep` was told.
+struct SweepOptions : StudyOptions
+{
+  SweepRequest request;
+  unsigned int n_jobs =
+    0; ///< cases that a process solves at a time; 0: as many as it has cores, one under mpirun
+  bool restart = false; ///< throws away the finished cases of an earlier sweep into the same place
+};
+
 /// What an interrupted sweep says: how many cases are kept, and how to go on.
 std::string farewell(const fs::path &folder, std::size_t n_cases)
 {
@@ -34,8 +47,9 @@ std::string farewell(const fs::path &folder, std::size_t n_cases)
   const std::size_t n_kept = SweepFolder::count(logs).n_finished;
   if (n_kept == 0)
     return "interrupted; no results were written.";
-  return "interrupted; " + std::to_string(n_kept) + " of " + std::to_string(n_cases) + " cases are kept in " +
-         folder.string() + ", and the same command goes on from there.";
+  return fmt::format(
+    FMT_STRING("interrupted; {} of {} cases are kept in {}, and the same command goes on from there."),
+    n_kept, n_cases, folder.string());
 }
 
 /// The folder of finished cases as all ranks see it; the first one owns it.
@@ -181,19 +195,25 @@ void require_one_solved(const FinishedCases &cases, const SweepFindings &finding
   const std::string trouble = on_first_rank(
     [&] { return findings.n_failed < findings.n_cases ? "" : cases.at(*findings.first_failure).message; });
   if (!trouble.empty())
-    throw std::runtime_error("All " + std::to_string(findings.n_cases) +
-                             " cases failed, the first one because: " + trouble);
+    throw std::runtime_error(
+      fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"), findings.n_cases, trouble));
 }
 
-} // namespace
-
+/// Solves the cases of a sweep, from the study's file to the folder of its results, and goes on where the
+/// same sweep was interrupted. Collective over all ranks, which share the cases. Throws BadInput,
+/// OutputFailure, and std::runtime_error when not a single case could be solved.
 void sweep(const SweepOptions &options)
 {
   // 1. What is asked for; everything that can be refused is refused here.
   Stopwatch stopwatch;
   SweepPlan plan = make_plan(options.request);
   plan.base = begin_study(options, true);
-  SharedFolder(options.results_place()); // refuses a place that cannot be written
+  on_first_rank(
+    [&]
+    {
+      require_replaceable(options.results_place());
+      return std::string();
+    });
   SharedCases cases(options, plan);
   const unsigned int n_threads = n_threads_of(options);
   console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
@@ -215,6 +235,66 @@ void sweep(const SweepOptions &options)
   publish(options, plan.base, { findings_as_json(plan, found), key_figures(found) }, folder, stopwatch);
   cases.remove();
   require_one_solved(finished, found);
+}
+
+} // namespace
+
+void add_sweep_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App *verb =
+    program.add_subcommand("sweep", "Compute a study many times: entries over a range, or random samples");
+  add_study_options(*verb, *options);
+  SweepRequest &request = options->request;
+  verb->add_option("--vary", request.varied, "Values of one entry: a range or a list; at most twice")
+    ->type_name("\"Section/Entry=values\"")
+    ->allow_extra_args(false);
+  verb->add_option("--random", request.random, "Spread of one entry; may be repeated")
+    ->type_name("\"Section/Entry=spread\"")
+    ->allow_extra_args(false);
+  verb->add_option("--samples", request.n_samples, "Number of random samples; default: 200")->type_name("N");
+  verb->add_option("--seed", request.seed, "Which random samples; default: 1")->type_name("S");
+  verb
+    ->add_option("--jobs", options->n_jobs,
+                 "Cases that each process solves at a time; default: one for each core,\n"
+                 "one under mpirun")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1024).description(""));
+  verb->add_flag("--restart", options->restart, "Throws away the cases kept from an interrupted sweep");
+  verb->footer(R"(Values of --vary:
+  "Load/Moment ratio=0.1:1.9:50"               50 values from 0.1 to 1.9, equal steps
+  "Table/Foundation modulus=1e8:1e12:20:log"   20 values, equal factors
+  "Motion/Closure=paper,hand,full"             these
+
+Spreads of --random:
+  "Motion/Friction coefficient=0.3+-0.03"      normal: mean and standard deviation
+  "Motion/Mass=0.3+-5%"                        the same, as a share of the mean
+  "Table/Foundation modulus=1e10*/2"           lognormal: median and factor
+  "Glass/Crown radius=0.002..0.004"            uniform
+  "Table/Foundation modulus=1e9..1e11:log"     uniform in the logarithm
+
+Examples:
+  stemware sweep docs/cookbooks/paper.prm --vary "Motion/Force offset=-0.08:-0.02:25"
+  stemware sweep glass.prm --vary "Load/Moment ratio=0.1:1.9:50" \
+                           --vary "Table/Foundation modulus=1e8:1e12:20:log"
+  stemware sweep glass.prm --random "Motion/Friction coefficient=0.3+-10%" \
+                           --random "Glass/Crown radius=0.002..0.004" --samples 500
+  mpirun -n 8 stemware sweep glass.prm --vary "Load/Moment ratio=0:1.95:500"
+
+Finished cases are kept as they come: interrupted by Ctrl-C, kill or a power cut, the same command
+goes on where it was, and the table is the one of an unbroken run. A case that fails is listed with
+its message and does not stop the others; the exit code is 0 unless all of them fail.
+
+Under mpirun the ranks share the cases. Cases with Contact/Body = solid are solved one after
+another, by all ranks together.
+
+  sweep.csv          a row for every case: varied entries, load, torque, spin, outcome
+  statistics.csv     bands and sensitivities of random samples
+  sweep.json         how the cases came about
+  summary.json       ranges, or bands and sensitivities, and the parameters of the base study
+  parameters.prm     the base study
+  report.html, figures/, timings.json)");
+  verb->callback([&chosen, options] { chosen = [options] { sweep(*options); }; });
 }
 
 } // namespace stemware::pipeline

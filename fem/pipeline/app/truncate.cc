@@ -6,10 +6,10 @@
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/output/truncation_report.h"
 #include "fem/pipeline/output/truncation_tables.h"
-#include "fem/pipeline/study/flatness.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/text_layout.h"
 #include "fem/pipeline/support/work_progress.h"
 
 #include <ostream>

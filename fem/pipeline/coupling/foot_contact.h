@@ -70,10 +70,6 @@ public:
 /// used.
 std::unique_ptr<FootContact> make_solid_contact(const Study &study);
 
-/// A mesh in other units than the study, or of another glass, would pass unnoticed: its rim is compared with
-/// the contact radius. Throws BadInput.
-void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
-
 /// Contact/Body = revolution: displacement harmonics, its compliances from @p store. Throws BadInput for a
 /// setup that is not allowed.
 std::unique_ptr<FootContact> make_revolution_contact(const Study &study, fem::ComplianceStore &store);

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/load_curve.h"
 
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/interpolators/vector_barycentric_rational.hpp>

@@ -1,7 +1,7 @@
 #include "fem/pipeline/coupling/load_file.h"
 
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/phase_loads.h"
 
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 

@@ -1,7 +1,6 @@
 #include "fem/pipeline/coupling/foot_contact.h"
 #include "fem/pipeline/coupling/orientation.h"
-#include "fem/pipeline/study/contact_demand.h"
-#include "fem/pipeline/study/friction_coupling.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text_file.h"
@@ -43,7 +42,7 @@ fem::RevolutionSetup setup_of(const Study &study)
   setup.interface = study.table.roughness;
   setup.disc = study.table.disc;
   setup.disc_material = study.table.disc_material;
-  if (used_friction_coupling(study) == FrictionCoupling::elastic)
+  if (study.friction_deforms_foot())
     setup.friction_coefficient = study.motion.orbit.friction_coefficient;
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
@@ -52,7 +51,7 @@ fem::RevolutionSetup setup_of(const Study &study)
   setup.resolution.refinements = study.contact.refinements;
   setup.n_lines = study.contact.azimuth_lines;
   setup.imperfection = imperfection_of(study);
-  return setup.resolved_for(demanded_load(study).normal_force);
+  return setup.resolved_for(study.required_resultants().normal_force);
 }
 
 /// The points turned counter-clockwise by @p angle.

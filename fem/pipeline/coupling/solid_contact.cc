@@ -1,6 +1,5 @@
 #include "fem/pipeline/coupling/foot_contact.h"
-#include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/solid/solid_body.h"
 
 #include <deal.II/distributed/tria.h>
@@ -24,16 +23,7 @@ std::optional<fem::MeshReport> make_mesh(const Study &study, Mesh &mesh)
     fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
     return std::nullopt;
   }
-  try
-  {
-    const fem::MeshReport report = fem::read_foot_mesh(study.contact.mesh_file, mesh);
-    require_same_glass(report, study.contact.mesh_file, study);
-    return report;
-  }
-  catch (const std::invalid_argument &error)
-  {
-    throw BadInput(error.what());
-  }
+  return read_usable_mesh(study, mesh);
 }
 
 /// A generated mesh has a flat land, whose crown is a gap; a mesh file says all about its rim itself.
@@ -138,15 +128,6 @@ private:
 };
 
 } // namespace
-
-void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
-{
-  const double radius = study.glass.profile.contact_radius;
-  if (std::abs(report.rim_radius - radius) > 0.1 * radius)
-    throw BadInput("The rim of the mesh " + file + " has a radius of " + to_short_text(report.rim_radius) +
-                   " m, but Glass/Contact radius = " + to_text(radius) +
-                   " m; give the radius of the mesh, and the mesh in metres.");
-}
 
 std::unique_ptr<FootContact> make_solid_contact(const Study &study)
 {

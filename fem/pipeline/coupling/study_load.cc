@@ -6,7 +6,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "ring_model/first_harmonic_ring.h"
 
 #include <boost/math/constants/constants.hpp>

@@ -1,8 +1,7 @@
 #include "fem/pipeline/output/comparison_tables.h"
 
 #include "fem/pipeline/output/answer.h"
-#include "fem/pipeline/support/csv_text.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_layout.h"
 
 #include <tuple>

@@ -1,7 +1,7 @@
 #include "fem/pipeline/output/console_report.h"
 
 #include "fem/pipeline/output/answer.h"
-#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/text_layout.h"
 
@@ -100,7 +100,7 @@ void print_load_source(const Study &study)
     console() << "Load      " << study.load.file << std::endl;
     return;
   }
-  const fem::ContactLoad demand = demanded_load(study);
+  const fem::ContactLoad demand = study.required_resultants();
   const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
   const double crest =
     std::atan2(demand.moment_x, -demand.moment_y) * 180 / boost::math::constants::pi<double>();

@@ -29,8 +29,4 @@ nlohmann::ordered_json mesh_json(const MeshFindings &findings);
 /// What may make results worse, one sentence each.
 std::vector<std::string> mesh_remarks(const MeshFindings &findings);
 
-/// Throws BadInput with one sentence about the first thing that makes the mesh useless: cells inside out, a
-/// contact zone that looks up or does not lie round the z axis.
-void require_usable(const MeshFindings &findings);
-
 } // namespace stemware::pipeline

@@ -1,7 +1,6 @@
 #include "fem/pipeline/output/sweep_report.h"
 
 #include "fem/pipeline/output/study_sections.h"
-#include "fem/pipeline/support/csv_text.h"
 #include "fem/pipeline/support/text_layout.h"
 
 #include <cmath>

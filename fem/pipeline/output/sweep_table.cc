@@ -1,7 +1,7 @@
 #include "fem/pipeline/output/sweep_table.h"
 
-#include "fem/pipeline/support/csv_text.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
 namespace stemware::pipeline
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/contact_newton.h"
 #include "fem/contact/table_law.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"
@@ -49,6 +50,10 @@ struct TableSection
   fem::TableDisc disc;              ///< an elastic table
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
+
+  /// Whether the surface yields nothing by itself (Signorini's condition): there friction decides the second
+  /// harmonic of a foot that does not lift off (docs/method/revolution.md).
+  bool is_hard() const;
 };
 
 enum class BodyKind
@@ -57,9 +62,23 @@ enum class BodyKind
   revolution ///< displacement harmonics on a meridional mesh
 };
 
+/// What only one of the two bodies can do.
+struct BodyAbilities
+{
+  bool reads_meshes = false;     ///< takes its shape from Contact/Mesh file
+  bool is_of_revolution = false; ///< answers a moment in all directions alike, and has a gap that can turn
+  bool stands_on_elastic_disc = false;
+  bool friction_can_deform = false; ///< friction tractions can act back on the pressure
+  bool is_collective = false;       ///< solving takes all MPI ranks together
+  unsigned int highest_degree = 2;  ///< of its elements
+};
+
+BodyAbilities abilities(BodyKind body);
+
 enum class FrictionCoupling
 {
-  automatic, ///< elastic for a body of revolution on a hard table, else none; see used_friction_coupling()
+  automatic, ///< elastic for a body of revolution on a hard table, else none; see
+             ///< Study::friction_deforms_foot()
   none,      ///< friction tractions do not act back on the pressure
   elastic    ///< they do
 };
@@ -122,10 +141,30 @@ struct Study
 
   /// Whether rim or table are out of flat: the load then depends on where their marks stand.
   bool has_waviness() const { return !glass.waviness.empty() || !table.waviness.empty(); }
+
+  /// Whether friction tractions deform the foot: what Contact/Friction coupling asks for, and with
+  /// `automatic` where it matters and the body can, a body of revolution on a hard table.
+  bool friction_deforms_foot() const;
+
+  /// What the table's pressure has to balance at omega = 0, where the friction is exactly (-mu N, 0): N = m g
+  /// with the closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin,
+  /// -cos)(direction of the load's maximum) [N, N m]. Throws BadInput when the foot would tip, m >= 2.
+  fem::ContactLoad required_resultants() const;
 };
+
+/// m = |M_N| / (N R / 2).
+double moment_ratio(const fem::ContactLoad &load, double contact_radius);
+
+/// A sentence without subject for the console where the table is hard, so that friction matters for the
+/// pressure: whether friction deforms the foot. Empty elsewhere.
+std::string friction_note(const Study &study);
 
 /// Throws BadInput, with one sentence, for values that do not go together, that no physical system has, or
 /// that this version does not know.
 void check_study(const Study &study);
+
+/// Refuses a study whose rim or table is out of flat for @p verb, which follows one load over the spin: that
+/// of such a study depends on the yaw angle too. Throws BadInput.
+void require_flat(const Study &study, const std::string &verb);
 
 } // namespace stemware::pipeline

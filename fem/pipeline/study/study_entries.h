@@ -32,6 +32,18 @@ struct StudyEntry
 /// All entries of @p study in the order of the study file. They refer to the study, which must outlive them.
 std::vector<StudyEntry> study_entries(Study &study);
 
+/// The entry of that path; throws BadInput, with a suggestion, where there is none. @p origin begins the
+/// sentence: where the path comes from.
+const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
+                           const std::string &path);
+
+/// Sets an entry from a text; throws BadInput where it does not take it. @p origin begins the sentence.
+void assign(const StudyEntry &entry, const std::string &origin, const std::string &value);
+
+/// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
+/// likeliest one; @p word may be meant for an entry's name or path.
+std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word);
+
 /// Effective values as nested JSON objects: section, entry, value.
 nlohmann::ordered_json study_as_json(const Study &study);
 

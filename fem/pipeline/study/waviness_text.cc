@@ -1,12 +1,13 @@
 #include "fem/pipeline/study/waviness_text.h"
 
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -66,7 +67,8 @@ std::string waviness_text(const Waviness &waviness)
   std::string text;
   for (const WavinessHarmonic &harmonic : waviness)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(harmonic.n) + ": " + to_text(harmonic.amplitude);
+    text +=
+      fmt::format(FMT_STRING("{}{}: {}"), text.empty() ? "" : ", ", harmonic.n, to_text(harmonic.amplitude));
     if (harmonic.azimuth != 0)
       text += " @ " + to_text(harmonic.azimuth);
   }

@@ -20,4 +20,20 @@ std::string on_one_line(const std::string &text)
   return line;
 }
 
+std::string shortened(const std::string &text, std::size_t longest)
+{
+  // A megabyte need not be looked through. A character of UTF-8 has four bytes at most.
+  std::string line = on_one_line(text.substr(0, 4 * longest + 4));
+  std::size_t n_characters = 0;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if ((line[i] & 0xC0) != 0x80 && ++n_characters > longest)
+      return line.substr(0, i) + "...";
+  return text.size() > 4 * longest + 4 ? line + "..." : line;
+}
+
+std::string shortened_path(const std::string &path)
+{
+  return shortened(path, 255);
+}
+
 } // namespace stemware::pipeline

@@ -38,4 +38,11 @@ void require(bool condition, const std::string &sentence);
 /// line.
 std::string on_one_line(const std::string &text);
 
+/// What somebody gave, as a message repeats it: on one line, and at most @p longest characters of it, "..."
+/// after that.
+std::string shortened(const std::string &text, std::size_t longest = 80);
+
+/// A path that somebody gave, as a message repeats it: longer than other texts, because its end says most.
+std::string shortened_path(const std::string &path);
+
 } // namespace stemware::pipeline

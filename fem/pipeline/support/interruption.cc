@@ -91,10 +91,13 @@ void wait_for_signal()
 
 void watch_for_interruption()
 {
-  if (::pipe(wake_up_pipe) != 0)
-    throw std::system_error(errno, std::generic_category(), "the watch for interruptions cannot start");
   watch().first_rank = is_first_rank();
-  std::thread(wait_for_signal).detach();
+  if (wake_up_pipe[0] < 0)
+  {
+    if (::pipe(wake_up_pipe) != 0)
+      throw std::system_error(errno, std::generic_category(), "the watch for interruptions cannot start");
+    std::thread(wait_for_signal).detach();
+  }
   for (const auto &[signal, ignored] : ignored_from_the_start)
   {
     struct sigaction action = {};
@@ -102,6 +105,8 @@ void watch_for_interruption()
     action.sa_flags = SA_RESTART;
     ::sigaction(signal, &action, nullptr);
   }
+  // A file that grows beyond what the user may write is a file that cannot be written, and said so.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 std::unique_lock<std::mutex> postpone_interruption()

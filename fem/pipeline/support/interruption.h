@@ -11,8 +11,8 @@ namespace stemware::pipeline
 /// From now on SIGINT, SIGTERM and SIGHUP end the program with exit code 130, at once and whatever it is
 /// doing, after the clean-up of clean_up_on_interruption(). The signal handler only wakes a thread, and that
 /// thread does the work: so the clean-up is ordinary code, and a factorisation that never looks at a flag
-/// does not delay it. Signals that were ignored when the program started stay ignored. Call once, before the
-/// work and after start_mpi(), which changes handlers of signals.
+/// does not delay it. Signals that were ignored when the program started stay ignored. To be called before
+/// the work, and again after start_mpi(), which changes handlers of signals.
 void watch_for_interruption();
 
 /// Holds an interruption back while the lock lives: for steps that must happen together, such as swapping

@@ -2,13 +2,9 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/manifest.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <fstream>
-#include <set>
-#include <unistd.h>
+#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -18,76 +14,16 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Absolute path without dots, trailing slash and links, so that its parent and name are clear.
-fs::path resolved(const fs::path &path)
-{
-  std::error_code error;
-  fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
-  if (error)
-    result = fs::absolute(path).lexically_normal();
-  return result.has_filename() ? result : result.parent_path();
-}
-
-std::vector<std::string> names_in(const fs::path &folder)
-{
-  std::vector<std::string> names;
-  for (const auto &item : fs::directory_iterator(folder))
-    names.push_back(item.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-/// The files that the summary.json of a results folder lists; nothing where there is no such summary.
-std::set<std::string> listed_files(const fs::path &folder)
-{
-  std::ifstream stream(folder / "summary.json");
-  const auto summary = nlohmann::json::parse(stream, nullptr, false);
-  std::set<std::string> files;
-  if (summary.is_object() && summary.contains("schema") && summary.contains("files") &&
-      summary["files"].is_array())
-    for (const auto &file : summary["files"])
-      if (file.is_string())
-        files.insert(file.get<std::string>());
-  return files;
-}
-
-/// Nothing of anybody else's may be replaced by results.
-void require_replaceable(const fs::path &target)
-{
-  if (!fs::exists(fs::symlink_status(target)))
-    return;
-  if (!fs::is_directory(target))
-    throw OutputFailure("The output " + target.string() +
-                        " exists and is not a folder; choose another one with --output.");
-  const std::set<std::string> files = listed_files(target);
-  for (const std::string &name : names_in(target))
-    if (files.count(name) == 0)
-      throw OutputFailure(
-        "The output folder " + target.string() + " holds " + name +
-        ", which is not a result of Stemware; move it away, or choose another folder with --output.");
-}
-
 [[noreturn]] void fail_to_write(const fs::path &path, const std::error_code &error)
 {
-  throw OutputFailure("The results cannot be written to " + path.string() + " (" + error.message() +
-                      "); choose another folder with --output.");
+  throw OutputFailure(
+    fmt::format(FMT_STRING("The results cannot be written to {} ({}); choose another folder with --output."),
+                path.string(), error.message()));
 }
 
-/// Creates the missing folders of a path, and says which those were, innermost first.
-std::vector<fs::path> create_folders(const fs::path &folder)
-{
-  std::vector<fs::path> missing;
-  std::error_code error;
-  for (fs::path path = folder; !path.empty() && !fs::exists(path, error); path = path.parent_path())
-    missing.push_back(path);
-  if (fs::create_directories(folder, error); error)
-    fail_to_write(folder, error);
-  return missing;
-}
-
-/// Deletes a folder into which another thread may still be writing: out of its reach first, then again if a
-/// file came in between.
-void remove_folder(const fs::path &folder) noexcept
+/// Deletes a folder that this process has made, and into which another of its threads may still be writing:
+/// out of its reach first, then again if a file came in between.
+void remove_own_folder(const fs::path &folder) noexcept
 {
   std::error_code error;
   fs::path away = folder;
@@ -102,34 +38,36 @@ bool begins_with(const std::string &text, const std::string &start)
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// Removes what killed processes have left of their work on @p target. The older results that a process was
-/// about to replace stay where they are the only ones.
+/// Removes what killed processes have left of their work on @p target, where it is theirs beyond doubt: a
+/// folder that nobody works in, and that holds nothing but what its manifest lists. The older results that a
+/// process was about to replace stay where they are the only ones.
 void remove_leftovers(const fs::path &target, const std::string &prefix)
 {
   for (const std::string &name : names_in(target.parent_path()))
   {
     const fs::path folder = target.parent_path() / name;
     const bool only_copy = folder.extension() == ".replaced" && !fs::exists(target);
-    if (begins_with(name, prefix) && !only_copy && FolderClaim(folder).held())
-      remove_folder(folder);
+    if (begins_with(name, prefix) && !only_copy && is_plain_folder(folder) && FolderClaim(folder).held() &&
+        !fs::is_empty(folder) && !why_not_replaceable(folder))
+      remove_listed_files(folder);
   }
-}
-
-/// Creates a folder and claims it. Another process may have taken the bare folder for a leftover; then there
-/// is a next time.
-FolderClaim create_claimed(const fs::path &folder, std::error_code &error)
-{
-  FolderClaim claim;
-  for (unsigned int attempt = 0; attempt < 5 && !claim.held(); ++attempt)
-  {
-    if (fs::create_directory(folder, error); error)
-      break;
-    claim = FolderClaim(folder);
-  }
-  return claim;
 }
 
 } // namespace
+
+void require_replaceable(const fs::path &wanted)
+{
+  const fs::path target = resolved(wanted);
+  if (!fs::exists(fs::symlink_status(target)))
+    return;
+  if (!is_plain_folder(target))
+    throw OutputFailure("The output " + target.string() +
+                        " exists and is not a folder; choose another one with --output.");
+  if (const auto reason = why_not_replaceable(target))
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The output folder {} {}; move it away, or choose another folder with --output."),
+      target.string(), *reason));
+}
 
 ResultsFolder::ResultsFolder(const fs::path &wanted)
     : target(resolved(wanted))
@@ -139,22 +77,32 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
     require_replaceable(target);
     const auto lock = postpone_interruption();
     created_parents = create_folders(target.parent_path());
-    const std::string prefix = "." + target.filename().string() + ".partial-";
-    partial = target.parent_path() / (prefix + std::to_string(::getpid()));
-    clean_up_on_interruption([this] { remove_partial(); });
-    remove_leftovers(target, prefix);
-    std::error_code error;
-    claim = create_claimed(partial, error);
-    if (error)
-    {
-      remove_partial();
-      clean_up_on_interruption({});
-      fail_to_write(target, error);
-    }
+    claim_place();
   }
   catch (const fs::filesystem_error &error)
   {
+    remove_empty_folders(created_parents);
     fail_to_write(target, error.code());
+  }
+}
+
+void ResultsFolder::claim_place()
+{
+  const std::string prefix = "." + target.filename().string() + ".partial-";
+  remove_leftovers(target, prefix);
+  partial = target.parent_path() / (prefix + unique_suffix());
+  create_new_folder(partial);
+  clean_up_on_interruption([this] { remove_partial(); });
+  claim = FolderClaim(partial);
+  try
+  {
+    record();
+  }
+  catch (...)
+  {
+    clean_up_on_interruption({});
+    remove_partial();
+    throw;
   }
 }
 
@@ -168,16 +116,18 @@ ResultsFolder::~ResultsFolder()
 
 void ResultsFolder::remove_partial() noexcept
 {
-  remove_folder(partial);
-  std::error_code error;
-  for (const fs::path &folder : created_parents)
-    if (!fs::remove(folder, error)) // fails where something else has come in meanwhile
-      break;
+  remove_own_folder(partial);
+  remove_empty_folders(created_parents);
 }
 
 std::vector<std::string> ResultsFolder::contents() const
 {
   return names_in(partial);
+}
+
+void ResultsFolder::record()
+{
+  write_manifest(partial);
 }
 
 void ResultsFolder::publish()
@@ -187,6 +137,7 @@ void ResultsFolder::publish()
   replaced += ".replaced";
   try
   {
+    record();
     require_replaceable(target);
     const bool replaces = fs::exists(target);
     if (replaces)
@@ -201,7 +152,10 @@ void ResultsFolder::publish()
     }
     published = true;
     clean_up_on_interruption({});
-    fs::remove_all(replaced, error);
+    if (!replaces)
+      return;
+    remove_listed_files(replaced);
+    fs::remove(replaced, error); // an empty folder has no manifest
   }
   catch (const fs::filesystem_error &error)
   {

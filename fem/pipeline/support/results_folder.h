@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/support/folder_claim.h"
+#include "fem/pipeline/support/folders.h"
 
 #include <filesystem>
 #include <string>
@@ -9,17 +9,22 @@
 namespace stemware::pipeline
 {
 
+/// Refuses a place for results where anything would be lost: throws OutputFailure, with one sentence, where
+/// @p target is neither missing nor an empty folder nor one of results, all of whose files are listed in its
+/// manifest.json with the size and check sum that they have (manifest.h).
+void require_replaceable(const std::filesystem::path &target);
+
 /// A folder of results that appears under its name whole or not at all.
 ///
-/// Everything is written into a hidden folder beside it, ".<name>.partial-<pid>", which publish() renames.
-/// Until then it goes away with the object, and on interruption; only SIGKILL can leave it behind, until the
-/// next one for the same target removes it. An older folder of results is replaced, anything else is left
-/// alone: a folder is one of results when its summary.json lists all that is in it under "files".
+/// Everything is written into a new hidden folder beside it, ".<name>.partial-<pid>-<random digits>", which
+/// publish() renames. Until then it goes away with the object, and on interruption; only SIGKILL can leave it
+/// behind, until the next one for the same target removes it, if nothing is in it but what its manifest
+/// lists. An older folder of results is replaced under the same condition; anything else is left alone.
 class ResultsFolder
 {
 public:
-  /// Claims the place before any long work. Throws OutputFailure, with one sentence, when @p target is taken
-  /// or cannot be written.
+  /// Claims the place before any long work. Throws OutputFailure, with one sentence, when @p target is not
+  /// replaceable or cannot be written.
   explicit ResultsFolder(const std::filesystem::path &target);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder &) = delete;
@@ -31,13 +36,22 @@ public:
   /// Where they will be.
   const std::filesystem::path &final_folder() const { return target; }
 
-  /// Names of what is in the working folder, sorted; to be listed in summary.json.
+  /// Whether the results have their name, and the working folder is gone.
+  bool is_published() const { return published; }
+
+  /// Names of what is in the working folder, sorted, the manifest among them; to be listed in summary.json.
   std::vector<std::string> contents() const;
 
-  /// Gives the folder its name. Throws OutputFailure when that fails; the older results are then still there.
+  /// Lists what has been written so far in the manifest, so that a killed process leaves nothing that the
+  /// next one has to take for a user's.
+  void record();
+
+  /// Gives the folder its name. Throws OutputFailure when that fails, or when the target is no longer
+  /// replaceable; the older results are then still there.
   void publish();
 
 private:
+  void claim_place();
   void remove_partial() noexcept;
 
   std::filesystem::path target;

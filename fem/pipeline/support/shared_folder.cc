@@ -21,6 +21,8 @@ void SharedFolder::write(const std::function<void(ResultsFolder &)> &work)
     [&]
     {
       work(*owned);
+      if (!owned->is_published())
+        owned->record();
       return std::string();
     });
 }

@@ -1,11 +1,13 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/folders.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <iomanip>
 #include <sstream>
 #include <unistd.h>
@@ -16,41 +18,67 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Whether every byte has been taken by the disk; errno says why not.
-bool write_all(const std::filesystem::path &file, const std::string &text)
+/// Makes a new file, which must not be there, not even as a link; the results' own folder is nobody else's,
+/// so that there @p is_new may be false.
+int open_file(const std::filesystem::path &file, bool is_new)
 {
-  errno = 0;
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  return static_cast<bool>(stream);
+  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (is_new ? O_EXCL : O_TRUNC), 0666);
+}
+
+/// Whether every byte has been taken by the disk; errno says why not.
+bool write_all(int descriptor, const std::string &text)
+{
+  if (descriptor < 0)
+    return false;
+  bool is_written = true;
+  for (std::size_t n_written = 0; is_written && n_written < text.size();)
+  {
+    const auto n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
+    if (n >= 0)
+      n_written += static_cast<std::size_t>(n);
+    else
+      is_written = errno == EINTR;
+  }
+  const int error = errno;
+  const bool is_closed = ::close(descriptor) == 0;
+  if (!is_written)
+    errno = error;
+  return is_written && is_closed;
 }
 
 } // namespace
 
 void write_text_file(const std::filesystem::path &file, const std::string &text)
 {
-  if (!write_all(file, text))
-    throw OutputFailure("The file " + file.filename().string() + " of the results cannot be written (" +
-                        std::strerror(errno) + "); make room, or choose another folder with --output.");
+  if (!write_all(open_file(file, false), text))
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The file {} of the results cannot be written ({}); make room, or choose another "
+                 "folder with --output."),
+      file.filename().string(), std::strerror(errno)));
 }
 
 void replace_text_file(const std::filesystem::path &file, const std::string &text)
 {
   std::filesystem::path partial = file;
-  partial.replace_filename("." + file.filename().string() + ".partial-" + std::to_string(::getpid()));
+  partial.replace_filename("." + file.filename().string() + ".partial-" + unique_suffix());
   const auto refuse = [&](const std::string &reason)
   {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw OutputFailure("The file " + file.string() + " cannot be written (" + reason +
-                        "); choose another place.");
+    throw OutputFailure(fmt::format(FMT_STRING("The file {} cannot be written ({}); choose another place."),
+                                    file.string(), reason));
   };
-  if (!write_all(partial, text))
+  const int descriptor = open_file(partial, true);
+  if (descriptor < 0)
     refuse(std::strerror(errno));
   std::error_code error;
-  if (std::filesystem::rename(partial, file, error); error)
-    refuse(error.message());
+  if (!write_all(descriptor, text))
+    error = std::error_code(errno, std::generic_category());
+  else
+    std::filesystem::rename(partial, file, error);
+  if (!error)
+    return;
+  std::error_code ignored;
+  std::filesystem::remove(partial, ignored);
+  refuse(error.message());
 }
 
 std::string data_table(const std::string &title, const std::vector<DataColumn> &columns)

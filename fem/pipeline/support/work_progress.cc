@@ -1,10 +1,10 @@
 #include "fem/pipeline/support/work_progress.h"
 
 #include "fem/pipeline/support/console.h"
-#include "fem/pipeline/support/text_layout.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <ostream>
 #include <utility>
 
@@ -14,10 +14,10 @@ namespace stemware::pipeline
 std::string rough_duration(double seconds)
 {
   if (seconds < 90)
-    return formatted("%.0f s", std::ceil(seconds));
+    return fmt::format(FMT_STRING("{:.0f} s"), std::ceil(seconds));
   if (seconds < 90 * 60)
-    return formatted("%.0f min", std::ceil(seconds / 60));
-  return formatted("%.1f h", seconds / 3600);
+    return fmt::format(FMT_STRING("{:.0f} min"), std::ceil(seconds / 60));
+  return fmt::format(FMT_STRING("{:.1f} h"), seconds / 3600);
 }
 
 WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun)
@@ -45,9 +45,9 @@ void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
 
 std::string WorkProgress::text(std::size_t n_finished, std::size_t n_failed) const
 {
-  std::string text = std::to_string(n_finished) + " of " + std::to_string(n_cases) + " " + noun;
+  std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_finished, n_cases, noun);
   if (n_failed > 0)
-    text += ", " + std::to_string(n_failed) + " failed";
+    text += fmt::format(FMT_STRING(", {} failed"), n_failed);
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (n_finished > n_before && n_finished < n_cases)
     text += ", " +

@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/analysis/spin.h"
 
 #include <algorithm>

@@ -167,7 +167,7 @@ std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_l
     throw BadInput(
       "A refinement study takes a rim and a table that are flat; leave the waviness of Glass and "
       "Table empty.");
-  const std::vector<RefinementAxis> axes = study.contact.body == BodyKind::revolution
+  const std::vector<RefinementAxis> axes = abilities(study.contact.body).is_of_revolution
                                              ? axes_of_revolution(study, n_levels)
                                              : axes_of_solid(study, n_levels);
   for (const RefinementAxis &axis : axes)
@@ -189,7 +189,7 @@ std::vector<RefinementAxis> quick_axes(const Study &study)
 
 unsigned int n_contact_azimuths(const Study &study)
 {
-  if (study.contact.body == BodyKind::solid)
+  if (!abilities(study.contact.body).is_of_revolution)
     return study.contact.resolution.azimuthal_cells;
   return study.table.is_hard() ? 2 * study.contact.harmonics + 1 : study.contact.azimuth_lines;
 }

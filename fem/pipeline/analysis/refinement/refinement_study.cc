@@ -2,14 +2,14 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
-
-#include <tbb/parallel_for.h>
+#include "fem/pipeline/support/parallel.h"
 
 #include <algorithm>
 #include <exception>
 #include <mutex>
 #include <functional>
 #include <stdexcept>
+#include <thread>
 
 namespace stemware::pipeline
 {
@@ -67,36 +67,26 @@ std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes, const std:
   }
 }
 
-/// Solves all tasks, side by side unless each takes all ranks together; throws what the first that failed has thrown.
-void solve(const std::vector<Task> &tasks, bool one_by_one, const std::function<void(const Task &)> &solve_one,
-           Progress &progress)
+/// Solves all tasks, @p n_threads at a time; throws what one that failed has thrown.
+void solve(const std::vector<Task> &tasks, unsigned int n_threads,
+           const std::function<void(const Task &)> &solve_one, Progress &progress)
 {
-  std::vector<std::exception_ptr> failures(tasks.size());
   std::mutex mutex;
   std::size_t n_done = 0;
-  tbb::task_group_context context;
-  const auto solve_task = [&](std::size_t i)
-  {
-    try
-    {
-      solve_one(tasks[i]);
-      const std::lock_guard<std::mutex> lock(mutex);
-      progress.pieces_done("levels", ++n_done, tasks.size());
-    }
-    catch (...)
-    {
-      failures[i] = std::current_exception();
-      context.cancel_group_execution();
-    }
-  };
-  if (one_by_one)
-    for (std::size_t i = 0; i < tasks.size() && !context.is_group_execution_cancelled(); ++i)
-      solve_task(i);
-  else
-    tbb::parallel_for(std::size_t(0), tasks.size(), solve_task, tbb::simple_partitioner(), context);
-  for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (failures[i])
-      fail_at(tasks[i], failures[i]);
+  parallel_for_each(tasks.size(), n_threads,
+                    [&](std::size_t i)
+                    {
+                      try
+                      {
+                        solve_one(tasks[i]);
+                      }
+                      catch (...)
+                      {
+                        fail_at(tasks[i], std::current_exception());
+                      }
+                      const std::lock_guard<std::mutex> lock(mutex);
+                      progress.pieces_done("levels", ++n_done, tasks.size());
+                    });
 }
 
 AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<QuantityOfInterest>> &levels)
@@ -164,7 +154,8 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
   };
   LevelQuantities quantities;
   const std::vector<Task> tasks = open_tasks(axes, own, quantities);
-  solve(tasks, study.contact.body == BodyKind::solid, solve_one, progress);
+  const bool one_by_one = abilities(study.contact.body).is_collective;
+  solve(tasks, one_by_one ? 1 : std::max(1u, std::thread::hardware_concurrency()), solve_one, progress);
 
   RefinementResult result;
   for (std::size_t a = 0; a < axes.size(); ++a)
@@ -187,7 +178,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
 
 bool has_quick_error_bands(const Study &study)
 {
-  return study.load.source == LoadSource::contact && study.contact.body == BodyKind::revolution &&
+  return study.load.source == LoadSource::contact && abilities(study.contact.body).is_of_revolution &&
          !study.table.is_hard() && !study.has_waviness();
 }
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <fstream>
 #include <unistd.h>
 
@@ -25,8 +26,10 @@ constexpr char no_message[] = "\"message\":\"\",";
 
 [[noreturn]] void fail_to_keep(const fs::path &file)
 {
-  throw OutputFailure("The finished cases cannot be kept in " + file.string() + " (" + std::strerror(errno) +
-                      "); make room, or choose another folder with --output.");
+  throw OutputFailure(
+    fmt::format(FMT_STRING("The finished cases cannot be kept in {} ({}); make room, or choose "
+                           "another folder with --output."),
+                file.string(), std::strerror(errno)));
 }
 
 std::string line_of(std::size_t index, const CaseResult &result)
@@ -63,7 +66,7 @@ std::optional<std::pair<std::size_t, CaseResult>> case_of(const std::string &lin
 
 CaseLog::CaseLog(const fs::path &file)
     : file(file)
-    , descriptor(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666))
+    , descriptor(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666))
     , last_sync(std::chrono::steady_clock::now())
 {
   if (descriptor < 0)
@@ -100,27 +103,23 @@ FinishedCases recover_cases(const fs::path &log)
   FinishedCases cases;
   std::ifstream stream(log, std::ios::binary);
   std::uintmax_t n_good = 0;
-  bool has_rest = false;
-  for (std::string line; !has_rest && std::getline(stream, line);)
+  bool is_whole = true;
+  for (std::string line; is_whole && std::getline(stream, line);)
   {
     const auto finished = stream.eof() ? std::nullopt : case_of(line); // at the end of the file: no line end
-    has_rest = !finished.has_value();
-    if (has_rest)
-      break;
+    is_whole = finished.has_value();
+    if (!is_whole)
+      continue;
     cases.insert(*finished);
     n_good += line.size() + 1;
   }
   stream.close();
-  if (has_rest)
-  {
-    std::error_code error;
+  std::error_code error;
+  if (!is_whole)
     fs::resize_file(log, n_good, error);
-    if (error)
-    {
-      errno = error.value();
-      fail_to_keep(log);
-    }
-  }
+  errno = error.value();
+  if (error)
+    fail_to_keep(log);
   return cases;
 }
 

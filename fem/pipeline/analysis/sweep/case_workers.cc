@@ -2,12 +2,11 @@
 
 #include "fem/contact/contact_newton.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/pipeline/support/parallel.h"
 #include "fem/pipeline/support/ranks.h"
 
-#include <algorithm>
-#include <condition_variable>
+#include <chrono>
 #include <mutex>
-#include <thread>
 
 namespace stemware::pipeline
 {
@@ -35,71 +34,6 @@ CaseResult failed_case()
   return result;
 }
 
-/// What the threads share.
-class WorkShare
-{
-public:
-  WorkShare(const SweepPlan &plan, const std::vector<std::size_t> &indices, CaseLog &log)
-      : plan(plan)
-      , indices(indices)
-      , log(log)
-  {
-  }
-
-  /// Takes case after case until there is none left, or the log fails.
-  void work()
-  {
-    for (auto index = next(); index; index = next())
-      finish(*index, attempt_case(plan, *index, store));
-  }
-
-  /// Waits for at most a fifth of a second; false when all cases are finished or the log has failed.
-  bool wait()
-  {
-    std::unique_lock<std::mutex> lock(mutex);
-    const auto is_over = [this] { return n_finished == indices.size() || log_failure; };
-    return !changed.wait_for(lock, std::chrono::milliseconds(200), is_over);
-  }
-
-  void rethrow_log_failure() const
-  {
-    if (log_failure)
-      std::rethrow_exception(log_failure);
-  }
-
-private:
-  std::optional<std::size_t> next()
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    return n_begun < indices.size() && !log_failure ? std::optional(indices[n_begun++]) : std::nullopt;
-  }
-
-  void finish(std::size_t index, const CaseResult &result)
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    try
-    {
-      log.append(index, result);
-      ++n_finished;
-    }
-    catch (...)
-    {
-      log_failure = std::current_exception();
-    }
-    changed.notify_one();
-  }
-
-  const SweepPlan &plan;
-  const std::vector<std::size_t> &indices;
-  CaseLog &log;
-  fem::ComplianceStore store;
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::size_t n_begun = 0;
-  std::size_t n_finished = 0;
-  std::exception_ptr log_failure;
-};
-
 } // namespace
 
 CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceStore &store)
@@ -119,7 +53,7 @@ bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
   try
   {
     const Study study = plan.study_of(index);
-    return study.load.source == LoadSource::contact && study.contact.body == BodyKind::solid;
+    return study.load.source == LoadSource::contact && abilities(study.contact.body).is_collective;
   }
   catch (const BadInput &)
   {
@@ -130,19 +64,23 @@ bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
 void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
                       CaseLog &log, const std::function<void()> &watch)
 {
-  if (indices.empty())
-    return;
-  WorkShare share(plan, indices, log);
-  std::vector<std::thread> threads;
-  for (std::size_t t = 0; t < std::min<std::size_t>(n_threads, indices.size()); ++t)
-    threads.emplace_back([&] { share.work(); });
-  do
+  fem::ComplianceStore store;
+  std::mutex mutex;
+  auto last_watched = std::chrono::steady_clock::now();
+  const auto finish = [&](std::size_t index, const CaseResult &result)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    log.append(index, result);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_watched < std::chrono::milliseconds(200))
+      return;
+    last_watched = now;
     watch();
-  while (share.wait());
-  for (std::thread &thread : threads)
-    thread.join();
+  };
   watch();
-  share.rethrow_log_failure();
+  parallel_for_each(indices.size(), n_threads,
+                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], store)); });
+  watch();
 }
 
 void solve_together(const SweepPlan &plan, const std::vector<std::size_t> &indices, CaseLog &log,

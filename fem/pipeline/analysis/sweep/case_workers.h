@@ -15,9 +15,9 @@ CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::Complianc
 /// cannot even be read.
 bool needs_all_ranks(const SweepPlan &plan, std::size_t index);
 
-/// Solves cases on @p n_threads threads of this process, the next one always going to the thread that is
-/// free, and logs each as soon as it is finished. Meanwhile @p watch is called in the calling thread, a few
-/// times a second. Only for cases that do not need all ranks. Throws OutputFailure when the log does.
+/// Solves cases on @p n_threads threads of this process, and logs each as soon as it is finished. Meanwhile
+/// @p watch is called by one thread at a time, a few times a second. Only for cases that do not need all
+/// ranks. Throws OutputFailure when the log does.
 void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
                       CaseLog &log, const std::function<void()> &watch);
 

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/distributions/normal.hpp>
 

@@ -3,7 +3,9 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <algorithm>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -18,12 +20,10 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-/// Absolute path without dots and trailing slash.
-fs::path resolved(const fs::path &path)
-{
-  const fs::path result = fs::weakly_canonical(fs::absolute(path));
-  return result.has_filename() ? result : result.parent_path();
-}
+constexpr char plan_name[] = "plan.json";
+
+/// First key of the plan: the folder is one of ours.
+constexpr char what_it_is[] = "finished cases of stemware sweep";
 
 fs::path folder_beside(const fs::path &results)
 {
@@ -38,23 +38,41 @@ std::string content_of(const fs::path &file)
   return text.str();
 }
 
+/// cases-0.jsonl, cases-1.jsonl, ...
+bool is_log_name(const std::string &name)
+{
+  const std::string start = "cases-", end = ".jsonl";
+  if (name.size() <= start.size() + end.size() || name.compare(0, start.size(), start) != 0 ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(start.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(end.size()),
+                     [](char letter) { return '0' <= letter && letter <= '9'; });
+}
+
+/// The logs that are in the folder; none where it is gone.
+std::set<fs::path> logs_that_are_in(const fs::path &folder)
+{
+  std::set<fs::path> logs;
+  std::error_code error;
+  for (const auto &item : fs::directory_iterator(folder, error))
+    if (is_log_name(item.path().filename()) && is_plain_file(item.path()))
+      logs.insert(item.path());
+  return logs;
+}
+
 /// Whole or not at all, even if the power fails.
 void write_durably(const fs::path &file, const std::string &text)
 {
-  fs::path partial = file;
-  partial += ".partial";
-  write_text_file(partial, text);
-  const int descriptor = ::open(partial.c_str(), O_RDONLY | O_CLOEXEC);
+  replace_text_file(file, text);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   ::fsync(descriptor);
   ::close(descriptor);
-  fs::rename(partial, file);
 }
 
 /// How the sweep that is kept differs from the one that is asked for.
 std::string difference(const Json &kept, const Json &asked)
 {
-  if (!kept.is_object())
-    return "a sweep whose plan cannot be read";
   if (kept.value("program", Json()) != asked.at("program"))
     return "a sweep of another version of the program";
   if (kept.value("files", Json()) != asked.at("files"))
@@ -70,13 +88,22 @@ SweepFolder::SweepFolder(const fs::path &results_wanted, const Json &identity, b
 {
   try
   {
+    created = create_folders(folder.parent_path());
     take();
+    require_own();
     adopt(identity, restart);
+  }
+  catch (const OutputFailure &)
+  {
+    remove_empty_folders(created);
+    throw;
   }
   catch (const fs::filesystem_error &error)
   {
-    throw OutputFailure("The finished cases cannot be kept in " + folder.string() + " (" +
-                        error.code().message() + "); choose another folder with --output.");
+    remove_empty_folders(created);
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The finished cases cannot be kept in {} ({}); choose another folder with --output."),
+      folder.string(), error.code().message()));
   }
 }
 
@@ -87,57 +114,73 @@ SweepFolder::~SweepFolder()
 
 void SweepFolder::take()
 {
-  for (fs::path path = folder.parent_path(); !path.empty() && !fs::exists(path); path = path.parent_path())
-    created_parents.push_back(path);
-  // Another sweep may end and remove the folder between the two steps; then there is a next time.
-  for (unsigned int attempt = 0; attempt < 5 && !claim.held(); ++attempt)
+  if (!fs::exists(fs::symlink_status(folder)))
   {
-    fs::create_directories(folder);
-    claim = FolderClaim(folder);
+    create_new_folder(folder);
+    created.insert(created.begin(), folder);
   }
+  if (!is_plain_folder(folder))
+    throw OutputFailure(fmt::format(
+      FMT_STRING(
+        "{}, where a sweep keeps its finished cases, is not a folder of its own but a link or a file; "
+        "move it away, or choose another folder with --output."),
+      folder.string()));
+  claim = FolderClaim(folder);
   if (!claim.held())
-    throw OutputFailure("Another sweep is computing into " + results.string() +
-                        "; wait until it has ended, or choose another folder with --output.");
+    throw OutputFailure(
+      fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, or "
+                             "choose another folder with --output."),
+                  results.string()));
+}
+
+void SweepFolder::require_own() const
+{
+  const Json plan =
+    Json::parse(is_plain_file(folder / plan_name) ? content_of(folder / plan_name) : "", nullptr, false);
+  const bool has_plan = plan.is_object() && plan.value("what", "") == what_it_is;
+  for (const std::string &name : names_in(folder))
+    if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
+      throw OutputFailure(fmt::format(
+        FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is not one of its "
+                   "files; move it away, or choose another folder with --output."),
+        folder.string(), name));
 }
 
 void SweepFolder::adopt(const Json &identity, bool restart)
 {
-  const fs::path plan = folder / "plan.json";
-  const std::string wanted = identity.dump(1) + "\n";
-  if (!restart && content_of(plan) == wanted)
+  const fs::path plan = folder / plan_name;
+  Json marked = { { "what", what_it_is } };
+  marked.update(identity);
+  const std::string wanted = marked.dump(1) + "\n";
+  const std::string kept = content_of(plan);
+  if (!restart && kept == wanted)
     return;
   const std::size_t n_finished = restart ? 0 : finished_cases().size();
   if (n_finished > 0)
-    throw OutputFailure("The folder " + folder.string() + " keeps " + std::to_string(n_finished) +
-                        " finished cases of " +
-                        difference(Json::parse(content_of(plan), nullptr, false), identity) +
-                        "; choose another folder with --output, or add --restart to throw them away.");
-  for (const auto &item : fs::directory_iterator(folder))
-    fs::remove_all(item.path());
+    throw OutputFailure(fmt::format(FMT_STRING("The folder {} keeps {} finished cases of {}; choose another "
+                                               "folder with --output, or add --restart to throw them away."),
+                                    folder.string(), n_finished, difference(Json::parse(kept), identity)));
+  for (const fs::path &log : logs_that_are_in(folder))
+    fs::remove(log);
   write_durably(plan, wanted);
 }
 
 fs::path SweepFolder::log_of(const fs::path &path, unsigned int rank)
 {
-  return path / ("cases-" + std::to_string(rank) + ".jsonl");
+  return path / fmt::format(FMT_STRING("cases-{}.jsonl"), rank);
 }
 
 FinishedCases SweepFolder::finished_cases() const
 {
   FinishedCases all;
-  for (const auto &item : fs::directory_iterator(folder))
-    if (item.path().extension() == ".jsonl")
-      all.merge(recover_cases(item.path()));
+  for (const fs::path &log : logs_that_are_in(folder))
+    all.merge(recover_cases(log));
   return all;
 }
 
 std::vector<LogCounter> SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
 {
-  std::set<fs::path> files;
-  std::error_code error; // the folder may be gone
-  for (const auto &item : fs::directory_iterator(path, error))
-    if (item.path().extension() == ".jsonl")
-      files.insert(item.path());
+  std::set<fs::path> files = logs_that_are_in(path);
   for (unsigned int rank = 0; rank < n_ranks; ++rank)
     files.insert(log_of(path, rank));
   return std::vector<LogCounter>(files.begin(), files.end());
@@ -157,24 +200,23 @@ CaseCount SweepFolder::count(std::vector<LogCounter> &logs)
 
 void SweepFolder::remove() noexcept
 {
-  // Out of the way first, so that a sweep that starts meanwhile has a folder of its own.
+  // The plan last: what is left of a folder when the program is killed here is still one of a sweep.
   std::error_code error;
-  fs::path away = folder;
-  away += ".removed-" + std::to_string(::getpid());
-  fs::rename(folder, away, error);
-  fs::remove_all(away, error);
+  for (const fs::path &log : logs_that_are_in(folder))
+    fs::remove(log, error);
+  if (is_plain_file(folder / plan_name))
+    fs::remove(folder / plan_name, error);
+  ::rmdir(folder.c_str());
 }
 
 void SweepFolder::remove_if_empty() noexcept
 {
   std::error_code error;
-  for (const auto &item : fs::directory_iterator(folder, error))
-    if (item.path().extension() == ".jsonl" && item.file_size(error) > 0)
+  for (const fs::path &log : logs_that_are_in(folder))
+    if (fs::file_size(log, error) > 0)
       return;
   remove();
-  for (const fs::path &parent : created_parents)
-    if (!fs::remove(parent, error)) // fails where something else has come in meanwhile
-      break;
+  remove_empty_folders(created);
 }
 
 } // namespace stemware::pipeline

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/sweep/case_log.h"
-#include "fem/pipeline/support/folder_claim.h"
+#include "fem/pipeline/support/folders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,15 +9,17 @@ namespace stemware::pipeline
 {
 
 /// The hidden folder ".<name>.sweep" beside the results, in which a sweep keeps its finished cases until the
-/// results are whole. What is in it survives the program, so that the same sweep can go on from there.
+/// results are whole: plan.json, which says what it is and of which sweep, and a log of cases for each rank.
+/// What is in it survives the program, so that the same sweep can go on from there. A folder, or a link, that
+/// is anything else is refused, and nothing in it is touched.
 ///
 /// The first rank owns it: only one program at a time.
 class SweepFolder
 {
 public:
   /// Takes the folder, or makes it. @p identity tells sweeps apart: a folder with finished cases of another
-  /// one is left alone unless @p restart is set, which throws away whatever is there. Throws OutputFailure,
-  /// with one sentence, for that, for a folder in use, and for trouble with files.
+  /// one is left alone unless @p restart is set, which throws them away. Throws OutputFailure, with one
+  /// sentence, for that, for a folder in use or not of a sweep, and for trouble with files.
   SweepFolder(const std::filesystem::path &results, const nlohmann::ordered_json &identity, bool restart);
   /// Removes the folder if it holds no finished case.
   ~SweepFolder();
@@ -38,7 +40,7 @@ public:
   /// What all ranks have finished so far.
   FinishedCases finished_cases() const;
 
-  /// Removes the folder with all that is in it.
+  /// Removes the plan and the logs, and the folder if nothing else is in it.
   void remove() noexcept;
 
   /// Removes the folder if it holds no finished case, and folders above it that were made for it; what
@@ -47,11 +49,13 @@ public:
 
 private:
   void take();
+  void require_own() const;
   void adopt(const nlohmann::ordered_json &identity, bool restart);
 
   const std::filesystem::path results;
   const std::filesystem::path folder;
-  std::vector<std::filesystem::path> created_parents; ///< innermost first
+  std::vector<std::filesystem::path>
+    created; ///< the folder and those above it that were made, innermost first
   FolderClaim claim;
 };
 

@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/program.h"
 
 #include <boost/crc.hpp>

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
 
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>

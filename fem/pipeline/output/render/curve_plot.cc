@@ -1,7 +1,7 @@
 #include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/plot_script.h"
 #include "fem/pipeline/output/render/plots.h"
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(NumberText, IsTheShortestThatReadsBackExactly)
+TEST(Numbers, IsTheShortestThatReadsBackExactly)
 {
   EXPECT_EQ(to_text(0.03), "0.03");
   EXPECT_EQ(to_text(70e9), "7e10");
@@ -21,13 +21,13 @@ TEST(NumberText, IsTheShortestThatReadsBackExactly)
     EXPECT_EQ(parse_number(to_text(value)), value) << to_text(value);
 }
 
-TEST(NumberText, ShortTextHasSixDigits)
+TEST(Numbers, ShortTextHasSixDigits)
 {
   EXPECT_EQ(to_short_text(9.080892337936447), "9.08089");
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");
 }
 
-TEST(NumberText, RoundsToSignificantDigits)
+TEST(Numbers, RoundsToSignificantDigits)
 {
   EXPECT_EQ(rounded(0.1 + 0.2, 15), 0.3);
   EXPECT_EQ(rounded(1e10 / 3, 12), 3333333333.33);
@@ -35,7 +35,7 @@ TEST(NumberText, RoundsToSignificantDigits)
   EXPECT_EQ(rounded(0, 5), 0);
 }
 
-TEST(NumberText, ReadsWholeFiniteNumbersOnly)
+TEST(Numbers, ReadsWholeFiniteNumbersOnly)
 {
   EXPECT_EQ(parse_number("0.0312345678901234"), 0.0312345678901234);
   EXPECT_EQ(parse_number(" +7e10 "), 7e10);
@@ -44,7 +44,7 @@ TEST(NumberText, ReadsWholeFiniteNumbersOnly)
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
-TEST(NumberText, ReadsWholeCountsOnly)
+TEST(Numbers, ReadsWholeCountsOnly)
 {
   EXPECT_EQ(parse_count("48"), 48u);
   for (const char *text : { "", "-8", "4.0", "1e2", "12a", "99999999999" })

@@ -1,6 +1,9 @@
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -67,14 +70,47 @@ std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
   return text;
 }
 
+/// A field of a CSV record, in quotes where it needs them.
+std::string field(const std::string &text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + '"';
+}
+
+/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case being equal.
+std::size_t edit_distance(const std::string &from, const std::string &to)
+{
+  const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j)
+    row[j] = j;
+  for (std::size_t i = 1; i <= from.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= to.size(); ++j)
+    {
+      const bool equal = lower(from[i - 1]) == lower(to[j - 1]);
+      const std::size_t replaced = diagonal + (equal ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({ row[j] + 1, row[j - 1] + 1, replaced });
+    }
+  }
+  return row.back();
+}
+
 } // namespace
 
 std::string in_percent(const std::optional<double> &share)
 {
-  return share ? formatted("%+.3g %%", 100 * *share) : "-";
+  return share ? fmt::format(FMT_STRING("{:+.3g} %"), 100 * *share) : "-";
 }
 
-std::string wrapped(const std::string &text, const std::string &label)
+std::string wrapped(const std::string &text, const std::string &label, std::size_t width)
 {
   const std::size_t indent = width_of(label);
   std::istringstream words(text);
@@ -82,7 +118,7 @@ std::string wrapped(const std::string &text, const std::string &label)
   std::size_t column = indent;
   for (std::string word; words >> word; column += width_of(word))
   {
-    if (column > indent && column + 1 + width_of(word) > console_width)
+    if (column > indent && column + 1 + width_of(word) > width)
     {
       lines += '\n' + std::string(indent, ' ');
       column = indent;
@@ -122,6 +158,40 @@ std::string text_table(const std::vector<TextColumn> &columns)
     width += laid_out[c].width;
   }
   return text + side_by_side(block);
+}
+
+std::string csv_record(const std::vector<std::string> &fields)
+{
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    line += (i == 0 ? "" : ",") + field(fields[i]);
+  return line + "\r\n";
+}
+
+std::string column_title(const std::string &name, const std::string &unit)
+{
+  return unit.empty() ? name : name + " (" + unit + ")";
+}
+
+std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words)
+{
+  constexpr std::size_t most_slips = 3;
+  std::optional<std::string> best;
+  std::size_t least = most_slips + 1;
+  for (const std::string &candidate : words)
+  {
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    if (std::max(word.size(), candidate.size()) - shorter > most_slips)
+      continue; // and a megabyte need not be compared
+    const std::size_t distance = edit_distance(word, candidate);
+    // A word of which no letter is left is another word.
+    if (distance < least && distance < candidate.size())
+    {
+      best = candidate;
+      least = distance;
+    }
+  }
+  return best;
 }
 
 } // namespace stemware::pipeline

@@ -1,4 +1,4 @@
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/text.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace stemware::pipeline
 {
 
-TEST(TextLayout, TableAlignsNumbersRightAndWordsLeft)
+TEST(Text, TableAlignsNumbersRightAndWordsLeft)
 {
   EXPECT_EQ(text_table({ { "load", { "ring", "elastic foot" }, true },
                          { "terminal spin\n(rad/s)", { "-3.1", "no spin" } } }),
@@ -17,12 +17,12 @@ TEST(TextLayout, TableAlignsNumbersRightAndWordsLeft)
             "  elastic foot        no spin\n");
 }
 
-TEST(TextLayout, TableCountsLettersNotBytes)
+TEST(Text, TableCountsLettersNotBytes)
 {
   EXPECT_EQ(text_table({ { "τ", { "1" } }, { "ω", { "10" } } }), "  τ   ω\n  1  10\n");
 }
 
-TEST(TextLayout, TooManyColumnsFollowBelowBesideTheFirst)
+TEST(Text, TooManyColumnsFollowBelowBesideTheFirst)
 {
   const std::string wide(40, '7');
   const std::string table =
@@ -38,7 +38,7 @@ TEST(TextLayout, TooManyColumnsFollowBelowBesideTheFirst)
   EXPECT_EQ(std::count(table.begin(), table.end(), '7'), 120);
 }
 
-TEST(TextLayout, WrapsAtTheConsolesWidth)
+TEST(Text, WrapsAtTheConsolesWidth)
 {
   const std::string word(49, 'x');
   EXPECT_EQ(wrapped(word + " " + word + "x  y"), word + " " + word + "x\ny"); // exactly 100 columns

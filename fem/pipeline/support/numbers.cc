@@ -1,4 +1,4 @@
-#include "fem/pipeline/support/number_text.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <array>
 #include <charconv>

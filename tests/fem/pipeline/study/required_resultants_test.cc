@@ -1,4 +1,4 @@
-#include "fem/pipeline/study/contact_demand.h"
+#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <gtest/gtest.h>
@@ -10,47 +10,47 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(ContactDemand, ClosurePaperAsksForTheRadialMomentOnly)
+TEST(RequiredResultants, ClosurePaperAsksForTheRadialMomentOnly)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;
-  const fem::ContactLoad load = demanded_load(study);
+  const fem::ContactLoad load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.normal_force, 2.943);
   EXPECT_DOUBLE_EQ(load.moment_x, -0.05 * 0.3 * 0.35 * 0.35 / 0.15);
   EXPECT_EQ(load.moment_y, 0);
   EXPECT_NEAR(moment_ratio(load, 0.03), 0.277494620002, 1e-12);
 }
 
-TEST(ContactDemand, ClosureFullAddsFrictionAtTheHeightOfTheHand)
+TEST(RequiredResultants, ClosureFullAddsFrictionAtTheHeightOfTheHand)
 {
   const Study study;
-  const fem::ContactLoad load = demanded_load(study);
+  const fem::ContactLoad load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.moment_x, -0.01225);
   // -z_F mu N with the hand 3 cm above the table: the front carries more.
   EXPECT_NEAR(load.moment_y, -0.03 * 0.3 * 2.943, 1e-15);
 }
 
-TEST(ContactDemand, StaticStudyPutsTheMaximumWhereItIsTold)
+TEST(RequiredResultants, StaticStudyPutsTheMaximumWhereItIsTold)
 {
   for (const double direction : { -3., -1.5, 0., 0.7, 2. })
   {
     Study study;
     study.load.moment_ratio = 1.3;
     study.load.moment_direction = direction;
-    const fem::ContactLoad load = demanded_load(study);
+    const fem::ContactLoad load = study.required_resultants();
     EXPECT_NEAR(moment_ratio(load, 0.03), 1.3, 1e-14);
     // (M_Nx, M_Ny) = (sum y f, -sum x f): the centre of pressure lies at (-M_Ny, M_Nx) / N.
     EXPECT_NEAR(std::atan2(load.moment_x, -load.moment_y), direction, 1e-14);
   }
 }
 
-TEST(ContactDemand, TippingIsRefused)
+TEST(RequiredResultants, TippingIsRefused)
 {
   Study study;
   study.motion.orbit.force_offset = 0.2;
-  EXPECT_THROW(demanded_load(study), BadInput);
+  EXPECT_THROW(study.required_resultants(), BadInput);
   study.load.moment_ratio = 1.999;
-  EXPECT_NO_THROW(demanded_load(study));
+  EXPECT_NO_THROW(study.required_resultants());
 }
 
 } // namespace

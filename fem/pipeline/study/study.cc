@@ -1,0 +1,77 @@
+#include "fem/pipeline/study/study.h"
+
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stemware::pipeline
+{
+
+bool TableSection::is_hard() const
+{
+  return kind == TableKind::rigid || kind == TableKind::elastic;
+}
+
+BodyAbilities abilities(BodyKind body)
+{
+  BodyAbilities can;
+  can.is_of_revolution = body == BodyKind::revolution;
+  can.stands_on_elastic_disc = can.friction_can_deform = can.is_of_revolution;
+  can.reads_meshes = can.is_collective = !can.is_of_revolution;
+  can.highest_degree = can.is_of_revolution ? 4 : 2;
+  return can;
+}
+
+bool Study::friction_deforms_foot() const
+{
+  if (contact.friction_coupling != FrictionCoupling::automatic)
+    return contact.friction_coupling == FrictionCoupling::elastic;
+  return abilities(contact.body).friction_can_deform && table.is_hard();
+}
+
+fem::ContactLoad Study::required_resultants() const
+{
+  const double radius = glass.profile.contact_radius;
+  fem::ContactLoad required;
+  required.normal_force = motion.orbit.normal_force();
+  if (load.is_static())
+  {
+    // The load is largest where the moment presses: (sum y f, -sum x f) for forces gathered at that theta.
+    const double moment = load.moment_ratio * required.normal_force * radius / 2;
+    required.moment_x = moment * std::sin(load.moment_direction);
+    required.moment_y = -moment * std::cos(load.moment_direction);
+  }
+  else
+  {
+    const Eigen::Vector2d moment = ring::required_moment_at_rest(motion.closure, motion.orbit);
+    required.moment_x = moment.x();
+    required.moment_y = moment.y();
+  }
+  const double ratio = pipeline::moment_ratio(required, radius);
+  require(
+    ratio < 2,
+    fmt::format(FMT_STRING("The closure {} asks for a moment ratio of {}, but the foot tips at 2; change the "
+                           "height of the hand or the speed, or set Load/Moment ratio below 2."),
+                ring::to_string(motion.closure), to_short_text(ratio)));
+  return required;
+}
+
+double moment_ratio(const fem::ContactLoad &load, double contact_radius)
+{
+  return std::hypot(load.moment_x, load.moment_y) / (load.normal_force * contact_radius / 2);
+}
+
+std::string friction_note(const Study &study)
+{
+  if (study.load.source != LoadSource::contact || !study.table.is_hard())
+    return "";
+  if (study.friction_deforms_foot())
+    return "deforms the foot: on this hard table it decides the second harmonic";
+  return fmt::format(
+    FMT_STRING("does not deform {} foot; on this hard table that would decide the second harmonic"),
+    abilities(study.contact.body).friction_can_deform ? "the" : "a solid");
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,46 @@
+#include "fem/pipeline/support/parallel.h"
+
+#include <deal.II/base/multithread_info.h>
+
+#include <algorithm>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// deal.II holds TBB of the whole program to its own number of threads, which is one once MPI runs
+/// (ranks.cc).
+class ThreadLimit
+{
+public:
+  explicit ThreadLimit(unsigned int n_threads)
+      : before(dealii::MultithreadInfo::n_threads())
+  {
+    dealii::MultithreadInfo::set_thread_limit(n_threads);
+  }
+  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
+  ThreadLimit(const ThreadLimit &) = delete;
+  ThreadLimit &operator=(const ThreadLimit &) = delete;
+
+private:
+  const unsigned int before;
+};
+
+} // namespace
+
+void parallel_for_each(std::size_t n, unsigned int n_threads, const std::function<void(std::size_t)> &work)
+{
+  n_threads = static_cast<unsigned int>(std::clamp<std::size_t>(n, 1, n_threads));
+  const ThreadLimit limit(n_threads);
+  tbb::task_arena arena(static_cast<int>(n_threads));
+  // Without the isolation a thread that waits for a loop within one call could begin another call, and then
+  // wait for what it has itself not finished.
+  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { work(i); }); };
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
+}
+
+} // namespace stemware::pipeline
