@@ -65,8 +65,8 @@ ComparedLoad rigid_rim(const std::string &name, const Study &study, double expon
            [&study, ring](ring::Closure closure, unsigned int n_harmonics)
            {
              const ring::Motion &motion = study.motion.orbit;
-             const LoadReport at_rest = report_of(
-               ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
+             const LoadReport at_rest =
+               report_of(ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
              return balance(ring, { motion, closure, {} }, at_rest, n_harmonics);
            },
            [ring](const BalancedLoad &load, double omega)
@@ -104,13 +104,13 @@ unsigned int n_harmonics_of(const Study &study, const ElasticFoot &foot)
 /// The elastic foot with the load of rest at every spin: no friction acts back.
 ComparedLoad foot_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot)
 {
-  return { compared_load::foot_at_rest, compared_orders(n_harmonics_of(study, *foot)),
-           [&study, foot](ring::Closure closure, unsigned int n_harmonics)
-           {
-             return BalancedLoad({ load_at_rest(with_closure(study, closure), *foot), {} })
-               .truncated(n_harmonics);
-           },
-           [](const BalancedLoad &load, double) { return load.report().contact_fraction; } };
+  return {
+    compared_load::foot_at_rest, compared_orders(n_harmonics_of(study, *foot)),
+    [&study, foot](ring::Closure closure, unsigned int n_harmonics) {
+      return BalancedLoad({ load_at_rest(with_closure(study, closure), *foot), {} }).truncated(n_harmonics);
+    },
+    [](const BalancedLoad &load, double) { return load.report().contact_fraction; }
+  };
 }
 
 /// The elastic foot in balance with friction at every spin.
@@ -181,7 +181,8 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, ring::Clo
   return row;
 }
 
-/// Gives the foot in balance with all its harmonics its error bands under the moment balances that the answer names.
+/// Gives the foot in balance with all its harmonics its error bands under the moment balances that the answer
+/// names.
 void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, std::vector<SpinRow> &rows)
 {
   fem::ComplianceCache cache;
@@ -194,7 +195,8 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     own.motion.closure = row.closure;
     own.load.coupling = LoadCoupling::exact;
     if (has_quick_error_bands(own))
-      row.band = band_of(error_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
+      row.band =
+        band_of(error_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
   }
 }
 

@@ -75,8 +75,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.at_rest = ring_state(load, question, 0);
   for (const double omega : question.torques_at)
     row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
-  const LongRunSpin found =
-    terminal_spin(load, question.motion, question.search_from, question.with_slope);
+  const LongRunSpin found = terminal_spin(load, question.motion, question.search_from, question.with_slope);
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -124,9 +123,9 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   result.zero_of_mean_torque = result.spin.omega;
   if (!load.phases())
     return result;
-  const ring::LongTimeSpin mean = ring::long_time_spin(
-    torque_function(load, motion), motion.yaw_inertia, result.spin.omega,
-    averaging_window(load.phases()->periods(), motion, result.spin), accuracy, scale);
+  const ring::LongTimeSpin mean =
+    ring::long_time_spin(torque_function(load, motion), motion.yaw_inertia, result.spin.omega,
+                         averaging_window(load.phases()->periods(), motion, result.spin), accuracy, scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
   result.uncertainty = mean.uncertainty;
@@ -180,7 +179,8 @@ Standing standing_of_failure()
   }
 }
 
-void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question, SpinRow &row)
+void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
+                   SpinRow &row)
 {
   const ring::Motion &motion = question.motion;
   const double omega = all.terminal->omega;

@@ -18,46 +18,53 @@ struct SpinQuestion
   std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
   std::optional<BalancedLoad> on_the_way = {};
-  double search_from = 0;              ///< spin at which the search for the terminal spin begins [rad/s]
-  bool with_slope = false;             ///< whether SpinRow::time_constant is wanted: it takes eight more loads
-  bool with_minima = true;             ///< whether least loads and pulling forces are wanted: they take a while
+  double search_from = 0;  ///< spin at which the search for the terminal spin begins [rad/s]
+  bool with_slope = false; ///< whether SpinRow::time_constant is wanted: it takes eight more loads
+  bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
 };
 
 /// The spin that a load drives the ring to.
 struct LongRunSpin
 {
-  ring::TerminalSpin spin = {};   ///< omega, the mean in the long run; slope and time constant of the mean torque
+  ring::TerminalSpin
+    spin = {}; ///< omega, the mean in the long run; slope and time constant of the mean torque
   double zero_of_mean_torque = 0; ///< [rad/s]; omega itself where the phase does not matter
   double ripple = 0;              ///< half of largest minus smallest spin in the long run [rad/s]
   double uncertainty = 0;         ///< of the mean [rad/s]
 };
 
-/// The terminal spin under @p load: the zero of the torque that is reached from rest, or, where the load depends on the
-/// phase, the mean of the spin in the long run. Without @p with_slope slope and time constant are NaN. Throws std::runtime_error where there is none, and as the load.
+/// The terminal spin under @p load: the zero of the torque that is reached from rest, or, where the load
+/// depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and time constant
+/// are NaN. Throws std::runtime_error where there is none, and as the load.
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double search_from = 0,
                           bool with_slope = true);
 
-/// tau_z [N m] at time t [s], yaw angle [rad] and spin [rad/s]; time and yaw angle matter where the phase does.
+/// tau_z [N m] at time t [s], yaw angle [rad] and spin [rad/s]; time and yaw angle matter where the phase
+/// does.
 ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion);
 
 /// Friction of the table on the ring under @p load at @p omega [rad/s], mean over the phases.
 ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double omega);
 
-/// Answers the question for @p load. Throws std::runtime_error where there is no terminal spin, and as the load.
+/// Answers the question for @p load. Throws std::runtime_error where there is no terminal spin, and as the
+/// load.
 SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
-/// spin_row() that does not throw for what a load, its balances or its spin throw: what there is, with the standing and
-/// the reason for what is missing.
+/// spin_row() that does not throw for what a load, its balances or its spin throw: what there is, with the
+/// standing and the reason for what is missing.
 SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
 /// Why a load could not be had, for the exception that is being handled: tips or no_balance.
 Standing standing_of_failure();
 
-/// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the spin-up, and
-/// the a-priori bound with the pressure @p whole behind the row at the terminal spin of all harmonics.
-void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question, SpinRow &row);
+/// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
+/// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all
+/// harmonics.
+void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
+                   SpinRow &row);
 
-/// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p n_all.
+/// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p
+/// n_all.
 std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
 /// Equally spaced times from 0 to @p end [s]: 201 of them.

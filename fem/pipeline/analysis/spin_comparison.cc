@@ -34,8 +34,8 @@ std::optional<double> SpinComparison::closure_effect() const
 
 SpinComparison compare_spins(const Study &study, const SpinStudy &spin)
 {
-  SpinComparison spins = compare_spins(study, spin.closures, spin.all().terminal->omega,
-                                       spin.rows.front().terminal->omega);
+  SpinComparison spins =
+    compare_spins(study, spin.closures, spin.all().terminal->omega, spin.rows.front().terminal->omega);
   if (!spin.spins_up())
     spins.all_harmonics = spins.first_harmonic = 0;
   return spins;

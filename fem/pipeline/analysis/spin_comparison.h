@@ -28,8 +28,8 @@ struct SpinComparison
 /// frozen load it is the first harmonic of that load.
 SpinComparison compare_spins(const Study &study, const SpinStudy &spin);
 
-/// SpinComparison from its parts: SpinStudy::closures, and the terminal spin under all harmonics and under the load cut
-/// off after the first.
+/// SpinComparison from its parts: SpinStudy::closures, and the terminal spin under all harmonics and under
+/// the load cut off after the first.
 SpinComparison compare_spins(const Study &study, const std::vector<SpinRow> &closures, double all_harmonics,
                              double truncated);
 

@@ -53,7 +53,8 @@ void take_worst_phase(const PhaseLoads &loads, const ring::Motion &motion, doubl
 {
   const ring::CoulombRing friction(motion.friction_coefficient);
   for (const ring::RingStack &load : loads.samples(omega))
-    row.bound = std::max(*row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
+    row.bound =
+      std::max(*row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
   for (const ring::RingStack &load : loads.samples(0))
     row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
 }

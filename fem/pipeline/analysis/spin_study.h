@@ -67,7 +67,8 @@ struct SpinStudy
   bool spins_up() const { return rows.front().relative_change.has_value(); }
 };
 
-/// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its load.
+/// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its
+/// load.
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
 
 /// A first harmonic on a ring of the contact radius under the moment balances paper, hand and full.

@@ -19,7 +19,6 @@ namespace
 /// The load of a study with some of its harmonics, for any number of them >= 1.
 using TruncatedLoads = std::function<BalancedLoad(unsigned int n_harmonics)>;
 
-
 /// Spins from a little before rest to half as far again as the fastest terminal spin.
 std::vector<double> shown_spins(const std::vector<SpinRow> &rows, double spin_scale)
 {
@@ -76,10 +75,11 @@ TorqueCurve torque_curves(const std::vector<BalancedLoad> &loads, const std::vec
   return curve;
 }
 
-/// @p on_the_way is the load of all harmonics for thousands of values between rest and the terminal spins; empty: every
-/// row interpolates its own. Throws std::runtime_error where all harmonics have no terminal spin or no spin-up.
-TruncationTable tabulate(const TruncatedLoads &load_with, const std::optional<BalancedLoad> &on_the_way, unsigned int n_all,
-                         SpinQuestion question, const std::function<void()> &row_done)
+/// @p on_the_way is the load of all harmonics for thousands of values between rest and the terminal spins;
+/// empty: every row interpolates its own. Throws std::runtime_error where all harmonics have no terminal spin
+/// or no spin-up.
+TruncationTable tabulate(const TruncatedLoads &load_with, const std::optional<BalancedLoad> &on_the_way,
+                         unsigned int n_all, SpinQuestion question, const std::function<void()> &row_done)
 {
   TruncationTable table;
   std::vector<BalancedLoad> loads;

@@ -1,17 +1,15 @@
-#include "fem/pipeline/app/compare.h"
-
-#include "fem/pipeline/output/comparison_report.h"
-#include "fem/pipeline/output/comparison_tables.h"
-#include "fem/pipeline/output/console_report.h"
+#include "fem/pipeline/analysis/comparison.h"
+#include "fem/pipeline/app/console_progress.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/output/comparison_results.h"
 #include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/work_progress.h"
 
-#include <ostream>
+#include <CLI/CLI.hpp>
+
+#include <memory>
 
 namespace stemware::pipeline
 {
@@ -19,80 +17,60 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A comparison chooses closures and loads itself.
+/// A comparison chooses moment balances and loads itself.
 void require_comparable(const Study &study)
 {
-  if (study.load.source == LoadSource::file)
-    throw BadInput("Load/Source = file has one load, whatever the closure; set Load/Source = contact, or "
-                   "first harmonic to compare without an elastic foot.");
-  if (study.load.is_static())
-    throw BadInput("Load/Moment ratio is given, but closures differ in the moment that they ask for; leave "
-                   "Moment ratio at -1.");
+  require(study.load.source != LoadSource::file,
+          "Load/Source = file has one load, whatever the closure; set Load/Source = contact, or "
+          "first harmonic to compare without an elastic foot.");
+  require(!study.load.is_static(),
+          "Load/Moment ratio is given, but closures differ in the moment that they ask for; leave "
+          "Moment ratio at -1.");
   require_flat(study, "compare");
 }
 
-/// The study's elastic foot, with a word on the terminal about it.
-std::shared_ptr<FootContact> make_foot(const Study &study, const StudyObserver &observer)
-{
-  fem::ComplianceStore store;
-  const std::shared_ptr<FootContact> foot = make_foot_contact(study, store);
-  observer.foot_made(*foot);
-  if (const std::string note = friction_note(study); !note.empty())
-    observer.note("Friction", note);
-  observer.stage_done("mesh_and_stiffness");
-  return foot;
-}
-
-/// Kinds of loads from the simplest to the study's own.
-std::vector<LoadKind> kinds_of(const Study &study, const StudyObserver &observer)
-{
-  std::vector<LoadKind> kinds = { first_harmonic_kind(study), rigid_ring_kind(study, 1.),
-                                  rigid_ring_kind(study, 1.5) };
-  if (study.load.source != LoadSource::contact)
-    return kinds;
-  const std::shared_ptr<FootContact> foot = make_foot(study, observer);
-  kinds.push_back(resting_foot_kind(study, foot));
-  if (study.contact.body == BodyKind::revolution || study.load.coupling == LoadCoupling::exact)
-    kinds.push_back(balanced_foot_kind(study, foot));
-  return kinds;
-}
-
-Comparison compare_with_progress(const Study &study, const std::vector<LoadKind> &kinds)
-{
-  WorkProgress bar(n_rows(kinds), 0, "rows");
-  return compare_models(study, kinds, [&bar](std::size_t n_done) { bar.show(n_done); });
-}
-
-} // namespace
-
+/// Solves the study's glass under several moment balances on several loads and writes the folder of the
+/// results. Collective over all ranks. Throws as run().
 void compare(const StudyOptions &options)
 {
   // 1. What is asked for.
   Stopwatch stopwatch;
+  ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   require_comparable(study);
   SharedFolder folder(options.results_place());
   stopwatch.finish("input");
 
-  // 2. Every closure on every kind of load.
-  Comparison comparison = compare_with_progress(study, kinds_of(study, progress_on_console(stopwatch)));
-  stopwatch.finish("comparison");
-  add_error_bands(study, comparison);
-  stopwatch.finish("error_bands");
+  // 2. Every moment balance on every load.
+  fem::ComplianceCache cache;
+  const Comparison comparison = compare_models(study, announced_foot(study, cache, progress), progress);
 
   // 3. The answer, and the results, all at once.
-  folder.write(
-    [&](ResultsFolder &owned)
-    {
-      write_text_file(owned.working_folder() / "compare.csv", comparison_csv(comparison));
-      stopwatch.finish("tables");
-      write_report(comparison_report(study, comparison), owned.working_folder());
-      stopwatch.finish("report");
-    });
-  console() << '\n'
-            << wrapped(comparison_answer(comparison)) << "\n\n"
-            << comparison_text(comparison) << std::endl;
-  publish(options, study, comparison_findings(comparison), folder, stopwatch);
+  publish(options, study, comparison_results(study, comparison), folder, stopwatch);
+}
+
+} // namespace
+
+void add_compare_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<StudyOptions>();
+  CLI::App *verb =
+    program.add_subcommand("compare", "Closures, loads and truncations side by side: what changes the spin");
+  add_study_options(*verb, *options);
+  verb->footer(R"(Examples:
+  stemware compare docs/cookbooks/paper.prm
+  stemware compare my_glass.prm --set "Table/Foundation modulus=1e9"
+  stemware compare my_glass.prm --set "Load/Source=first harmonic"    # no elastic foot
+
+The glass of the study under the closures paper, hand and full, on five kinds of load: the paper's
+first harmonic; a rigid rim, flat and round, on a soft mat; and the elastic foot, with its load at
+rest and in balance with friction at every spin (a solid body with Load/Coupling = exact only). Each
+with 1, 2, 3 and all harmonics. A row that does not exist says why: tips, no balance, no terminal
+spin. "formal" loads would have to pull on the table.
+
+  compare.csv        one row for each closure, load and number of harmonics
+  report.html, figures/, summary.json, parameters.prm, timings.json)");
+  verb->callback([&chosen, options] { chosen = [options] { compare(*options); }; });
 }
 
 } // namespace stemware::pipeline

@@ -1,55 +1,83 @@
-#include "fem/pipeline/app/converge.h"
-
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/solve_study.h"
-#include "fem/pipeline/output/console_report.h"
-#include "fem/pipeline/output/converge_report.h"
-#include "fem/pipeline/output/converge_results.h"
-#include "fem/pipeline/output/render/report.h"
-#include "fem/pipeline/support/console.h"
-#include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/app/console_progress.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/output/convergence_results.h"
+#include "fem/pipeline/output/publish.h"
 
-#include <algorithm>
-#include <thread>
+#include <CLI/CLI.hpp>
+
+#include <memory>
 
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+/// What `stemware converge` was told.
+struct ConvergeOptions : StudyOptions
+{
+  unsigned int n_levels = 3;
+  std::vector<double> spins; ///< at which the torque is followed [rad/s]; empty: spins_of_interest()
+};
+
+/// Solves a study on finer and coarser levels of each of its numerical parameters and writes observed orders,
+/// limits and error bands. Collective over all ranks. Throws as run().
 void converge(const ConvergeOptions &options)
 {
   // 1. What is asked for, and which levels that makes.
   Stopwatch stopwatch;
-  const Study study = begin_study(options.study);
+  ConsoleProgress progress(stopwatch);
+  const Study study = begin_study(options);
   const std::vector<RefinementAxis> axes = refinement_axes(study, options.n_levels);
-  SharedFolder folder(options.study.results_place());
-  print_load_source(study);
+  SharedFolder folder(options.results_place());
+  note_load_source(study, progress);
   stopwatch.finish("input");
 
   // 2. The study itself, then all other levels.
-  StudyObserver observer;
-  observer.foot_made = progress_on_console(stopwatch).foot_made;
-  const RingLoad own_load = find_load(study, observer).load;
-  const YawStudy yaw = study_yaw(own_load.at_spin, study.motion.orbit);
-  const std::vector<double> spins =
-    options.spins.empty() ? followed_spins(yaw.terminal.omega) : options.spins;
-  const auto own = figures_of_load(study, own_load, spins, yaw.terminal.omega);
+  fem::ComplianceCache cache;
+  const BalancedLoad load = find_load(study, announced_foot(study, cache, progress));
+  const double omega_terminal = terminal_spin(load, study.motion.orbit).spin.omega;
+  const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
+  const auto own = quantities_of_load(study, load, spins, omega_terminal);
   stopwatch.finish("study");
-  const RefinementResult result =
-    refine(study, own, spins, axes, std::max(1u, std::thread::hardware_concurrency()),
-           [](std::size_t n_done, std::size_t n_all)
-           { console() << formatted("  level %zu of %zu solved", n_done, n_all) << std::endl; });
+  const RefinementResult result = refine(study, own, spins, axes, cache, progress);
   stopwatch.finish("levels");
 
   // 3. Orders, limits and bands.
-  console() << refinement_tables(result) << '\n' << wrapped(refinement_answer(result)) << "\n\n";
-  folder.write(
-    [&](ResultsFolder &owned)
-    {
-      write_refinement_tables(result, owned.working_folder());
-      write_report(converge_report(options.study, result), owned.working_folder());
-    });
-  publish(options.study, study, refinement_findings(result), folder, stopwatch);
+  publish(options, study, convergence_results(options, result), folder, stopwatch);
+}
+
+} // namespace
+
+void add_converge_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<ConvergeOptions>();
+  CLI::App *verb = program.add_subcommand("converge", "Refine a study: observed orders, limits, error bands");
+  add_study_options(*verb, *options);
+  verb
+    ->add_option("--levels", options->n_levels,
+                 "Levels of each parameter; default 3, which an observed order needs")
+    ->check(CLI::Range(2, 5))
+    ->type_name("N");
+  add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");
+  verb->footer(R"(Examples:
+  stemware converge docs/cookbooks/paper.prm
+  stemware converge docs/cookbooks/lift_off.prm --levels 4 --at -5 --at -10
+  stemware converge docs/cookbooks/paper.prm --set "Contact/Degree=3" --output cubic
+  stemware converge my_glass.prm --quiet --json | jq .omega_terminal_band
+
+One parameter at a time is varied round the study's own value. A body of revolution: halvings of the
+meridional mesh, degree, elastic harmonics, azimuth lines. A solid body: cells round the rim, across
+the land, through the foot, degree; that takes minutes.
+  summary.json       values, orders, limits and bands of every quantity; the parameters
+  report.html        the same as a web page
+  converge_*.dat     one row a level
+  error_bands.dat    values, half-widths of their bands, Richardson values)");
+  verb->callback([&chosen, options] { chosen = [options] { converge(*options); }; });
 }
 
 } // namespace stemware::pipeline

@@ -1,70 +1,80 @@
-#include "fem/pipeline/app/run.h"
-
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/solve_study.h"
-#include "fem/pipeline/output/console_report.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/app/console_progress.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/output/result_tables.h"
-#include "fem/pipeline/output/run_report.h"
-#include "fem/pipeline/output/summary.h"
+#include "fem/pipeline/output/run_results.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
 
 namespace stemware::pipeline
 {
 
-namespace fs = std::filesystem;
-
 namespace
 {
 
-/// Fields of the contact at rest, where the body has some.
-void write_fields(const FootContact &contact, const FootContactResult &result, SharedFolder &folder)
-{
-  const fs::path fields = folder.working_folder() / "fields";
-  folder.write([&](ResultsFolder &) { fs::create_directory(fields); });
-  if (!contact.write_fields(fields.string(), result))
-    folder.write([&](ResultsFolder &) { fs::remove(fields); });
-}
-
-/// Shows on the terminal what happens, and keeps the fields and the times.
-StudyObserver make_observer(SharedFolder &folder, Stopwatch &stopwatch)
-{
-  StudyObserver observer = progress_on_console(stopwatch);
-  observer.contact_found = [&](const FootContact &contact, const FootContactResult &result)
-  {
-    write_fields(contact, result, folder);
-    stopwatch.finish("fields");
-  };
-  return observer;
-}
-
-} // namespace
-
+/// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
+/// OutputFailure, fem::ContactFailure, and std::runtime_error where there is no balance or no terminal spin.
 void run(const StudyOptions &options)
 {
   // 1. What is asked for; everything that can be refused is refused here.
   Stopwatch stopwatch;
+  ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   SharedFolder folder(options.results_place());
-  print_load_source(study);
+  note_load_source(study, progress);
   stopwatch.finish("input");
 
   // 2. The load on the table, and what it does to the ring.
-  StudyResult result = solve_study(study, make_observer(folder, stopwatch));
-  if (has_quick_error_bands(study))
-    result.error_bands = estimate_error_bands(study, result.load, result.yaw.terminal.omega).figures;
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
+  const SpinStudy spin = study_spin(load, study);
+  const double omega_terminal = spin.all().terminal->omega;
+  stopwatch.finish("ring");
+  const ContactReport report = describe(study, foot, load, omega_terminal);
+  stopwatch.finish("report_of_contact");
+  const ErrorBands bands = error_bands(study, load, omega_terminal, cache);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
-  folder.write(
-    [&](ResultsFolder &owned)
-    {
-      write_result_tables(result, owned.working_folder());
-      stopwatch.finish("tables");
-      write_report(run_report(study, result, owned.working_folder()), owned.working_folder());
-      stopwatch.finish("report");
-    });
-  print_answer(study, result);
-  publish(options, study, run_findings(study, result), folder, stopwatch);
+  publish(options, study, run_results(study, report, spin, bands), folder, stopwatch);
+}
+
+} // namespace
+
+void add_run_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<StudyOptions>();
+  CLI::App *verb =
+    program.add_subcommand("run", "Compute a study: contact, load harmonics, torque, spin, truncations");
+  add_study_options(*verb, *options);
+  verb->footer(R"(Examples:
+  stemware run docs/cookbooks/paper.prm
+  stemware run docs/cookbooks/lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
+  stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
+  stemware run my_glass.prm --set "Contact/Mesh file=meshes/crowned_foot.msh"
+  stemware run my_glass.prm --quiet --json | jq .omega_terminal
+  mpirun -n 4 stemware run my_glass.prm --set "Contact/Azimuthal cells=192"
+
+Results are written to a temporary folder and renamed at the end; older results of the same name
+are replaced.
+  report.html        the answer, its figures and what is behind it, for a browser
+  figures/           the figures as SVG and PDF, with gnuplot scripts and data
+  summary.json       load harmonics, torque, terminal spin, truncations, closures, the parameters
+  parameters.prm     the study as it was run
+  load.dat           lambda(theta)
+  harmonics.dat      its Fourier coefficients; may be read again through Load/File
+  torque.dat         tau_z, T_x, T_y against the spin
+  spin_up.dat        the spin against time
+  truncation.dat     the answer after 1, 2, 3, 4, 6, 8 ... harmonics
+  contact_history.dat, fields/contact.vtu, timings.json)");
+  verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 
 } // namespace stemware::pipeline

@@ -1,18 +1,15 @@
-#include "fem/pipeline/app/truncate.h"
-
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/coupling/load_file.h"
-#include "fem/pipeline/output/console_report.h"
+#include "fem/pipeline/analysis/truncation.h"
+#include "fem/pipeline/app/console_progress.h"
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/output/truncation_report.h"
-#include "fem/pipeline/output/truncation_tables.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/console.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/work_progress.h"
+#include "fem/pipeline/output/truncation_results.h"
 
-#include <ostream>
+#include <CLI/CLI.hpp>
+
+#include <memory>
 
 namespace stemware::pipeline
 {
@@ -20,66 +17,63 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Truncations, with a bar that shows how far they have come.
-TruncationStudy truncations_with_progress(const Study &study, const StudyLoad &load,
-                                          const std::vector<double> &omega)
+/// What `stemware truncate` was told.
+struct TruncateOptions : StudyOptions
 {
-  std::optional<WorkProgress> bar;
-  return study_truncations(study, load, omega,
-                           [&bar](std::size_t n_done, std::size_t n_all)
-                           {
-                             if (!bar)
-                               bar.emplace(n_all, 0, "truncations");
-                             bar->show(n_done);
-                           });
-}
+  std::vector<double> omega; ///< spins at which the torque is shown [rad/s]; empty: chosen by the study
+};
 
-void write_tables(const RingLoad &load, const TruncationStudy &result, const std::filesystem::path &folder)
-{
-  write_text_file(folder / "harmonics.dat", load_file_text(load.at_rest));
-  write_text_file(folder / "truncation.dat", truncation_data(result, result.frozen));
-  write_text_file(folder / "spin_up.dat", spin_up_data(result, result.frozen));
-  if (!result.self_consistent)
-    return;
-  write_text_file(folder / "truncation_self_consistent.dat",
-                  truncation_data(result, *result.self_consistent));
-  write_text_file(folder / "spin_up_self_consistent.dat", spin_up_data(result, *result.self_consistent));
-}
-
-} // namespace
-
+/// Solves a study with fewer and fewer harmonics and writes the folder of its results. Collective over all
+/// ranks. Throws as run().
 void truncate(const TruncateOptions &options)
 {
   // 1. What is asked for.
   Stopwatch stopwatch;
-  const Study study = begin_study(options.study);
-  require_flat(study, options.study.verb);
-  SharedFolder folder(options.study.results_place());
-  print_load_source(study);
+  ConsoleProgress progress(stopwatch);
+  const Study study = begin_study(options);
+  require_flat(study, options.verb);
+  SharedFolder folder(options.results_place());
+  note_load_source(study, progress);
   stopwatch.finish("input");
 
   // 2. The load of all harmonics, and the glass on fewer and fewer of them.
-  StudyObserver observer = progress_on_console(stopwatch);
-  observer.balance_found = {}; // the bar shows how far it has come
-  const StudyLoad load = find_load(study, observer);
-  TruncationStudy result = truncations_with_progress(study, load, options.omega);
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
+  TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
   stopwatch.finish("truncations");
-  result.spin_band = terminal_spin_band(study, load.load, *result.frozen.all().omega_terminal);
+  SpinRow &all = result.frozen.rows.back();
+  all.band = band_of(error_bands(study, load, all.terminal->omega, cache), "omega_terminal");
   stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
-  folder.write(
-    [&](ResultsFolder &owned)
-    {
-      write_tables(load.load, result, owned.working_folder());
-      stopwatch.finish("tables");
-      write_report(truncation_report(study, load, result), owned.working_folder());
-      stopwatch.finish("report");
-    });
-  console() << '\n'
-            << wrapped(truncation_answer(study, result)) << "\n\n"
-            << truncation_text(result) << std::endl;
-  publish(options.study, study, truncation_findings(study, load.load, result), folder, stopwatch);
+  publish(options, study, truncation_results(study, load.report(), result), folder, stopwatch);
+}
+
+} // namespace
+
+void add_truncate_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<TruncateOptions>();
+  CLI::App *verb = program.add_subcommand(
+    "truncate", "How many harmonics of the load matter, with and without their friction");
+  add_study_options(*verb, *options);
+  add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
+  verb->footer(R"(Examples:
+  stemware truncate docs/cookbooks/paper.prm
+  stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
+  stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=exact"
+
+The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where neither contact
+nor friction is solved again; and self-consistent, where the friction of
+what is left enters the balance of moments, the moment enters the contact, and the contact's load is
+cut off again.
+
+  truncation.dat, truncation_self_consistent.dat   torque, terminal spin, deviations, bounds
+  spin_up.dat, spin_up_self_consistent.dat         the spin against time
+  harmonics.dat                                    the load at rest; Load/File reads it
+  report.html, figures/, summary.json, parameters.prm, timings.json)");
+  verb->callback([&chosen, options] { chosen = [options] { truncate(*options); }; });
 }
 
 } // namespace stemware::pipeline

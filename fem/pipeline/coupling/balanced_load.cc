@@ -109,9 +109,9 @@ BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const 
   std::shared_ptr<const ring::LoadModel> acting = model;
   if (is_cut)
     acting = std::make_shared<ring::TruncatedModel>(model, n_harmonics);
-  const auto states = std::make_shared<BalancedStates>(
-    ring::SelfConsistentRing(balance.closure, motion, acting), motion.orbit_speed / model->radius(),
-    balance.orientation);
+  const auto states =
+    std::make_shared<BalancedStates>(ring::SelfConsistentRing(balance.closure, motion, acting),
+                                     motion.orbit_speed / model->radius(), balance.orientation);
   const auto statistics = std::make_shared<CouplingStatistics>();
   BalancedLoad::Parts parts = { at_rest };
   if (is_cut)

@@ -17,10 +17,12 @@ namespace stemware::pipeline
 
 class PhaseLoads;
 
-/// The load on the ring at every spin: what all questions about the spin are asked of, wherever the load comes from.
+/// The load on the ring at every spin: what all questions about the spin are asked of, wherever the load
+/// comes from.
 ///
-/// A value with shared insides: copies are cheap, and the balances that one copy finds are known to all. A load that is
-/// the same at every spin, or at every phase of an out-of-flat rim, is the special case that does not look at the argument.
+/// A value with shared insides: copies are cheap, and the balances that one copy finds are known to all. A
+/// load that is the same at every spin, or at every phase of an out-of-flat rim, is the special case that
+/// does not look at the argument.
 class BalancedLoad
 {
 public:
@@ -30,18 +32,19 @@ public:
   struct Parts
   {
     LoadReport at_rest;
-    AtSpin at_spin; ///< empty: the load at rest
+    AtSpin at_spin;    ///< empty: the load at rest
     AtSpin whole = {}; ///< all harmonics of the pressure behind a truncated load, see whole(); empty: at_spin
-    std::shared_ptr<const PhaseLoads> phases = {};        ///< nothing where the phase does not matter
-    std::shared_ptr<CouplingStatistics> statistics = {};  ///< nothing where the spin does not matter
-    std::shared_ptr<const fem::ContactState> contact = {}; ///< at rest; nothing where the load does not come from one
-    bool is_costly = false;                               ///< whether a load takes contact solutions
+    std::shared_ptr<const PhaseLoads> phases = {};       ///< nothing where the phase does not matter
+    std::shared_ptr<CouplingStatistics> statistics = {}; ///< nothing where the spin does not matter
+    std::shared_ptr<const fem::ContactState>
+      contact = {};         ///< at rest; nothing where the load does not come from one
+    bool is_costly = false; ///< whether a load takes contact solutions
   };
 
   explicit BalancedLoad(Parts parts);
 
-  /// The load at the spin @p omega [rad/s]; the mean over the phases where these matter. Throws what contact solutions
-  /// and balances throw.
+  /// The load at the spin @p omega [rad/s]; the mean over the phases where these matter. Throws what contact
+  /// solutions and balances throw.
   ring::RingStack at(double omega) const;
 
   /// The load with the marks of glass and table at @p orientation.
@@ -49,19 +52,21 @@ public:
 
   ring::RingStack at_rest() const { return at(0); }
 
-  /// All harmonics of the pressure at @p omega, of which at() may give a part only: the pressure that the contact puts
-  /// on the table under the resultants of at().
+  /// All harmonics of the pressure at @p omega, of which at() may give a part only: the pressure that the
+  /// contact puts on the table under the resultants of at().
   ring::RingStack whole(double omega) const;
 
   /// This load cut off after @p n_harmonics; neither contact nor friction is solved again.
   BalancedLoad truncated(unsigned int n_harmonics) const;
 
-  /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value would be a
-  /// balance of its own: interpolated between exact ones, to 1e-9 of a_0 where 200 of them suffice, else to 1e-7 or
-  /// 1e-5, else exact; outside exact. The error goes to statistics(). A load that is not costly stays as it is.
+  /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
+  /// would be a balance of its own: interpolated between exact ones, to 1e-9 of a_0 where 200 of them
+  /// suffice, else to 1e-7 or 1e-5, else exact; outside exact. The error goes to statistics(). A load that is
+  /// not costly stays as it is.
   BalancedLoad interpolated(double lower, double upper) const;
 
-  /// This load for a picture over spins from @p lower to @p upper: interpolated to 1e-4 of a_0 if that is possible.
+  /// This load for a picture over spins from @p lower to @p upper: interpolated to 1e-4 of a_0 if that is
+  /// possible.
   BalancedLoad for_plots(double lower, double upper) const;
 
   /// Highest harmonic of at().
@@ -94,10 +99,10 @@ struct MomentBalance
   ring::Orientation orientation; ///< of the marks of glass and table
 };
 
-/// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p at_rest is the load
-/// at omega = 0, where the friction, (-mu N, 0), is known beforehand. @p n_harmonics cuts what enters T and tau_z;
-/// friction in an elastic foot feels the whole pressure. @p progress is told of every balance and must live as long as
-/// the load.
+/// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p
+/// at_rest is the load at omega = 0, where the friction, (-mu N, 0), is known beforehand. @p n_harmonics cuts
+/// what enters T and tau_z; friction in an elastic foot feels the whole pressure. @p progress is told of
+/// every balance and must live as long as the load.
 ///
 /// The load throws as ring::SelfConsistentRing::at() and the model do.
 BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const MomentBalance &balance,

@@ -18,7 +18,8 @@ class BalancedStates
 {
 public:
   /// @p spin_scale v / R [rad/s]; the marks of glass and table stand at @p orientation.
-  BalancedStates(ring::SelfConsistentRing glass, double spin_scale, const ring::Orientation &orientation = {});
+  BalancedStates(ring::SelfConsistentRing glass, double spin_scale,
+                 const ring::Orientation &orientation = {});
 
   /// The balance at @p omega [rad/s]. Throws as ring::SelfConsistentRing::at().
   const ring::RingEquilibrium &at(double omega);

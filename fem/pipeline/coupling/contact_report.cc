@@ -9,8 +9,8 @@ namespace stemware::pipeline
 namespace
 {
 
-fem::ResolvedFriction friction_of(ElasticFoot &foot, const fem::ContactState &state, const ring::Motion &motion,
-                                  double omega)
+fem::ResolvedFriction friction_of(ElasticFoot &foot, const fem::ContactState &state,
+                                  const ring::Motion &motion, double omega)
 {
   return fem::resolved_friction(foot.body().point_forces(state), motion.friction_coefficient, omega,
                                 motion.orbit_speed);
@@ -29,7 +29,8 @@ fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, co
                     { omega / motion.orbit_speed, { marks.glass, marks.table } });
 }
 
-FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load, double omega_terminal)
+FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load,
+                         double omega_terminal)
 {
   const ring::Motion &motion = study.motion.orbit;
   const fem::ContactState &at_rest = *load.contact();
@@ -46,8 +47,8 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   {
     const fem::LoadHarmonics &rest = at_rest.load;
     const fem::FootPhase &marks = at_rest.slip.orientation;
-    report.fields = foot.body().fields(foot.solve(rest.normal_force, { rest.moment_x, rest.moment_y },
-                                                  { 0, { marks.glass, marks.table } }));
+    report.fields = foot.body().fields(
+      foot.solve(rest.normal_force, { rest.moment_x, rest.moment_y }, { 0, { marks.glass, marks.table } }));
   }
   else
     report.fields = foot.body().fields(at_rest);

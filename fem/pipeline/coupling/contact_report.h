@@ -61,8 +61,9 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Describes the load of @p study at rest and at the terminal spin @p omega_terminal [rad/s]. @p foot is study_foot(), @p
-/// load find_load() of it. May solve the contact at the terminal spin, and again at rest. Throws as the load.
+/// Describes the load of @p study at rest and at the terminal spin @p omega_terminal [rad/s]. @p foot is
+/// study_foot(), @p load find_load() of it. May solve the contact at the terminal spin, and again at rest.
+/// Throws as the load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double omega_terminal);
 

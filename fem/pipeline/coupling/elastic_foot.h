@@ -10,8 +10,8 @@
 namespace stemware::pipeline
 {
 
-/// The elastic foot of a study as the ring sees it: resultants and slip in, rings of load out. Each load is a contact
-/// solution. Not for several threads at a time.
+/// The elastic foot of a study as the ring sees it: resultants and slip in, rings of load out. Each load is a
+/// contact solution. Not for several threads at a time.
 class ElasticFoot : public ring::LoadModel
 {
 public:
@@ -25,8 +25,8 @@ public:
   double lift_off_ratio() const override { return 1; } // the contact itself knows; ContactState says
   double accuracy() const override { return 1e-11; }   // contact resultants are good to 1e-10 or better
 
-  /// The contact with the resultants N and M_N at @p slip, from the solution before; Newton's steps go to @p progress.
-  /// Throws fem::ContactFailure.
+  /// The contact with the resultants N and M_N at @p slip, from the solution before; Newton's steps go to @p
+  /// progress. Throws fem::ContactFailure.
   fem::ContactState solve(double normal_force, const Eigen::Vector2d &moment, const ring::Slip &slip = {},
                           Progress &progress = silent_progress()) const;
 

@@ -18,8 +18,8 @@ struct FootResponseCurve
   std::size_t n_solutions = 0; ///< contact solutions that it took
 };
 
-/// Solves the contact of @p foot at moment ratios from 0 to a little above the largest that the moment balance
-/// of a first harmonic needs at any spin, until the curve is as good as Load/Response tolerance.
+/// Solves the contact of @p foot at moment ratios from 0 to a little above the largest that the moment
+/// balance of a first harmonic needs at any spin, until the curve is as good as Load/Response tolerance.
 ///
 /// @p foot must be isotropic. Throws fem::ContactFailure, and std::runtime_error where the tolerance is not
 /// reached.

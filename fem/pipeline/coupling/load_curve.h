@@ -22,7 +22,8 @@ using LoadSamples = std::map<double, ring::RingStack>;
 struct LoadCurve
 {
   std::vector<LoadSamples> pieces;
-  double error = 0; ///< bound on the interpolation's error that checks have confirmed, see RingStack::difference()
+  double error =
+    0; ///< bound on the interpolation's error that checks have confirmed, see RingStack::difference()
   std::size_t n_samples = 0; ///< loads that were computed
 
   /// The load between the samples, one polynomial for each piece; from the first sample to the last.

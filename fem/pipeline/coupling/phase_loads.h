@@ -23,7 +23,7 @@ struct PhaseGrids
   PeriodicGrid glass;
   PeriodicGrid table;
   PhasePeriods periods; ///< with which the load repeats itself
-  double error = 0; ///< of the load at rest between them, over a_0 (of the ring radius: over it)
+  double error = 0;     ///< of the load at rest between them, over a_0 (of the ring radius: over it)
 
   unsigned int size() const { return glass.size() * table.size(); }
   ring::Orientation phase(unsigned int i) const;

@@ -70,9 +70,8 @@ BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<Elastic
 {
   if (study.load.coupling == LoadCoupling::frozen || !spin_matters(study))
     return constant_load(at_rest);
-  return study.load.coupling == LoadCoupling::exact
-           ? balance(foot, moments, at_rest, all_harmonics, progress)
-           : response_load(study, *foot, moments, at_rest);
+  return study.load.coupling == LoadCoupling::exact ? balance(foot, moments, at_rest, all_harmonics, progress)
+                                                    : response_load(study, *foot, moments, at_rest);
 }
 
 /// Loads of an out-of-flat foot or table, each phase with its own balances, solved as they are asked for.
@@ -132,10 +131,8 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   const bool follows_spin = study.load.coupling != LoadCoupling::frozen && spin_matters(study);
-  const double spin_unit =
-    follows_spin ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
-  const auto phases =
-    std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
+  const double spin_unit = follows_spin ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
+  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
   const auto for_mean =
     follows_spin ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
 
@@ -150,8 +147,9 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
 BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
 {
   if (study.load.coupling == LoadCoupling::response && !foot->body().capabilities().is_isotropic)
-    throw BadInput("Load/Coupling = response needs a load that depends on the moment ratio alone, but this foot is "
-                   "not the same in all directions; use Load/Coupling = exact.");
+    throw BadInput(
+      "Load/Coupling = response needs a load that depends on the moment ratio alone, but this foot is "
+      "not the same in all directions; use Load/Coupling = exact.");
   const fem::ContactLoad demand = study.required_resultants();
   const MomentBalance moments = moment_balance(study);
   const auto state = std::make_shared<const fem::ContactState>(foot->solve(
@@ -225,8 +223,7 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius)
   LoadReport report = { ring_stack(load) };
   report.normal_force = load.normal_force;
   report.moment = { load.moment_x, load.moment_y };
-  report.moment_ratio =
-    moment_ratio({ load.normal_force, load.moment_x, load.moment_y }, contact_radius);
+  report.moment_ratio = moment_ratio({ load.normal_force, load.moment_x, load.moment_y }, contact_radius);
   report.mean_radius = load.mean_radius;
   report.contact_fraction = load.contact_fraction;
   report.minimum = load.minimum;

@@ -11,19 +11,20 @@
 namespace stemware::pipeline
 {
 
-/// The foot of a study; nothing where the load does not come from a contact. Feet that are given the same @p cache share
-/// their compliances. Throws as make_foot().
+/// The foot of a study; nothing where the load does not come from a contact. Feet that are given the same @p
+/// cache share their compliances. Throws as make_foot().
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
                                         Progress &progress = silent_progress());
 
-/// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as Load/Coupling wants
-/// it. @p foot is study_foot().
+/// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as
+/// Load/Coupling wants it. @p foot is study_foot().
 ///
-/// A contact is solved at rest. `frozen`: that load at every spin. `exact` and `response`: in balance at every spin, where
-/// friction enters the moment that the table has to carry, the moment enters the contact, the contact's load enters the
-/// friction (docs/theory/closures.md); exact solves the contact for each moment, response takes a curve of contacts over
-/// the moment ratio. Where the spin does not matter to the load (a moment balance without the moment of friction, no
-/// friction that deforms the foot), both are the load at rest. An out-of-flat rim or table is sampled over its phases.
+/// A contact is solved at rest. `frozen`: that load at every spin. `exact` and `response`: in balance at
+/// every spin, where friction enters the moment that the table has to carry, the moment enters the contact,
+/// the contact's load enters the friction (docs/theory/closures.md); exact solves the contact for each
+/// moment, response takes a curve of contacts over the moment ratio. Where the spin does not matter to the
+/// load (a moment balance without the moment of friction, no friction that deforms the foot), both are the
+/// load at rest. An out-of-flat rim or table is sampled over its phases.
 ///
 /// @p progress must live as long as the load; both keep @p foot. Throws BadInput, fem::ContactFailure, and
 /// std::runtime_error where a curve misses its tolerance; the load throws as balance()'s.
@@ -33,18 +34,19 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
 MomentBalance moment_balance(const Study &study);
 
-/// The paper's load for a glass: a first harmonic on a ring of the contact radius, in balance with @p closure at every
-/// spin, in closed form.
+/// The paper's load for a glass: a first harmonic on a ring of the contact radius, in balance with @p closure
+/// at every spin, in closed form.
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// What a contact state reports about its load.
 LoadReport report_of(const fem::ContactState &state, double contact_radius);
 
-/// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or friction
-/// deforms the foot.
+/// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or
+/// friction deforms the foot.
 bool spin_matters(const Study &study);
 
-/// A sentence for the console where the load is that of rest although the spin would change it; empty elsewhere.
+/// A sentence for the console where the load is that of rest although the spin would change it; empty
+/// elsewhere.
 std::string frozen_note(const Study &study);
 
 } // namespace stemware::pipeline

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 
-#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ namespace stemware::pipeline
 namespace
 {
 
-void add_load_quantities(const LoadReport &load, const QuantityNoise &noise, std::vector<QuantityOfInterest> &quantities)
+void add_load_quantities(const LoadReport &load, const QuantityNoise &noise,
+                         std::vector<QuantityOfInterest> &quantities)
 {
   const ring::RingStack &at_rest = load.rings;
   const double mean = at_rest.a(0);
@@ -28,7 +29,7 @@ void add_load_quantities(const LoadReport &load, const QuantityNoise &noise, std
   // A place where the contact ends is known to one azimuth only.
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
   quantities.push_back({ "contact_fraction", "share of the rim in contact", "1", load.contact_fraction,
-                      ends_somewhere ? 1. / noise.n_azimuths : 0. });
+                         ends_somewhere ? 1. / noise.n_azimuths : 0. });
   quantities.push_back({ "minimum", "least load", "N/rad", load.minimum, noise.relative * mean });
 }
 
@@ -40,8 +41,9 @@ bool BandedQuantity::is_zero() const
 }
 
 std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load, const ring::Motion &motion,
-                                             const std::vector<double> &spins,
-                                             const std::optional<double> &near, const QuantityNoise &noise)
+                                                       const std::vector<double> &spins,
+                                                       const std::optional<double> &near,
+                                                       const QuantityNoise &noise)
 {
   std::vector<QuantityOfInterest> quantities;
   const LoadReport &at_rest = load.report();
@@ -54,7 +56,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
   const SpinRow row = spin_row(load, question);
   const double torque_noise =
     noise.relative * motion.friction_coefficient * at_rest.normal_force * at_rest.rings.radius();
-  quantities.push_back({ "tau_at_rest", "torque at rest", "N m", row.at_rest->friction.torque, torque_noise });
+  quantities.push_back(
+    { "tau_at_rest", "torque at rest", "N m", row.at_rest->friction.torque, torque_noise });
   for (std::size_t i = 0; i < spins.size(); ++i)
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1),
                            "torque at " + to_short_text(spins[i]) + " rad/s", "N m", row.torques[i],
@@ -72,7 +75,8 @@ std::vector<double> spins_of_interest(double omega_terminal)
   return { 0.5 * omega_terminal, 1.5 * omega_terminal };
 }
 
-const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities, const std::string &key)
+const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
+                                      const std::string &key)
 {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
                                   [&](const QuantityOfInterest &quantity) { return quantity.key == key; });

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <exception>
-#include <mutex>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -28,8 +28,8 @@ struct Task
 /// Quantities of every level of every axis; the study's own levels are known.
 using LevelQuantities = std::vector<std::vector<std::vector<QuantityOfInterest>>>;
 
-std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes, const std::vector<QuantityOfInterest> &own,
-                             LevelQuantities &quantities)
+std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes,
+                             const std::vector<QuantityOfInterest> &own, LevelQuantities &quantities)
 {
   std::vector<Task> tasks;
   quantities.resize(axes.size());
@@ -166,8 +166,8 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
 }
 
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
-                                            const std::vector<double> &spins,
-                                            const std::optional<double> &near)
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near)
 {
   QuantityNoise noise;
   noise.n_azimuths = n_contact_azimuths(study);

@@ -82,13 +82,13 @@ void add_spin(const Study &study, const BalancedLoad &load, ValueList &list)
   question.with_slope = true;
   const SpinRow all = spin_row(load, question);
   const std::vector<SpinRow> closures = closure_rows(study);
-  const SpinComparison spins =
-    compare_spins(study, closures, all.terminal->omega, first.terminal->omega);
+  const SpinComparison spins = compare_spins(study, closures, all.terminal->omega, first.terminal->omega);
   list.add(all.at_rest->friction.torque);
   list.add(all.terminal->omega);
   list.add(first.terminal->omega);
-  list.add(std::find_if(closures.begin(), closures.end(), [&](const SpinRow &row)
-                        { return row.closure == study.motion.closure; })->omega_terminal());
+  list.add(std::find_if(closures.begin(), closures.end(),
+                        [&](const SpinRow &row) { return row.closure == study.motion.closure; })
+             ->omega_terminal());
   // A glass that does not spin up has a spin of rounding, to which nothing can be related.
   const bool is_spinning = std::abs(spins.first_harmonic) > 1e-12 * load.spin_scale(study.motion.orbit);
   list.add(is_spinning ? in_percent(spins.harmonic_effect()) : std::nullopt);

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/progress.h"
+#include "fem/pipeline/support/stopwatch.h"
+#include "fem/pipeline/support/work_progress.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+/// Shows on the console how far the work is: the steps of Newton's method as a table, pieces of known number
+/// as a bar, balances as a line every few seconds; stages end on a stopwatch.
+class ConsoleProgress : public Progress
+{
+public:
+  /// Keeps @p stopwatch.
+  explicit ConsoleProgress(Stopwatch &stopwatch);
+
+  void stage_done(const std::string &stage) override;
+  void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
+  void iteration(const SolverIteration &step) override;
+  void note(const std::string &subject, const std::string &text) override;
+
+private:
+  Stopwatch &stopwatch;
+  std::optional<WorkProgress> bar;
+  bool has_header = false; ///< of the table of Newton steps
+  std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
+};
+
+/// Says what the table has to carry at rest, and where that comes from.
+void note_load_source(const Study &study, Progress &progress);
+
+/// study_foot(), with its size and what a reader should know about its friction and its load. Nothing where
+/// the load does not come from a contact.
+std::shared_ptr<ElasticFoot> announced_foot(const Study &study, fem::ComplianceCache &cache,
+                                            Progress &progress);
+
+} // namespace stemware::pipeline
