@@ -45,6 +45,9 @@ public:
   /// Relative accuracy of rings() where that is not rounding: a balance is not asked to be better.
   virtual double accuracy() const { return 0.; }
 
+  /// Whether rings() takes so long that curves of thousands of loads should be interpolated.
+  virtual bool is_costly() const { return false; }
+
   /// Whether rings() follows the moment it is given; a frozen load does not.
   virtual bool follows_moment() const { return true; }
 };

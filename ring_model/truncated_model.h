@@ -25,6 +25,7 @@ public:
   double lift_off_ratio() const override { return model->lift_off_ratio(); }
   double moment_ratio_limit() const override { return model->moment_ratio_limit(); }
   double accuracy() const override { return model->accuracy(); }
+  bool is_costly() const override { return model->is_costly(); }
   bool follows_moment() const override { return model->follows_moment(); }
 
 private:

@@ -3,7 +3,8 @@
 // build/bench/error_band_coverage [studies [seed]]
 
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/ranks.h"
 #include "tests/benchmark/random_study.h"
 
@@ -24,29 +25,29 @@ struct Tally
 {
   unsigned int n_spins = 0;
   unsigned int n_spins_held = 0;
-  unsigned int n_figures = 0;
-  unsigned int n_figures_held = 0;
+  unsigned int n_quantities = 0;
+  unsigned int n_quantities_held = 0;
   std::vector<double> spin_excess; ///< band over true difference
 
-  void add(const RefinementResult &result, const std::vector<FollowedFigure> &finer)
+  void add(const ErrorBands &bands, const std::vector<QuantityOfInterest> &finer)
   {
     for (std::size_t f = 0; f < finer.size(); ++f)
     {
-      const BandedFigure &banded = result.figures[f];
-      const double difference = std::abs(banded.figure.value - finer[f].value);
+      const BandedQuantity &banded = bands[f];
+      const double difference = std::abs(banded.quantity.value - finer[f].value);
       const bool held = difference <= banded.band;
-      ++n_figures;
-      n_figures_held += held;
+      ++n_quantities;
+      n_quantities_held += held;
       if (!held)
-        std::printf("      %s: %.9g, four times finer %.9g, band %.2g\n", banded.figure.name.c_str(),
-                    banded.figure.value, finer[f].value, banded.band);
-      if (banded.figure.key != "omega_terminal")
+        std::printf("      %s: %.9g, four times finer %.9g, band %.2g\n", banded.quantity.name.c_str(),
+                    banded.quantity.value, finer[f].value, banded.band);
+      if (banded.quantity.key != "omega_terminal")
         continue;
       ++n_spins;
       n_spins_held += held;
-      spin_excess.push_back(banded.band / std::max(difference, banded.figure.rounding));
+      spin_excess.push_back(banded.band / std::max(difference, banded.quantity.rounding));
       std::printf("      terminal spin %.9g, four times finer differs by %.2e, band %.2e, ratio %.1f%s\n",
-                  banded.figure.value, difference, banded.band, spin_excess.back(), held ? "" : " MISSED");
+                  banded.quantity.value, difference, banded.band, spin_excess.back(), held ? "" : " MISSED");
     }
   }
 
@@ -58,24 +59,25 @@ struct Tally
     std::printf(
       "%s: %u of %u bands of the terminal spin hold, %u of %u of all quantities; band over true difference, "
       "terminal spin: median %.1f, least %.1f, greatest %.1f\n",
-      name, n_spins_held, n_spins, n_figures_held, n_figures, spin_excess[spin_excess.size() / 2],
+      name, n_spins_held, n_spins, n_quantities_held, n_quantities, spin_excess[spin_excess.size() / 2],
       spin_excess.front(), spin_excess.back());
   }
 };
 
 void compare(const Study &study, Tally &quick, Tally &full)
 {
-  const RingLoad load = find_load(study).load;
-  const double omega = study_yaw(load.at_spin, study.motion.orbit).terminal.omega;
-  const std::vector<double> spins = followed_spins(omega);
-  const std::vector<FollowedFigure> own = figures_of_load(study, load, spins, omega);
+  stemware::fem::ComplianceCache cache;
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const double omega = terminal_spin(load, study.motion.orbit).spin.omega;
+  const std::vector<double> spins = spins_of_interest(omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega);
   const Study finer_study = four_times_finer(study);
-  const std::vector<FollowedFigure> finer =
-    figures_of_load(finer_study, find_load(finer_study).load, spins, omega);
+  const std::vector<QuantityOfInterest> finer =
+    quantities_of_load(finer_study, find_load(finer_study, study_foot(finer_study, cache)), spins, omega);
   std::printf("   run\n");
-  quick.add(estimate_error_bands(study, load, omega), finer);
+  quick.add(error_bands(study, load, omega, cache), finer);
   std::printf("   converge\n");
-  full.add(refine(study, own, spins, refinement_axes(study, 3), 2), finer);
+  full.add(refine(study, own, spins, refinement_axes(study, 3), cache).quantities, finer);
   std::fflush(stdout);
 }
 

@@ -183,6 +183,16 @@ TEST(RingStack, GoesThroughItsCoefficients)
   EXPECT_THROW(RingStack::from_coefficients(row, 4), std::invalid_argument);
 }
 
+TEST(RingStack, DifferenceSeesEveryPartOfALoad)
+{
+  const RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, 0.03);
+  EXPECT_EQ(load.difference(load), 0);
+  EXPECT_NEAR(RingStack({ 0.5, 0.1, 0.03 }, { 0, 0.2, 0.03 }, 0.03).difference(load), 0.02, 1e-15);
+  EXPECT_NEAR(RingStack({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.02 }, 0.03).difference(load), 0.02, 1e-15);
+  EXPECT_NEAR(RingStack({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, 1.01 * 0.03).difference(load), 0.01, 1e-15);
+  EXPECT_NEAR(RingStack({ 0.5, 0.1 }, { 0, 0.2 }, 0.03).difference(load), 0.06, 1e-15);
+}
+
 TEST(RingStack, RefusesBadInputWithTheValue)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -24,6 +24,7 @@ public:
   double radius() const override { return contact_radius; }
   double lift_off_ratio() const override { return 1; } // the contact itself knows; ContactState says
   double accuracy() const override { return 1e-11; }   // contact resultants are good to 1e-10 or better
+  bool is_costly() const override { return true; }
 
   /// The contact with the resultants N and M_N at @p slip, from the solution before; Newton's steps go to @p
   /// progress. Throws fem::ContactFailure.

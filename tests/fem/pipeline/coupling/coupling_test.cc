@@ -1,10 +1,13 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
+#include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/balanced_states.h"
 #include "fem/pipeline/coupling/load_curve.h"
 #include "ring_model/unilateral_foundation.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -25,10 +28,11 @@ public:
       : UnilateralFoundation(rim, 1.5)
   {
   }
-  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override
+  ring::RingStack rings(double normal_force, const Eigen::Vector2d &moment,
+                        const ring::Slip &slip = {}) const override
   {
     ++n_loads;
-    return UnilateralFoundation::load(normal_force, moment);
+    return UnilateralFoundation::rings(normal_force, moment, slip);
   }
   mutable unsigned int n_loads = 0;
 };
@@ -36,7 +40,7 @@ public:
 /// Loads of the rim over the moment ratio.
 ring::RingStack rim_load(double moment_ratio)
 {
-  return ring::UnilateralFoundation(rim, 1.5).load(weight, { 0, -moment_ratio * weight * rim / 2 });
+  return ring::UnilateralFoundation(rim, 1.5).rings(weight, { 0, -moment_ratio * weight * rim / 2 });
 }
 
 TEST(BalancedStates, AreThoseFoundFromScratchWithAThirdOfTheLoads)
@@ -79,7 +83,7 @@ TEST(LoadCurve, StatesAnErrorThatHolds)
       for (unsigned int i = 0; i <= 501; ++i)
       {
         const double m = upper * i / 501;
-        EXPECT_LE(load_difference(load(m), rim_load(m)), curve.error) << m;
+        EXPECT_LE(load(m).difference(rim_load(m)), curve.error) << m;
       }
     }
 }
@@ -101,14 +105,80 @@ TEST(LoadCurve, SaysWhenSamplesDoNotSuffice)
   EXPECT_THROW(sample_load_curve(rim_load, 0, 1.5, 1e-12, 60), ToleranceMissed);
 }
 
-TEST(LoadCurve, DifferenceSeesEveryPartOfALoad)
+/// A rigid round rim, stated to be so slow that its loads are interpolated.
+class SlowFoundation : public ring::UnilateralFoundation
+{
+public:
+  SlowFoundation()
+      : UnilateralFoundation(rim, 1.5)
+  {
+  }
+  bool is_costly() const override { return true; }
+};
+
+BalancedLoad balanced_rim(unsigned int n_harmonics = 1000, const ring::Motion &motion = {})
+{
+  const auto model = std::make_shared<SlowFoundation>();
+  const LoadReport at_rest = report_of(
+    model->rings(motion.normal_force(), ring::required_moment_at_rest(ring::Closure::full, motion)));
+  return balance(model, { motion, ring::Closure::full, {} }, at_rest, n_harmonics);
+}
+
+TEST(BalancedLoad, CarriesWhatItsOwnFrictionAsksFor)
+{
+  // M_N = -dz k x F + z_CM k x T with F = m a - T, written out in three dimensions.
+  const ring::Motion motion;
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  for (const unsigned int n : { 1u, 3u, 1000u })
+    for (const double omega : { 0., -3.6, 5. })
+    {
+      const ring::RingStack load = balanced_rim(n).at(omega);
+      EXPECT_EQ(load.n_harmonics(), std::min(n, balanced_rim().n_harmonics()));
+      const ring::Wrench wrench = friction.wrench(load, omega, motion.orbit_speed);
+      const Eigen::Vector3d T(wrench.force_x, wrench.force_y, 0),
+        F =
+          Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -
+          T,
+        k(0, 0, 1);
+      const Eigen::Vector3d expected =
+        -motion.force_offset * k.cross(F) + motion.centre_of_mass_height * k.cross(T);
+      EXPECT_NEAR((load.moment() - expected.head<2>()).norm(), 0, 1e-12 * weight * rim) << n << ' ' << omega;
+    }
+}
+
+TEST(BalancedLoad, BehindATruncationIsTheWholePressure)
+{
+  const double omega = -3.6;
+  const BalancedLoad two = balanced_rim(2);
+  const ring::RingStack whole = two.whole(omega);
+  EXPECT_EQ(two.at(omega).n_harmonics(), 2u);
+  EXPECT_GT(whole.n_harmonics(), 10u);
+  EXPECT_NEAR((whole.moment() - two.at(omega).moment()).norm(), 0, 1e-15);
+  EXPECT_NEAR(whole.truncated(2).difference(two.at(omega)), 0, 1e-14);
+  // Cut off without another balance, it is the balance of all harmonics that loses some.
+  EXPECT_EQ(balanced_rim().truncated(2).at(omega).a(1), balanced_rim().at(omega).a(1));
+  EXPECT_NE(balanced_rim().truncated(2).at(omega).a(1), two.at(omega).a(1));
+}
+
+TEST(BalancedLoad, InterpolatesWithinTheErrorThatItStates)
+{
+  const BalancedLoad exact = balanced_rim(), curve = exact.interpolated(-4, 0.5);
+  const double stated = *curve.statistics()->interpolation_error;
+  EXPECT_LE(stated, 1e-9);
+  for (double omega = -3.97; omega < 0.5; omega += 0.13)
+    EXPECT_LE(curve.at(omega).difference(exact.at(omega)), stated) << omega;
+  EXPECT_EQ(curve.at(2.5).difference(exact.at(2.5)), 0); // beyond the samples
+  EXPECT_GT(curve.statistics()->n_balances, 17u);
+}
+
+TEST(BalancedLoad, ThatIsConstantLooksAtNothing)
 {
   const ring::RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, rim);
-  EXPECT_EQ(load_difference(load, load), 0);
-  EXPECT_NEAR(load_difference({ { 0.5, 0.1, 0.03 }, { 0, 0.2, 0.03 }, rim }, load), 0.02, 1e-15);
-  EXPECT_NEAR(load_difference({ { 0.5, 0.1, 0.02 }, { 0, 0.2, 0.02 }, rim }, load), 0.02, 1e-15);
-  EXPECT_NEAR(load_difference({ { 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, 1.01 * rim }, load), 0.01, 1e-15);
-  EXPECT_NEAR(load_difference({ { 0.5, 0.1 }, { 0, 0.2 }, rim }, load), 0.06, 1e-15);
+  const BalancedLoad constant({ report_of(load), {} });
+  EXPECT_EQ(constant.at(-7).difference(load), 0);
+  EXPECT_EQ(constant.at(3, { 0.4, 1.2 }).difference(load), 0);
+  EXPECT_FALSE(constant.follows_spin());
+  EXPECT_EQ(constant.phases(), nullptr);
 }
 
 } // namespace

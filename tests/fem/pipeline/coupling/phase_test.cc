@@ -12,18 +12,17 @@ namespace
 {
 
 using namespace stemware::pipeline;
-using stemware::fem::FootPhase;
 namespace ring = stemware::ring;
 
 constexpr double two_pi = boost::math::double_constants::two_pi;
 
 /// A load of made-up smooth dependence on both phases and the spin.
-ring::RingStack made_up_load(double omega, const FootPhase &phase)
+ring::RingStack made_up_load(double omega, const ring::Orientation &phase)
 {
   const double wave = std::exp(0.3 * std::cos(3 * phase.glass + 0.4)) / (1.5 + std::sin(2 * phase.table));
   return ring::RingStack({ 1., 0.3 + 0.1 * std::cos(omega / 5) * wave, 0.2 * wave },
-                           { 0., 0.1 * wave / (1 + omega * omega / 50), -0.05 * wave * wave },
-                           0.03 * (1 + 1e-3 * wave));
+                         { 0., 0.1 * wave / (1 + omega * omega / 50), -0.05 * wave * wave },
+                         0.03 * (1 + 1e-3 * wave));
 }
 
 double difference(const ring::RingStack &one, const ring::RingStack &other)
@@ -74,14 +73,14 @@ TEST(Marks, StandWhereTheOrbitAndTheYawPutThem)
   // At t = 0 azimuth 0 points away from the orbit's centre: to the right of a counter-clockwise motion.
   ring::Motion motion;
   const double orbit = motion.orbit_speed / motion.orbit_radius;
-  const FootPhase start = phase_of_marks(motion, 0, 0);
+  const ring::Orientation start = orientation_of_marks(motion, 0, 0);
   EXPECT_DOUBLE_EQ(start.glass, -two_pi / 4);
   EXPECT_DOUBLE_EQ(start.table, -two_pi / 4);
-  const FootPhase later = phase_of_marks(motion, 0.7, -1.1);
+  const ring::Orientation later = orientation_of_marks(motion, 0.7, -1.1);
   EXPECT_DOUBLE_EQ(later.glass, -1.1 - orbit * 0.7 - two_pi / 4);
   EXPECT_DOUBLE_EQ(later.table, -orbit * 0.7 - two_pi / 4);
   motion.orbit_sense = ring::OrbitSense::clockwise;
-  const FootPhase mirrored = phase_of_marks(motion, 0.7, 1.1);
+  const ring::Orientation mirrored = orientation_of_marks(motion, 0.7, 1.1);
   EXPECT_DOUBLE_EQ(mirrored.glass, -later.glass);
   EXPECT_DOUBLE_EQ(mirrored.table, -later.table);
 }
@@ -131,7 +130,7 @@ TEST(PhaseLoads, InterpolateWithinTheStatedError)
   EXPECT_GT(grids.glass.size(), 8u);
   const PhaseLoads loads(made_up_load, grids, 3.);
   for (const double omega : { -10., -4.4, 0., 0.3, 7.7 })
-    for (const FootPhase &phase : { FootPhase{ 0.1, 3.3 }, FootPhase{ -12.2, 0.5 } })
+    for (const ring::Orientation &phase : { ring::Orientation{ 0.1, 3.3 }, ring::Orientation{ -12.2, 0.5 } })
       EXPECT_LT(difference(loads.at(omega, phase), made_up_load(omega, phase)), 2e-7) << omega;
   EXPECT_LE(loads.error(), 1e-7);
   EXPECT_GT(loads.n_spins(), 4u * 5u);
@@ -169,7 +168,7 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
 
 TEST(PhaseLoads, SayThatAJumpIsNotResolved)
 {
-  const auto jump = [](double, const FootPhase &phase) {
+  const auto jump = [](double, const ring::Orientation &phase) {
     return ring::RingStack({ 1., 0.1, std::sin(2 * phase.glass) > 0.1 ? 0.1 : 0. }, { 0., 0., 0. }, 0.03);
   };
   EXPECT_THROW(find_phases(jump, { two_pi / 2, 0 }), std::runtime_error);

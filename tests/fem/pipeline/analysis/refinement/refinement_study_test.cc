@@ -1,7 +1,8 @@
 // Which levels a study is refined on, and whether the bands that they make hold: beside the same study with
 // much finer meshes.
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/benchmark/random_study.h"
@@ -93,62 +94,77 @@ Study much_finer(Study study)
   return study;
 }
 
-/// Figures of the study itself and of a finer one, with the bands of `run`.
-struct Comparison
+BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
 {
-  explicit Comparison(const Study &study, const Study &finer_study)
-      : load(find_load(study).load)
-      , omega(study_yaw(load.at_spin, study.motion.orbit).terminal.omega)
-      , quick(estimate_error_bands(study, load, omega))
-      , finer(figures_of_load(finer_study, find_load(finer_study).load, followed_spins(omega), omega))
+  return find_load(study, study_foot(study, cache));
+}
+
+/// Quantities of the study itself and of a finer one, with the bands of `run`.
+struct Levels
+{
+  Levels(const Study &study, const Study &finer_study)
+      : load(load_of(study, cache))
+      , omega(terminal_spin(load, study.motion.orbit).spin.omega)
+      , quick(error_bands(study, load, omega, cache))
+      , finer(quantities_of_load(finer_study, load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
 
-  RingLoad load;
+  /// The band of `run` for a quantity.
+  const BandedQuantity &band(const std::string &key) const
+  {
+    for (const BandedQuantity &banded : quick)
+      if (banded.quantity.key == key)
+        return banded;
+    throw std::out_of_range(key);
+  }
+
+  fem::ComplianceCache cache;
+  BalancedLoad load;
   double omega;
-  RefinementResult quick;
-  std::vector<FollowedFigure> finer;
+  ErrorBands quick;
+  std::vector<QuantityOfInterest> finer;
 };
 
 TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
 {
   const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
-  const Comparison comparison(study, four_times_finer(study));
+  Levels comparison(study, four_times_finer(study));
   for (std::size_t f = 0; f < comparison.finer.size(); ++f)
   {
-    const BandedFigure &banded = comparison.quick.figures[f];
-    EXPECT_NEAR(banded.figure.value, comparison.finer[f].value, banded.band) << banded.figure.name;
+    const BandedQuantity &banded = comparison.quick[f];
+    EXPECT_NEAR(banded.quantity.value, comparison.finer[f].value, banded.band) << banded.quantity.name;
   }
-  const BandedFigure &spin = comparison.quick.figure("omega_terminal");
-  EXPECT_GT(spin.band, std::abs(spin.figure.value - figure_of(comparison.finer, "omega_terminal").value));
+  const BandedQuantity &spin = comparison.band("omega_terminal");
+  EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
   EXPECT_LT(spin.band, 1e-5); // rad/s: a band that says nothing would hold too
 
   // What `converge` does: three levels, and an order between that of the re-entrant corners and that of a
   // smooth section.
-  const RefinementResult full =
-    refine(study, figures_of_load(study, comparison.load, followed_spins(comparison.omega), comparison.omega),
-           followed_spins(comparison.omega), refinement_axes(study, 3), 2);
-  const BandedFigure &refined = full.figure("omega_terminal");
-  const double finer = figure_of(comparison.finer, "omega_terminal").value;
-  EXPECT_NEAR(refined.figure.value, finer, refined.band);
+  const RefinementResult full = refine(
+    study, quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
+    spins_of_interest(comparison.omega), refinement_axes(study, 3), comparison.cache);
+  const BandedQuantity &refined = full.quantity("omega_terminal");
+  const double finer = quantity_of(comparison.finer, "omega_terminal").value;
+  EXPECT_NEAR(refined.quantity.value, finer, refined.band);
   EXPECT_NEAR(refined.richardson, finer, refined.band / 3);
-  const auto index = static_cast<std::size_t>(&refined - full.figures.data());
-  ASSERT_TRUE(full.axes[0].figures[index].judged.order);
-  EXPECT_NEAR(*full.axes[0].figures[index].judged.order, 1.29, 0.05);
+  const auto index = static_cast<std::size_t>(&refined - full.quantities.data());
+  ASSERT_TRUE(full.axes[0].quantities[index].judged.order);
+  EXPECT_NEAR(*full.axes[0].quantities[index].judged.order, 1.29, 0.05);
 }
 
 TEST(ErrorBands, OfRandomStudiesHold)
 {
-  // The share over many more: fem/pipeline/benchmark/error_band_coverage, docs/method/error_bands.md.
+  // The share over many more: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
   RandomStudies studies(2024);
   for (unsigned int i = 0; i < 4; ++i)
   {
     const Study study = studies.next();
-    const Comparison comparison(study, much_finer(study));
-    const BandedFigure &spin = comparison.quick.figure("omega_terminal");
-    const double finer = figure_of(comparison.finer, "omega_terminal").value;
-    EXPECT_NEAR(spin.figure.value, finer, spin.band) << "study " << i;
-    EXPECT_LT(spin.band, 2e-3 * std::abs(spin.figure.value)) << "study " << i;
+    const Levels comparison(study, much_finer(study));
+    const BandedQuantity &spin = comparison.band("omega_terminal");
+    const double finer = quantity_of(comparison.finer, "omega_terminal").value;
+    EXPECT_NEAR(spin.quantity.value, finer, spin.band) << "study " << i;
+    EXPECT_LT(spin.band, 2e-3 * std::abs(spin.quantity.value)) << "study " << i;
   }
 }
 
@@ -156,13 +172,14 @@ TEST(ErrorBands, SayWhichLevelFailed)
 {
   Study study;
   study.load.moment_ratio = 0.5;
-  const RingLoad load = find_load(study).load;
+  fem::ComplianceCache cache;
+  const BalancedLoad load = load_of(study, cache);
   const std::vector<double> spins = { -1 };
   std::vector<RefinementAxis> axes = refinement_axes(study, 2);
   axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
   try
   {
-    refine(study, figures_of_load(study, load, spins, std::nullopt), spins, axes, 2);
+    refine(study, quantities_of_load(study, load, spins, std::nullopt), spins, axes, cache);
     FAIL() << "a level that tips was solved";
   }
   catch (const std::runtime_error &failure)
