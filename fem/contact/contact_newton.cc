@@ -14,32 +14,6 @@
 namespace stemware::fem
 {
 
-std::string to_string(ContactOutcome outcome)
-{
-  switch (outcome)
-  {
-  case ContactOutcome::converged:
-    return "converged";
-  case ContactOutcome::narrow_contact:
-    return "narrow contact";
-  case ContactOutcome::tipping:
-    return "tipping";
-  case ContactOutcome::repeated_set:
-    return "repeated contact set";
-  case ContactOutcome::singular_set:
-    return "singular contact set";
-  case ContactOutcome::too_many_steps:
-    return "too many contact steps";
-  case ContactOutcome::unbalanced:
-    return "unbalanced contact forces";
-  case ContactOutcome::linear_solver_failed:
-    return "linear solver failed";
-  case ContactOutcome::overflow:
-    return "overflow";
-  }
-  throw std::logic_error("unnamed contact outcome");
-}
-
 namespace
 {
 
@@ -140,7 +114,7 @@ public:
     result.motion = motion;
     result.n_iterations = n_steps;
     result.n_linear_iterations = n_linear_iterations;
-    const Eigen::VectorXd pressure = law.nodal_pressure(approach);
+    const Eigen::VectorXd pressure = law.nodal_pressure(result);
     result.n_loaded_nodes = static_cast<unsigned int>((pressure.array() > 0).count());
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)

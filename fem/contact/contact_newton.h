@@ -4,8 +4,6 @@
 #include "fem/contact/table_law.h"
 
 #include <functional>
-#include <stdexcept>
-#include <string>
 
 namespace stemware::fem
 {
@@ -16,36 +14,6 @@ struct ContactLoad
   double normal_force = 0; ///< N = sum f [N], > 0
   double moment_x = 0;     ///< M_Nx =  sum y f [N m]
   double moment_y = 0;     ///< M_Ny = -sum x f [N m]
-};
-
-/// How a contact solve ended; everything but `converged` and `narrow_contact` is thrown as a ContactFailure.
-enum class ContactOutcome
-{
-  converged,
-  narrow_contact, ///< converged, but fewer than four nodes carry load side by side: the pressure across the
-                  ///< rim is not resolved
-  tipping,        ///< no distribution of pushing forces on the contact zone has these resultants
-  repeated_set,   ///< the contact set came back without the residual falling
-  singular_set,   ///< the loaded places no longer support the foot (fewer than three, or on one line)
-  too_many_steps, ///< the allowed number of Newton steps was not enough
-  unbalanced,     ///< the resultants of the normal forces miss the prescribed ones
-  linear_solver_failed, ///< the body could not solve its linear system
-  overflow              ///< forces or displacements left the range of floating-point numbers
-};
-
-/// The outcome's name as used in messages and in summary.json.
-std::string to_string(ContactOutcome outcome);
-
-/// Thrown when a contact solve ends without a solution; what() is a sentence with figures and advice.
-class ContactFailure : public std::runtime_error
-{
-public:
-  ContactFailure(ContactOutcome outcome, const std::string &message)
-      : std::runtime_error(to_string(outcome) + ": " + message)
-      , outcome(outcome)
-  {
-  }
-  const ContactOutcome outcome;
 };
 
 /// One line of the progress table.
@@ -69,22 +37,6 @@ struct ContactControl
   double resultant_tolerance = 1e-9; ///< final check: |sum f - N| / N and |sum r x f - M| / (N R)
   unsigned int max_steps = 100;      ///< Newton steps in all
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
-};
-
-/// A foot at rest on the table.
-struct ContactSolution
-{
-  ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact
-  Eigen::VectorXd forces;                             ///< upward forces on the foot at the contact nodes [N]
-  Eigen::VectorXd approach;                           ///< u_z + Q q at the contact nodes [m]
-  Eigen::Vector3d motion = Eigen::Vector3d::Zero();   ///< q0 [m], q1, q2 [rad] of the table
-  unsigned int n_iterations = 0;
-  unsigned int n_linear_iterations = 0;
-  unsigned int n_loaded_nodes = 0; ///< contact nodes under pressure
-  unsigned int n_nodes_across = 0; ///< ContactSurface::n_nodes_across()
-  double force_residual = 0;       ///< |sum f - N| / N
-  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R)
-  double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
 };
 
 /// Presses @p body on the table described by @p law until the normal forces have the resultants @p load.

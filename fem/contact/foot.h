@@ -17,19 +17,20 @@ namespace stemware::fem
 /// How the foot slides over the table, as far as its contact depends on it.
 struct Slip
 {
-  double spin_per_speed =
-    0;                   ///< omega / v [1/m], counter-clockwise > 0: the direction of the friction tractions
-  FootPhase orientation; ///< where the marks of glass and table stand
+  /// omega / v [1/m], counter-clockwise > 0: the direction of the friction tractions.
+  double spin_per_speed = 0;
+  /// Where the marks of glass and table stand; only a foot or a table that is out of flat knows them.
+  FootPhase orientation;
 };
 
 /// One solved contact: plain data that stays what it is when the foot is pressed again.
 struct ContactState
 {
-  LoadHarmonics load;       ///< in the slip frame
-  ContactSolution solution; ///< in the frame turned by `direction`
-  std::vector<ContactIteration> history;
-  Slip slip;            ///< that it was solved for
-  double direction = 0; ///< of the solution's x axis in the slip frame [rad]
+  LoadHarmonics load;                    ///< in the slip frame
+  ContactSolution solution;              ///< in the frame turned by `direction`
+  std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
+  Slip slip;                             ///< that it was solved for
+  double direction = 0;                  ///< azimuth of the solution's x axis in the slip frame [rad]
 };
 
 /// What a foot is made of, for people and for summary.json.
@@ -45,12 +46,12 @@ struct FootDescription
 /// What a foot can do, to be asked instead of its kind.
 struct FootCapabilities
 {
-  bool is_isotropic =
-    false; ///< the load depends on |M_N| alone and turns with it: a curve over the moment says all
-  bool friction_deforms =
-    false; ///< friction tractions act back on the pressure: the load depends on the spin
-  bool is_collective =
-    false; ///< solving takes all MPI ranks together, so two feet cannot be solved side by side
+  /// The load depends on |M_N| alone and turns with it: a curve over the moment says all.
+  bool is_isotropic = false;
+  /// Friction tractions act back on the pressure: the load depends on the spin.
+  bool friction_deforms = false;
+  /// Solving takes all MPI ranks together, so two feet cannot be solved side by side.
+  bool is_collective = false;
 };
 
 /// A file of a result, still in memory.
@@ -62,28 +63,39 @@ struct FieldFile
 
 /// An elastic foot on its table: mesh, stiffness and table law, set up once for any number of loads.
 ///
-/// MPI must have been started; where capabilities().is_collective, all ranks call every function together.
+/// Where capabilities().is_collective, MPI must have been started and all ranks call every function together.
+/// A foot answers one call at a time; different feet may be solved by different threads unless they are
+/// collective.
 class Foot
 {
 public:
+  Foot() = default;
+  Foot(const Foot &) = delete; // laws and bodies keep references to each other
+  Foot &operator=(const Foot &) = delete;
   virtual ~Foot() = default;
 
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
   /// Solves the contact under the resultants @p load at @p slip, from the solution before where there is one.
-  /// @p progress is called after each Newton step; may be empty. Throws ContactFailure.
+  /// @p progress is called after each Newton step, which the state's history keeps too, where a solve takes
+  /// long (a solid foot; not a body of revolution); may be empty. Throws ContactFailure.
   virtual ContactState solve(const ContactLoad &load, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
-  /// The pressure of a state as forces where they lie, slip frame.
+  /// The pressure of any state of this foot as forces where they lie, slip frame.
   virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
 
-  /// The pressure p(r, theta) of a state, slip frame.
+  /// The pressure p(r, theta) of any state of this foot, slip frame.
   virtual Footprint footprint(const ContactState &state) = 0;
 
-  /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: this rank's.
+  /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank
+  /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
 };
+
+/// Throws std::logic_error unless the displacement of @p body is that of @p state, u_z + Q q = approach to
+/// rounding.
+void require_latest(const ElasticBody &body, const ContactState &state);
 
 } // namespace stemware::fem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/interface_law.h"
 #include "fem/contact/line_integral.h"
 #include "fem/contact/line_pattern.h"
 #include "fem/contact/table_law.h"
@@ -7,8 +8,7 @@
 namespace stemware::fem
 {
 
-/// A table whose pressure depends on the local penetration alone, integrated along the contact lines. What
-/// mat and rough interface share.
+/// A table whose pressure depends on the local penetration alone, integrated along the contact lines.
 ///
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
 /// dp/dd [Pa/m]; and `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
@@ -38,14 +38,14 @@ public:
     }
   }
 
-  TableLoad load(const Eigen::VectorXd &approach) const override
+  TableLoad load(const ContactSolution &solution) const override
   {
     TableLoad result;
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
     for (const ContactLine &line : surface.lines)
     {
-      const Eigen::Vector3d depth = penetration(line, approach);
+      const Eigen::Vector3d depth = penetration(line, solution.approach);
       double line_force = 0;
       law.integrate(line, depth,
                     [&](const LinePoint &point)
@@ -60,14 +60,16 @@ public:
     return result;
   }
 
-  Footprint footprint(const Eigen::VectorXd &approach) const override
+  Footprint footprint(const ContactSolution &solution) const override
   {
-    return footprint_of_lines(surface, approach, [this](double depth) { return law.pressure(depth); });
+    return footprint_of_lines(surface, solution.approach,
+                              [this](double depth) { return law.pressure(depth); });
   }
 
-  Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override
+  Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override
   {
-    return (-(surface.node_gap + approach)).unaryExpr([this](double depth) { return law.pressure(depth); });
+    return (-(surface.node_gap + solution.approach))
+      .unaryExpr([this](double depth) { return law.pressure(depth); });
   }
 
   std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
@@ -130,6 +132,21 @@ private:
   const ContactSurface &surface;
   const LinePattern pattern;
   const Pressure law;
+};
+
+/// An interface whose pressure depends on the local penetration alone. @p Law derives from
+/// PressureInterface<Law> and offers what PressureLaw asks of a pressure, and `validate()`, which throws
+/// std::invalid_argument for parameters that are not allowed.
+template <typename Law>
+class PressureInterface : public InterfaceLaw
+{
+public:
+  std::unique_ptr<TableLaw> make(const ContactSurface &surface, double /*penalty*/) const override
+  {
+    const Law &law = static_cast<const Law &>(*this);
+    law.validate();
+    return std::make_unique<PressureLaw<Law>>(surface, law);
+  }
 };
 
 } // namespace stemware::fem

@@ -1,24 +1,30 @@
 #pragma once
 
-#include "fem/revolution/meridian_problem.h"
+#include "fem/revolution/contact_compliance.h"
 
 #include <cstddef>
+#include <future>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <vector>
 
 namespace stemware::fem
 {
 
-/// Compliances of bodies of revolution, each computed once for everybody who asks for the same mesh, material
+/// Compliances of bodies of revolution, each computed once for everybody who asks for equal meshes, materials
 /// and options.
 ///
 /// Several threads may ask at a time; whoever asks for a compliance that another thread computes waits for
-/// it. What has not been asked for longest is forgotten when all of them together take more than @p
-/// max_bytes.
-class ComplianceStore
+/// it. Compliances that somebody holds stay alive whatever the cache does.
+class ComplianceCache
 {
 public:
-  explicit ComplianceStore(std::size_t max_bytes = std::size_t(1) << 28);
-  ~ComplianceStore();
+  /// Holds at most @p max_entries compliances, about a megabyte each: a full cache is emptied.
+  explicit ComplianceCache(std::size_t max_entries = 128)
+      : max_entries(max_entries)
+  {
+  }
 
   /// What compute_compliance() returns; throws as that.
   std::shared_ptr<const ContactCompliance> get(const dealii::Triangulation<2, 2> &triangulation,
@@ -29,8 +35,12 @@ public:
   unsigned int n_computed() const;
 
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
+
+  const std::size_t max_entries;
+  mutable std::mutex mutex;
+  std::map<std::vector<double>, Entry> entries;
+  unsigned int computed = 0;
 };
 
 } // namespace stemware::fem

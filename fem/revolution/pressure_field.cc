@@ -18,7 +18,7 @@ PressureField::PressureField(const BodyOfRevolution &body, const TableLaw &law,
     , lines(body.fourier_basis().n_lines())
 {
   if (!law.pressure_at(0))
-    nodal = law.nodal_pressure(solution.approach).reshaped(compliance.n_nodes(), lines);
+    nodal = law.nodal_pressure(solution).reshaped(compliance.n_nodes(), lines);
 }
 
 Eigen::VectorXd PressureField::on_circle(double radius, const FourierBasis &azimuths) const

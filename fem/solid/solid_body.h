@@ -59,11 +59,10 @@ public:
   /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
   double contact_cell_size() const;
 
-  /// Writes <folder>/<name>.vtu, all ranks into one file: displacement [m] in the slip frame with the table
-  /// at rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of @p
-  /// nodal_pressure.
-  void write_fields(const std::string &folder, const std::string &name, const Eigen::Vector3d &motion,
-                    const Eigen::VectorXd &nodal_pressure) const;
+  /// The fields as one VTU file, on the first rank; empty on the others: displacement [m] in the slip frame
+  /// with the table at rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact
+  /// pressure [Pa] of @p nodal_pressure.
+  std::string vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:
   struct Implementation;

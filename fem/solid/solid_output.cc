@@ -5,6 +5,10 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <sstream>
+#include <string>
+#include <vector>
+
 namespace stemware::fem
 {
 
@@ -87,10 +91,30 @@ private:
   const Eigen::Vector3d motion;
 };
 
+/// One file of all ranks' cells, on the first rank. A rank without cells has no piece of its own, which
+/// ParaView could not read.
+std::string gathered_vtu(const DataOut<3> &data_out, const DataOutBase::VtkFlags &flags,
+                         MPI_Comm communicator)
+{
+  std::ostringstream header, footer, mine;
+  DataOutBase::write_vtu_header(header, flags);
+  DataOutBase::write_vtu_footer(footer);
+  data_out.write_vtu(mine);
+  const std::string file = mine.str();
+  const std::size_t begin = header.str().size();
+  const std::string piece = file.substr(begin, file.size() - begin - footer.str().size());
+  const bool has_cells = piece.find("NumberOfCells=\"0\"") == std::string::npos;
+  const std::vector<std::string> pieces =
+    Utilities::MPI::gather(communicator, has_cells ? piece : std::string());
+  std::string whole;
+  for (const std::string &one : pieces)
+    whole += one;
+  return pieces.empty() ? "" : header.str() + whole + footer.str();
+}
+
 } // namespace
 
-void SolidBody::write_fields(const std::string &folder, const std::string &name,
-                             const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const
+std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const
 {
   const Implementation &body = *implementation;
   TrilinosWrappers::MPI::Vector displacement(body.locally_owned, body.locally_relevant, body.communicator);
@@ -111,7 +135,7 @@ void SolidBody::write_fields(const std::string &folder, const std::string &name,
   data_out.add_data_vector(body.dof_handler, displacement, stress);
   data_out.add_data_vector(body.dof_handler, pressure, contact_pressure);
   data_out.build_patches(body.mapping, body.element.degree, DataOut<3>::curved_inner_cells);
-  data_out.write_vtu_in_parallel(folder + "/" + name + ".vtu", body.communicator);
+  return gathered_vtu(data_out, flags, body.communicator);
 }
 
 } // namespace stemware::fem

@@ -1,6 +1,7 @@
 // Cold starts of the contact solver over a wide grid of feet, mats and loads: how many converge, and in how
 // many steps. Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON, run: build/release/cold_starts
 
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/revolution_foot.h"
 
 #include <deal.II/base/multithread_info.h>
@@ -32,7 +33,7 @@ RevolutionSetup setup_of(double crown_radius, double modulus, double roughness)
 {
   RevolutionSetup setup;
   setup.profile.crown_radius = crown_radius;
-  setup.foundation_modulus = modulus;
+  setup.table.interface = std::make_shared<WinklerInterface>(modulus);
   const double line_load = weight / (2 * M_PI * setup.profile.contact_radius);
   const double half_width = std::cbrt(1.5 * line_load * crown_radius / modulus);
   const double depth = half_width * half_width / (2 * crown_radius);
@@ -41,19 +42,20 @@ RevolutionSetup setup_of(double crown_radius, double modulus, double roughness)
   return setup;
 }
 
-void press_at_every_moment(FootResponse &foot, Tally &tally)
+void press_at_every_moment(const RevolutionSetup &setup, ComplianceCache &cache, Tally &tally)
 {
   for (const double m : { 0., 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1., 1.1, 1.2, 1.3, 1.5, 1.7, 1.8, 1.9, 1.95 })
   {
     ++tally.n_cases;
-    foot.forget();
+    RevolutionFoot foot(setup, cache);
     const double moment = m * weight * 0.015;
     try
     {
-      const LoadHarmonics load = foot.press({ weight, moment * std::sin(0.3), -moment * std::cos(0.3) });
-      tally.most_steps = std::max(tally.most_steps, foot.solution().n_iterations);
+      const ContactState state = foot.solve({ weight, moment * std::sin(0.3), -moment * std::cos(0.3) });
+      tally.most_steps = std::max(tally.most_steps, state.solution.n_iterations);
       if (m <= 0.2)
-        tally.smallest_contact_below_one = std::min(tally.smallest_contact_below_one, load.contact_fraction);
+        tally.smallest_contact_below_one =
+          std::min(tally.smallest_contact_below_one, state.load.contact_fraction);
     }
     catch (const ContactFailure &failure)
     {
@@ -69,13 +71,11 @@ int main()
 {
   dealii::MultithreadInfo::set_thread_limit(1);
   Tally tally;
+  ComplianceCache cache;
   for (const double crown_radius : { 3e-4, 1e-3, 3e-3, 1e-2, 3e-2 })
     for (const double modulus : { 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13 })
       for (const double roughness : { 0., 1., 5., 20. })
-      {
-        FootResponse foot(setup_of(crown_radius, modulus, roughness));
-        press_at_every_moment(foot, tally);
-      }
+        press_at_every_moment(setup_of(crown_radius, modulus, roughness), cache, tally);
   std::printf(
     "%u cases, %u failed, at most %u Newton steps; least share of the ring in contact at m <= 0.2: %.2f\n",
     tally.n_cases, tally.n_failed, tally.most_steps, tally.smallest_contact_below_one);

@@ -1,6 +1,7 @@
 // What the body of revolution costs on one core. Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON, run:
 // OPENBLAS_NUM_THREADS=1 build/release/revolution_benchmark
 
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/revolution_foot.h"
 #include "ring_model/closures.h"
 #include "ring_model/self_consistent_ring.h"
@@ -58,13 +59,13 @@ BENCHMARK(compliances)->Unit(benchmark::kMillisecond);
 /// A load from the solution 0.01 in m before it, harmonics included; median over m = 0.1 ... 1.8.
 void neighbouring_load(benchmark::State &state)
 {
-  FootResponse foot{ RevolutionSetup() };
+  RevolutionFoot foot{ RevolutionSetup() };
   for (auto _ : state)
   {
     std::vector<double> times;
-    foot.press(load_at(0.1));
+    foot.solve(load_at(0.1));
     for (double m = 0.11; m < 1.8; m += 0.01)
-      times.push_back(seconds_of([&] { foot.press(load_at(m)); }));
+      times.push_back(seconds_of([&] { foot.solve(load_at(m)); }));
     state.SetIterationTime(median(times));
   }
 }
@@ -73,14 +74,14 @@ BENCHMARK(neighbouring_load)->UseManualTime()->Iterations(10)->Unit(benchmark::k
 /// The same from nothing.
 void cold_load(benchmark::State &state)
 {
-  FootResponse foot{ RevolutionSetup() };
+  ComplianceCache cache;
   for (auto _ : state)
   {
     std::vector<double> times;
     for (double m = 0.1; m < 1.8; m += 0.05)
     {
-      foot.forget();
-      times.push_back(seconds_of([&] { foot.press(load_at(m)); }));
+      RevolutionFoot foot(RevolutionSetup(), cache);
+      times.push_back(seconds_of([&] { foot.solve(load_at(m)); }));
     }
     state.SetIterationTime(median(times));
   }
@@ -91,16 +92,16 @@ BENCHMARK(cold_load)->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisec
 class ElasticLoad : public ring::LoadModel
 {
 public:
-  ring::RingStack load(double normal_force, const Eigen::Vector2d &moment) const override
+  ring::RingStack rings(double normal_force, const Eigen::Vector2d &moment, const ring::Slip &) const override
   {
     ++n_loads;
-    const LoadHarmonics pressed = foot.press({ normal_force, moment(0), moment(1) });
-    return ring::RingStack(pressed.a, pressed.b, pressed.ring_radius);
+    const LoadHarmonics pressed = foot.solve({ normal_force, moment(0), moment(1) }).load;
+    return ring::RingStack(pressed.a[0], pressed.b[0], pressed.radii[0]);
   }
   double radius() const override { return 0.03; }
   double lift_off_ratio() const override { return 1.2; }
 
-  mutable FootResponse foot{ RevolutionSetup() };
+  mutable RevolutionFoot foot{ RevolutionSetup() };
   mutable unsigned int n_loads = 0;
 };
 

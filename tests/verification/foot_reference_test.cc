@@ -19,7 +19,7 @@ void compare_with_reference(const std::string &foot, const GlassProfile &profile
 {
   std::ifstream file(STEMWARE_FOOT_CONTACT);
   const nlohmann::json reference = nlohmann::json::parse(file).at(foot);
-  RevolutionCase revolution(profile, foot_compliance(profile, resolution, { degree, 16, 0 }), n_lines);
+  RevolutionCase revolution(profile, foot_compliance(profile, resolution, { degree, 16 }), n_lines);
   for (const auto &[mat, moments] : reference.items())
     for (const auto &[moment, expected] : moments.items())
     {
@@ -29,7 +29,7 @@ void compare_with_reference(const std::string &foot, const GlassProfile &profile
       const auto ratios = expected.at("a_over_a0").get<std::vector<double>>();
       const auto band = expected.at("band").get<std::vector<double>>();
       for (unsigned int n = 1; n <= 8; ++n)
-        EXPECT_NEAR(load.a[n] / load.a[0], ratios[n], band[n] + 1e-5)
+        EXPECT_NEAR(load.a[0][n] / load.a[0][0], ratios[n], band[n] + 1e-5)
           << mat << ", " << moment << ", n = " << n << ", degree " << degree;
       EXPECT_NEAR(load.mean_radius, expected.at("mean_radius").get<double>(), 1e-7) << mat << ", " << moment;
     }

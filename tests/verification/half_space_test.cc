@@ -27,7 +27,7 @@ double deviation_from_line_load(unsigned int refinements)
   resolution.land_cells = 8;
   dealii::Triangulation<2> triangulation;
   make_meridian_mesh(disc, strip, resolution, triangulation);
-  const ContactCompliance compliance = compute_compliance(triangulation, material, { 2, 6, 0 });
+  const ContactCompliance compliance = compute_compliance(triangulation, material, { 2, 6 });
 
   double sum = 0;
   double farthest = 0;

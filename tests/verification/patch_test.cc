@@ -1,5 +1,6 @@
 // A cylinder with nu = 0 under a central load: uniform vertical stress solves it exactly, whatever presses on
 // its flat end.
+#include "fem/contact/hard_interface.h"
 #include "tests/fem/foot_case.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -68,7 +69,7 @@ protected:
 
 TEST_P(Patch, MatCarriesUniformPressure)
 {
-  const auto mat = make_mat(body->contact_surface(), 1e10);
+  const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
   // Shortening p h / E of the cylinder and penetration p / k of the mat add up to the table's motion.
@@ -80,7 +81,7 @@ TEST_P(Patch, MatCarriesUniformPressure)
 /// would all be missed.
 TEST_P(Patch, RigidTableCarriesUniformPressure)
 {
-  const auto table = make_rigid_table(body->contact_surface(), 70e9 / body->contact_cell_size());
+  const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());
   const ContactSolution solution = solve_contact(*body, *table, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
   const double pressure = weight / body->contact_surface().area();

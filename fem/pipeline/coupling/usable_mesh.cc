@@ -60,11 +60,11 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check)
             mesh, check.centre[0], check.centre[1]));
 }
 
-fem::MeshReport read_usable_mesh(const Study &study, dealii::Triangulation<3, 3> &mesh)
+void require_usable_mesh(const Study &study)
 {
-  const fem::MeshReport report = read_mesh_file(study.contact.mesh_file, study, mesh);
+  dealii::Triangulation<3> mesh;
+  read_mesh_file(study.contact.mesh_file, study, mesh);
   require_usable(study.contact.mesh_file, fem::check_mesh(mesh));
-  return report;
 }
 
 } // namespace stemware::pipeline

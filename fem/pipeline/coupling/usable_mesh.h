@@ -19,7 +19,8 @@ fem::MeshReport read_mesh_file(const std::string &file, const std::optional<Stud
 /// contact zone that looks up or does not lie round the z axis. @p origin is where the mesh comes from.
 void require_usable(const std::string &origin, const fem::MeshCheck &check);
 
-/// Both: the mesh file of a study as its solid foot needs it. Throws BadInput.
-fem::MeshReport read_usable_mesh(const Study &study, dealii::Triangulation<3, 3> &mesh);
+/// Refuses the mesh file of a study unless a solid foot can be made of it. Reads the whole mesh on every rank. Throws
+/// BadInput.
+void require_usable_mesh(const Study &study);
 
 } // namespace stemware::pipeline

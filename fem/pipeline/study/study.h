@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/contact/contact_newton.h"
-#include "fem/contact/table_law.h"
+#include "fem/contact/contact_solution.h"
+#include "fem/contact/rough_interface.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"

@@ -26,24 +26,24 @@ std::vector<PointForce> ring_of_forces(unsigned int n, double radius)
 }
 } // namespace
 
-TEST(RingStack, HarmonicsOfAKnownLoad)
+TEST(LoadHarmonics, HarmonicsOfAKnownLoad)
 {
   const LoadHarmonics load = harmonics_of(ring_of_forces(40, 0.03), 4);
   const double a[] = { 0.5, 0.3, 0.05, 0, 0 };
   const double b[] = { 0, 0.1, 0, -0.02, 0 };
   for (unsigned int n = 0; n <= 4; ++n)
   {
-    EXPECT_NEAR(load.a[n], a[n], 1e-15) << n;
-    EXPECT_NEAR(load.b[n], b[n], 1e-15) << n;
+    EXPECT_NEAR(load.a[0][n], a[n], 1e-15) << n;
+    EXPECT_NEAR(load.b[0][n], b[n], 1e-15) << n;
   }
   EXPECT_NEAR(load.normal_force, pi, 1e-14);
   EXPECT_NEAR(load.moment_x, pi * 0.03 * 0.1, 1e-16);
   EXPECT_NEAR(load.moment_y, -pi * 0.03 * 0.3, 1e-16);
-  EXPECT_NEAR(load.ring_radius, 0.03, 1e-16);
+  EXPECT_NEAR(load.radii[0], 0.03, 1e-16);
   EXPECT_NEAR(load.mean_radius, 0.03, 1e-16);
 }
 
-TEST(RingStack, RingRadiusCarriesTheMomentOfTwoRings)
+TEST(LoadHarmonics, RingRadiusCarriesTheMomentOfTwoRings)
 {
   // Two rings of different radius and first harmonic: the moment over pi times the summed first harmonic lies
   // between their radii.
@@ -51,23 +51,104 @@ TEST(RingStack, RingRadiusCarriesTheMomentOfTwoRings)
   for (const PointForce &force : ring_of_forces(40, 0.034))
     forces.push_back(force);
   const LoadHarmonics load = harmonics_of(forces, 2);
-  EXPECT_NEAR(load.ring_radius, 0.031, 1e-15);
+  EXPECT_NEAR(load.radii[0], 0.031, 1e-15);
   EXPECT_NEAR(std::hypot(load.moment_x, load.moment_y),
-              pi * load.ring_radius * std::hypot(load.a[1], load.b[1]), 1e-16);
+              pi * load.radii[0] * std::hypot(load.a[0][1], load.b[0][1]), 1e-16);
 }
 
-TEST(RingStack, WithoutMomentTheRadiusIsTheLimit)
+TEST(LoadHarmonics, WithoutMomentTheRadiusIsTheLimit)
 {
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 24; ++i)
     for (const double radius : { 0.028, 0.034 })
       forces.push_back({ radius * std::cos(pi * i / 12), radius * std::sin(pi * i / 12), 1 });
   const LoadHarmonics load = harmonics_of(forces, 2);
-  EXPECT_NEAR(load.ring_radius, (0.028 * 0.028 + 0.034 * 0.034) / (0.028 + 0.034), 1e-15);
+  EXPECT_NEAR(load.radii[0], (0.028 * 0.028 + 0.034 * 0.034) / (0.028 + 0.034), 1e-15);
   EXPECT_NEAR(load.mean_radius, 0.031, 1e-15);
 }
 
-TEST(RingStack, RefusesNoLoad)
+TEST(LoadHarmonics, RingsCarryEveryRadialMomentAtEveryAzimuth)
+{
+  // Forces all over a band, the rings' radii well inside it and beyond: sum_j r_j^k lambda_j is sum f r^k.
+  std::vector<PointForce> forces;
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    const double theta = 2.4 * i;
+    const double radius = 0.028 + 2e-5 * i;
+    forces.push_back(
+      { radius * std::cos(theta), radius * std::sin(theta), 0.01 * (1 + 0.3 * std::sin(7. * i)) });
+  }
+  const std::vector<double> all_radii = { 0.0285, 0.0297, 0.0308, 0.0322 };
+  for (unsigned int n_rings = 1; n_rings <= 4; ++n_rings)
+  {
+    const std::vector<double> radii(all_radii.begin(), all_radii.begin() + n_rings);
+    const LoadHarmonics load = harmonics_of(forces, 6, radii);
+    EXPECT_EQ(load.radii, radii);
+    ASSERT_EQ(load.n_rings(), n_rings);
+    ASSERT_EQ(load.n_harmonics(), 6u);
+    for (unsigned int k = 0; k < n_rings; ++k)
+      for (unsigned int n = 0; n <= 6; ++n)
+      {
+        double even = 0, odd = 0, scale = 0;
+        for (const PointForce &point : forces)
+        {
+          const double part = point.force * std::pow(std::hypot(point.x, point.y), k) / (n > 0 ? pi : 2 * pi);
+          const double theta = std::atan2(point.y, point.x);
+          even += part * std::cos(n * theta);
+          odd += part * std::sin(n * theta);
+          scale += part;
+        }
+        for (unsigned int j = 0; j < n_rings; ++j)
+        {
+          even -= std::pow(radii[j], k) * load.a[j][n];
+          odd -= std::pow(radii[j], k) * load.b[j][n];
+        }
+        EXPECT_NEAR(even / scale, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
+        EXPECT_NEAR(odd / scale, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
+      }
+    // A moment beyond those is not kept: the test would notice polynomials of any other degree.
+    double missed = 0, scale = 0;
+    for (const PointForce &point : forces)
+      missed += point.force * std::pow(std::hypot(point.x, point.y) / 0.03, n_rings) / (2 * pi),
+        scale += point.force;
+    for (unsigned int j = 0; j < n_rings; ++j)
+      missed -= std::pow(radii[j] / 0.03, n_rings) * load.a[j][0];
+    EXPECT_GT(std::abs(missed) / scale, 1e-10) << n_rings;
+  }
+}
+
+TEST(LoadHarmonics, RingsTurnWithTheLoad)
+{
+  std::vector<PointForce> forces = ring_of_forces(40, 0.028);
+  std::vector<PointForce> turned;
+  const double angle = 0.7;
+  for (const PointForce &force : ring_of_forces(30, 0.034))
+    forces.push_back(force);
+  for (const PointForce &force : forces)
+    turned.push_back({ force.x * std::cos(angle) - force.y * std::sin(angle),
+                       force.x * std::sin(angle) + force.y * std::cos(angle), force.force });
+  const LoadHarmonics expected = harmonics_of(turned, 4, { 0.029, 0.033 });
+  const LoadHarmonics load = harmonics_of(forces, 4, { 0.029, 0.033 }).turned(angle);
+  EXPECT_NEAR(load.moment_x, expected.moment_x, 1e-15);
+  EXPECT_NEAR(load.moment_y, expected.moment_y, 1e-15);
+  for (unsigned int j = 0; j < 2; ++j)
+    for (unsigned int n = 0; n <= 4; ++n)
+    {
+      EXPECT_NEAR(load.a[j][n], expected.a[j][n], 1e-13);
+      EXPECT_NEAR(load.b[j][n], expected.b[j][n], 1e-13);
+    }
+}
+
+TEST(LoadHarmonics, RefusesRadiiThatAreNone)
+{
+  const std::vector<PointForce> forces = ring_of_forces(40, 0.03);
+  using Radii = std::vector<double>;
+  for (const Radii &radii : { Radii{}, Radii{ 0.03, 0.03 }, Radii{ 0.031, 0.03 }, Radii{ -0.01, 0.03 },
+                              Radii{ 0.03, std::nan("") }, Radii{ 0.03, INFINITY } })
+    EXPECT_THROW(harmonics_of(forces, 2, radii), std::invalid_argument);
+}
+
+TEST(LoadHarmonics, RefusesNoLoad)
 {
   EXPECT_THROW(harmonics_of({}, 2), std::invalid_argument);
 }

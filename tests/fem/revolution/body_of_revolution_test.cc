@@ -17,10 +17,10 @@ double difference(const LoadHarmonics &load, const LoadHarmonics &rotated, doubl
   {
     const double c = std::cos(n * angle);
     const double s = std::sin(n * angle);
-    largest = std::max(largest, std::abs(rotated.a[n] * c + rotated.b[n] * s - load.a[n]));
-    largest = std::max(largest, std::abs(rotated.b[n] * c - rotated.a[n] * s - load.b[n]));
+    largest = std::max(largest, std::abs(rotated.a[0][n] * c + rotated.b[0][n] * s - load.a[0][n]));
+    largest = std::max(largest, std::abs(rotated.b[0][n] * c - rotated.a[0][n] * s - load.b[0][n]));
   }
-  return largest / load.a[0];
+  return largest / load.a[0][0];
 }
 
 } // namespace
@@ -32,7 +32,8 @@ TEST(BodyOfRevolution, FlatFootInFullContactMixesNoHarmonics)
   {
     const LoadHarmonics load = foot.press_on_mat(modulus, load_at(0.4, 0.3), 16);
     for (unsigned int n = 2; n <= 16; ++n)
-      EXPECT_LT(std::hypot(load.a[n], load.b[n]) / load.a[0], 1e-12) << "n = " << n << ", k = " << modulus;
+      EXPECT_LT(std::hypot(load.a[0][n], load.b[0][n]) / load.a[0][0], 1e-12)
+        << "n = " << n << ", k = " << modulus;
     EXPECT_EQ(load.contact_fraction, 1);
   }
 }
@@ -51,8 +52,8 @@ TEST(BodyOfRevolution, ShortCutsOfItsLinesChangeNothing)
     line.samples_are_nodes = false;
   }
   ASSERT_EQ(surface.mirrored_lines.size(), surface.lines.size());
-  const auto law = make_mat(surface, 1e10);
-  const auto plain_law = make_mat(plain, 1e10);
+  const auto law = make_law(WinklerInterface(1e10), surface);
+  const auto plain_law = make_law(WinklerInterface(1e10), plain);
   for (const double tilt_across : { 0., 1e-4 }) // even in theta, and not
   {
     Eigen::VectorXd approach =
@@ -120,7 +121,7 @@ TEST(BodyOfRevolution, WarmStartFindsTheColdSolution)
   const ContactCompliance compliance = foot_compliance(profile, graded_cells());
   RevolutionCase cold(profile, compliance);
   RevolutionCase warm(profile, compliance);
-  const auto mat = make_mat(warm.body.contact_surface(), 1e10);
+  const auto mat = make_law(WinklerInterface(1e10), warm.body.contact_surface());
   const LoadHarmonics expected = cold.press_on_mat(1e10, load_at(1.3, 0.2));
   const ContactSolution neighbour = solve_contact(warm.body, *mat, load_at(1.2, 0.1), warm.radius);
   const ContactSolution solution =
@@ -145,7 +146,7 @@ TEST(BodyOfRevolution, StiffnessAndLoadScaleTogether)
   load.moment_y *= 10;
   const LoadHarmonics scaled = stiffer.press_on_mat(1e11, load);
   for (unsigned int n = 0; n <= 8; ++n)
-    EXPECT_NEAR(scaled.a[n] / 10, expected.a[n], 1e-9 * expected.a[0]);
+    EXPECT_NEAR(scaled.a[0][n] / 10, expected.a[0][n], 1e-9 * expected.a[0][0]);
 }
 
 TEST(BodyOfRevolution, RefusesWhatItCannotResolve)

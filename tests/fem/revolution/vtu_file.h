@@ -2,9 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,14 +35,6 @@ public:
       else
         throw std::runtime_error("an array of another type: " + tag);
     }
-  }
-
-  static VtuFile read(const std::string &path)
-  {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return VtuFile(text.str());
   }
 
   const std::vector<double> &array(const std::string &name) const { return numbers.at(name); }

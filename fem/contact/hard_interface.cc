@@ -1,9 +1,4 @@
-// The rigid table: complementarity at the contact nodes by an augmented Lagrangian.
-#include "fem/contact/table_law.h"
-
-#include <cmath>
-#include <sstream>
-#include <stdexcept>
+#include "fem/contact/hard_interface.h"
 
 namespace stemware::fem
 {
@@ -11,10 +6,10 @@ namespace stemware::fem
 namespace
 {
 
-class RigidTable : public TableLaw
+class HardContact : public TableLaw
 {
 public:
-  RigidTable(const ContactSurface &surface, double penalty)
+  HardContact(const ContactSurface &surface, double penalty)
       : surface(surface)
       , stiffness(penalty * surface.node_area)
       , multipliers(Eigen::VectorXd::Zero(surface.n_nodes()))
@@ -36,9 +31,9 @@ public:
     response.tangent.setFromTriplets(entries.begin(), entries.end());
   }
 
-  TableLoad load(const Eigen::VectorXd &approach) const override
+  TableLoad load(const ContactSolution &solution) const override
   {
-    const Eigen::VectorXd nodal = forces(approach);
+    const Eigen::VectorXd &nodal = solution.forces;
     TableLoad result;
     for (unsigned int i = 0; i < surface.n_nodes(); ++i)
       if (nodal(i) > 0)
@@ -47,14 +42,14 @@ public:
     return result;
   }
 
-  Footprint footprint(const Eigen::VectorXd &approach) const override
+  Footprint footprint(const ContactSolution &solution) const override
   {
-    return footprint_of_nodes(surface, nodal_pressure(approach));
+    return footprint_of_nodes(surface, nodal_pressure(solution));
   }
 
-  Eigen::VectorXd nodal_pressure(const Eigen::VectorXd &approach) const override
+  Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override
   {
-    return forces(approach).cwiseQuotient(surface.node_area);
+    return solution.forces.cwiseQuotient(surface.node_area);
   }
 
   double update_multipliers(const Eigen::VectorXd &approach) override
@@ -80,16 +75,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<TableLaw> make_rigid_table(const ContactSurface &surface, double penalty)
+std::unique_ptr<TableLaw> HardInterface::make(const ContactSurface &surface, double penalty) const
 {
-  if (!(std::isfinite(penalty) && penalty > 0))
-  {
-    std::ostringstream message;
-    message << "The penalty of a rigid table, " << penalty
-            << " Pa/m, must be a finite number greater than 0.";
-    throw std::invalid_argument(message.str());
-  }
-  return std::make_unique<RigidTable>(surface, penalty);
+  require_positive("Penalty of a hard interface", penalty, "Pa/m", "Young's modulus over the cell size");
+  return std::make_unique<HardContact>(surface, penalty);
 }
 
 } // namespace stemware::fem

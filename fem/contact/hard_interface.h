@@ -1,0 +1,16 @@
+#pragma once
+
+#include "fem/contact/interface_law.h"
+
+namespace stemware::fem
+{
+
+/// Signorini's conditions f_i >= 0, gap_i >= 0, f_i gap_i = 0 at the contact nodes, by an augmented
+/// Lagrangian whose multipliers are the nodal forces.
+struct HardInterface : InterfaceLaw
+{
+  bool is_hard() const override { return true; }
+  std::unique_ptr<TableLaw> make(const ContactSurface &surface, double penalty) const override;
+};
+
+} // namespace stemware::fem

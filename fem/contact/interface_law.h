@@ -1,0 +1,31 @@
+#pragma once
+
+#include "fem/contact/table_law.h"
+
+#include <memory>
+
+namespace stemware::fem
+{
+
+/// The law by which foot and table touch: its parameters, before there is a contact surface. A law is one
+/// class derived from this; nothing else asks which it is.
+class InterfaceLaw
+{
+public:
+  virtual ~InterfaceLaw() = default;
+
+  /// Whether the surfaces touch without penetration, at the contact nodes: such a law needs as many lines as
+  /// the body has modes, a mesh that resolves the Hertz contact, and augmented-Lagrangian updates.
+  virtual bool is_hard() const { return false; }
+
+  /// The law on @p surface, to which it keeps a reference. @p penalty [Pa/m] steers a hard law, and only the
+  /// path to its solution: E / (cell size) is the natural scale. Throws std::invalid_argument for parameters
+  /// that are not allowed.
+  virtual std::unique_ptr<TableLaw> make(const ContactSurface &surface, double penalty) const = 0;
+};
+
+/// Throws std::invalid_argument, with @p name, @p unit and @p example in its sentence, unless @p value is
+/// positive and finite.
+void require_positive(const char *name, double value, const char *unit, const char *example);
+
+} // namespace stemware::fem

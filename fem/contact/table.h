@@ -1,0 +1,27 @@
+#pragma once
+
+#include "fem/contact/interface_law.h"
+#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/meridian_mesh.h"
+
+#include <memory>
+#include <optional>
+
+namespace stemware::fem
+{
+
+/// An elastic table: a thick disc under the interface.
+struct Substrate
+{
+  TableDisc disc;
+  ElasticMaterial material = { 10e9, 0.3 }; ///< hardwood
+};
+
+/// What a foot stands on: an interface on a substrate.
+struct Table
+{
+  std::shared_ptr<const InterfaceLaw> interface;
+  std::optional<Substrate> substrate; ///< none: rigid
+};
+
+} // namespace stemware::fem

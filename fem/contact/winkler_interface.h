@@ -1,0 +1,34 @@
+#pragma once
+
+#include "fem/contact/pressure_law.h"
+
+namespace stemware::fem
+{
+
+/// Winkler's interface: pressure p = k d where the penetration d is positive, never tension. Integrated along
+/// each contact line in closed form, split at the roots of the penetration.
+struct WinklerInterface : PressureInterface<WinklerInterface>
+{
+  explicit WinklerInterface(double modulus = 1e10)
+      : modulus(modulus)
+  {
+  }
+
+  double modulus; ///< k [Pa/m]
+
+  double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }
+  double stiffness(double) const { return modulus; }
+
+  template <typename Visitor>
+  void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const
+  {
+    for_each_loaded_point(line, depth, visit);
+  }
+
+  void validate() const
+  {
+    require_positive("Foundation modulus", modulus, "Pa/m", "cork about 1e9, lacquered wood about 1e11");
+  }
+};
+
+} // namespace stemware::fem

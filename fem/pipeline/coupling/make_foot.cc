@@ -1,0 +1,94 @@
+#include "fem/pipeline/coupling/make_foot.h"
+
+#include "fem/contact/hard_interface.h"
+#include "fem/contact/rough_interface.h"
+#include "fem/contact/winkler_interface.h"
+#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/revolution/revolution_foot.h"
+#include "fem/solid/solid_foot.h"
+
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+fem::RevolutionSetup revolution_setup(const Study &study)
+{
+  fem::RevolutionSetup setup;
+  setup.profile = study.glass.profile;
+  setup.material = study.glass.material;
+  setup.table = make_table(study.table);
+  setup.imperfection = imperfection_of(study);
+  if (study.friction_deforms_foot())
+    setup.friction_coefficient = study.motion.orbit.friction_coefficient;
+  setup.meridian.degree = study.contact.degree;
+  setup.meridian.n_harmonics = study.contact.harmonics;
+  setup.resolution.land_cells = study.contact.resolution.radial_cells;
+  setup.resolution.land_grading = study.contact.land_grading;
+  setup.resolution.refinements = study.contact.refinements;
+  setup.n_lines = study.contact.azimuth_lines;
+  return setup.resolved_for(study.required_resultants().normal_force);
+}
+
+fem::SolidMesh solid_mesh(const Study &study)
+{
+  if (study.contact.mesh_file.empty())
+    return fem::generate_solid_mesh(study.glass.profile, study.contact.resolution);
+  require_usable_mesh(study);
+  return fem::read_solid_mesh(study.contact.mesh_file);
+}
+
+fem::SolidSetup solid_setup(const Study &study)
+{
+  fem::SolidSetup setup;
+  setup.profile = study.glass.profile;
+  setup.material = study.glass.material;
+  setup.table = make_table(study.table);
+  setup.options.degree = study.contact.degree;
+  setup.options.linear_solver = study.contact.linear_solver;
+  return setup;
+}
+
+} // namespace
+
+fem::Table make_table(const TableSection &table)
+{
+  switch (table.kind)
+  {
+  case TableKind::rigid:
+    return { std::make_shared<fem::HardInterface>(), {} };
+  case TableKind::mat:
+    return { std::make_shared<fem::WinklerInterface>(table.foundation_modulus), {} };
+  case TableKind::rough:
+    return { std::make_shared<fem::RoughInterface>(table.roughness), {} };
+  case TableKind::elastic:
+    return { std::make_shared<fem::HardInterface>(), fem::Substrate{ table.disc, table.disc_material } };
+  }
+  throw std::logic_error("a table without an interface");
+}
+
+std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache)
+{
+  try
+  {
+    switch (study.contact.body)
+    {
+    case BodyKind::solid:
+      return std::make_shared<fem::SolidFoot>(solid_mesh(study), solid_setup(study));
+    case BodyKind::revolution:
+      return std::make_shared<fem::RevolutionFoot>(revolution_setup(study), cache);
+    }
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw BadInput(error.what());
+  }
+  throw std::logic_error("a body without a foot");
+}
+
+} // namespace stemware::pipeline

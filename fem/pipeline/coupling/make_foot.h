@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "fem/contact/table.h"
+#include "fem/pipeline/study/study.h"
+
+#include <memory>
+
+namespace stemware::fem
+{
+class ComplianceCache;
+}
+
+namespace stemware::pipeline
+{
+
+/// The table of a study: interface and substrate.
+fem::Table make_table(const TableSection &table);
+
+/// The foot that the study asks for, on its table; feet that are to share what they can are given the same
+/// @p cache. MPI must have been started, and all ranks call this together, for a solid foot. Throws BadInput
+/// for a mesh file or a setup that cannot be used.
+std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,122 @@
+#include "fem/solid/solid_foot.h"
+
+#include <deal.II/distributed/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+SolidBody::Gap gap_of(const SolidMesh &mesh, const GlassProfile &profile)
+{
+  if (mesh.report)
+    return [](double, double) { return 0.; };
+  return [profile](double x, double y) { return profile.gap(std::hypot(x, y)); };
+}
+
+SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
+{
+  options.straight_edges = mesh.report && !mesh.report->round_rim;
+  return options;
+}
+
+std::unique_ptr<TableLaw> law_of(const SolidSetup &setup, const SolidBody &body)
+{
+  if (setup.table.substrate)
+    throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
+                                "foot as a body of revolution.");
+  return setup.table.interface->make(body.contact_surface(),
+                                     setup.material.young_modulus / body.contact_cell_size());
+}
+
+/// Half the cells round the rim resolve that many harmonics; more than 24 matter nowhere.
+unsigned int n_load_harmonics(const ContactSurface &surface)
+{
+  return std::clamp(surface.n_sectors / 2, 1u, 24u);
+}
+
+} // namespace
+
+SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)
+{
+  const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
+  make_foot_mesh(profile, resolution, *mesh);
+  return { mesh, std::nullopt };
+}
+
+SolidMesh read_solid_mesh(const std::string &file)
+{
+  const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
+  const MeshReport report = read_foot_mesh(file, *mesh);
+  return { mesh, report };
+}
+
+SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
+    : contact_radius(setup.profile.contact_radius)
+    , mesh(mesh)
+    , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
+    , law(law_of(setup, body))
+{
+}
+
+FootDescription SolidFoot::description() const
+{
+  FootDescription description;
+  description.body = "solid";
+  description.n_cells = static_cast<unsigned int>(mesh.triangulation->n_global_active_cells());
+  description.n_unknowns = body.n_unknowns();
+  description.n_contact_nodes = body.contact_surface().n_nodes();
+  description.mesh_report = mesh.report;
+  return description;
+}
+
+FootCapabilities SolidFoot::capabilities() const
+{
+  FootCapabilities capabilities;
+  capabilities.is_collective = true;
+  return capabilities;
+}
+
+ContactState SolidFoot::solve(const ContactLoad &load, const Slip &slip,
+                              const std::function<void(const ContactIteration &)> &progress)
+{
+  ContactState state;
+  state.slip = slip;
+  ContactControl control;
+  control.progress = [&](const ContactIteration &iteration)
+  {
+    state.history.push_back(iteration);
+    if (progress)
+      progress(iteration);
+  };
+  state.solution = solve_contact(body, *law, load, contact_radius, control, motion ? &*motion : nullptr);
+  motion = state.solution.motion;
+  state.load = extract_load(*law, state.solution, n_load_harmonics(body.contact_surface()));
+  return state;
+}
+
+std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
+{
+  return law->load(state.solution).points;
+}
+
+Footprint SolidFoot::footprint(const ContactState &state)
+{
+  return law->footprint(state.solution);
+}
+
+std::vector<FieldFile> SolidFoot::fields(const ContactState &state)
+{
+  require_latest(body, state);
+  std::string text = body.vtu_file(state.solution.motion, law->nodal_pressure(state.solution));
+  if (text.empty()) // not on the first rank
+    return {};
+  return { { "contact.vtu", std::move(text) } };
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "fem/contact/table.h"
+#include "fem/elasticity/elastic_material.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/glass_profile.h"
+#include "fem/solid/solid_body.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace stemware::fem
+{
+
+/// The mesh of a solid foot, distributed over all MPI ranks.
+struct SolidMesh
+{
+  std::shared_ptr<dealii::Triangulation<3, 3>> triangulation;
+  std::optional<MeshReport> report; ///< of a mesh file; nothing for a generated mesh
+};
+
+/// The mesh that make_foot_mesh() generates: a flat land, whose crown is a gap.
+SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
+
+/// The mesh of a file, which says all about its rim itself. Throws as read_foot_mesh().
+SolidMesh read_solid_mesh(const std::string &file);
+
+/// Glass, table and numerical parameters of a solid foot.
+struct SolidSetup
+{
+  GlassProfile profile;
+  ElasticMaterial material;
+  Table table;
+  SolidOptions options; ///< its straight_edges follow from the mesh
+};
+
+/// The foot as three-dimensional finite elements on all MPI ranks. Friction does not deform it.
+class SolidFoot : public Foot
+{
+public:
+  /// Throws std::invalid_argument for a mesh or a setup that is not allowed; its table stands on a rigid
+  /// substrate.
+  SolidFoot(const SolidMesh &mesh, const SolidSetup &setup);
+
+  FootDescription description() const override;
+  FootCapabilities capabilities() const override;
+  ContactState solve(const ContactLoad &load, const Slip &slip = {},
+                     const std::function<void(const ContactIteration &)> &progress = {}) override;
+  std::vector<PointForce> point_forces(const ContactState &state) override;
+  Footprint footprint(const ContactState &state) override;
+  std::vector<FieldFile> fields(const ContactState &state) override;
+
+private:
+  const double contact_radius;
+  const SolidMesh mesh;
+  SolidBody body;
+  const std::unique_ptr<TableLaw> law;
+  std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "fem/contact/contact_newton.h"
+#include "fem/contact/interface_law.h"
+#include "fem/geometry/glass_profile.h"
+
+#include <cmath>
+#include <memory>
+
+namespace stemware::fem_tests
+{
+
+using namespace stemware::fem;
+
+/// The weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
+constexpr double weight = 2.943;
+
+/// Resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p direction.
+inline ContactLoad load_at(double m, double direction = 0, double radius = 0.03)
+{
+  const double moment = m * weight * radius / 2;
+  return { weight, moment * std::sin(direction), -moment * std::cos(direction) };
+}
+
+/// The flat foot of the reference: land 2 mm wide, no crown.
+inline GlassProfile flat_profile()
+{
+  GlassProfile profile;
+  profile.land_width = 0.002;
+  profile.crown_radius = 0;
+  return profile;
+}
+
+/// An interface that is not hard, and so needs no penalty, on @p surface.
+inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
+{
+  return interface.make(surface, 0);
+}
+
+} // namespace stemware::fem_tests

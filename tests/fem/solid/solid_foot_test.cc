@@ -1,0 +1,66 @@
+// The solid foot as everybody sees it: states that stay valid, and what they say about a foot pressed again.
+#include "fem/contact/hard_interface.h"
+#include "fem/contact/winkler_interface.h"
+#include "fem/solid/solid_foot.h"
+#include "tests/fem/reference_load.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+SolidSetup coarse_setup(std::shared_ptr<const InterfaceLaw> interface)
+{
+  SolidSetup setup;
+  setup.table.interface = std::move(interface);
+  setup.options.degree = 1;
+  return setup;
+}
+
+SolidMesh coarse_mesh()
+{
+  return generate_solid_mesh(GlassProfile(), { 12, 4, 1 });
+}
+
+} // namespace
+
+TEST(SolidFoot, StatesOutliveTheNextSolution)
+{
+  const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e11),
+                                                             std::make_shared<HardInterface>() };
+  for (const auto &interface : interfaces)
+  {
+    SolidFoot foot(coarse_mesh(), coarse_setup(interface));
+    const ContactState first = foot.solve(load_at(0.5, 0.7));
+    const std::vector<PointForce> points = foot.point_forces(first);
+    const Footprint footprint = foot.footprint(first);
+    EXPECT_FALSE(first.history.empty());
+    EXPECT_NO_THROW(foot.fields(first));
+    foot.solve(load_at(1.2, 2.));
+    const std::vector<PointForce> later = foot.point_forces(first);
+    ASSERT_EQ(later.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_EQ(later[i].force, points[i].force);
+    const LoadHarmonics sums = harmonics_of(later, 1);
+    EXPECT_NEAR(sums.moment_x / first.load.moment_x, 1, 1e-12);
+    EXPECT_EQ(foot.footprint(first).cuts.front().front().pressure, footprint.cuts.front().front().pressure);
+    EXPECT_THROW(foot.fields(first), std::logic_error);
+  }
+}
+
+TEST(SolidFoot, SaysWhatItIs)
+{
+  const SolidMesh mesh = coarse_mesh();
+  SolidFoot foot(mesh, coarse_setup(std::make_shared<WinklerInterface>()));
+  EXPECT_EQ(foot.description().body, "solid");
+  EXPECT_EQ(foot.description().n_contact_nodes, 60u); // 12 round, 4 cells across
+  EXPECT_GT(foot.description().n_cells.value(), 12u * 4u);
+  EXPECT_FALSE(foot.description().mesh_report);
+  EXPECT_TRUE(foot.capabilities().is_collective);
+  EXPECT_FALSE(foot.capabilities().friction_deforms);
+  SolidSetup on_wood = coarse_setup(std::make_shared<HardInterface>());
+  on_wood.table.substrate = Substrate();
+  EXPECT_THROW(SolidFoot(mesh, on_wood), std::invalid_argument);
+}
