@@ -3,6 +3,7 @@
 #include "fem/contact/load_harmonics.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
+#include "tests/fem/reference_case.h"
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
@@ -14,16 +15,6 @@ namespace stemware::fem_tests
 {
 
 using namespace stemware::fem;
-
-/// The weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
-constexpr double weight = 2.943;
-
-/// Resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p direction.
-inline ContactLoad load_at(double m, double direction = 0, double radius = 0.03)
-{
-  const double moment = m * weight * radius / 2;
-  return { weight, moment * std::sin(direction), -moment * std::cos(direction) };
-}
 
 /// A generated foot with everything that a contact solve needs.
 struct FootCase
@@ -58,14 +49,5 @@ struct FootCase
   std::unique_ptr<SolidBody> body;
   ContactSolution solution;
 };
-
-/// The flat foot of the reference: land 2 mm wide, no crown.
-inline GlassProfile flat_profile()
-{
-  GlassProfile profile;
-  profile.land_width = 0.002;
-  profile.crown_radius = 0;
-  return profile;
-}
 
 } // namespace stemware::fem_tests

@@ -1,7 +1,6 @@
 #include "ring_model/angular_load.h"
+#include "ring_model/constants.h"
 #include "tests/ring_model/reference.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -11,7 +10,6 @@ namespace stemware::ring
 namespace
 {
 using test::expect_relative;
-constexpr double pi = boost::math::constants::pi<double>();
 
 /// The message of the std::invalid_argument that building the load throws.
 std::string refusal(std::vector<double> a, std::vector<double> b, double radius)

@@ -4,6 +4,7 @@
 #include "fem/geometry/meridian_mesh.h"
 #include "fem/revolution/body_of_revolution.h"
 #include "fem/revolution/meridian_problem.h"
+#include "tests/fem/reference_case.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -15,24 +16,9 @@ namespace stemware::revolution_tests
 
 using namespace stemware::fem;
 
-/// The weight of the reference cases, 0.30 kg at 9.81 m/s^2 [N].
-constexpr double weight = 2.943;
-
-/// Resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p direction.
-inline ContactLoad load_at(double m, double direction = 0, double radius = 0.03)
-{
-  const double moment = m * weight * radius / 2;
-  return { weight, moment * std::sin(direction), -moment * std::cos(direction) };
-}
-
-/// The flat foot of the reference: land 2 mm wide, no crown.
-inline GlassProfile flat_profile()
-{
-  GlassProfile profile;
-  profile.land_width = 0.002;
-  profile.crown_radius = 0;
-  return profile;
-}
+using fem_tests::flat_profile;
+using fem_tests::load_at;
+using fem_tests::weight;
 
 inline MeridianResolution equal_cells(unsigned int refinements = 0)
 {
