@@ -236,14 +236,16 @@ RingStack RingStack::mirrored() const
   return RingStack(std::move(reversed));
 }
 
-std::vector<double> RingStack::coefficients() const
+std::vector<double> RingStack::coefficients(unsigned int n_harmonics) const
 {
   std::vector<double> row;
   for (const Ring &ring : stack)
   {
     row.push_back(ring.radius);
-    row.insert(row.end(), ring.a.begin(), ring.a.end());
-    row.insert(row.end(), ring.b.begin() + 1, ring.b.end());
+    for (unsigned int n = 0; n <= n_harmonics; ++n)
+      row.push_back(n < ring.a.size() ? ring.a[n] : 0.);
+    for (unsigned int n = 1; n <= n_harmonics; ++n)
+      row.push_back(n < ring.b.size() ? ring.b[n] : 0.);
   }
   return row;
 }

@@ -102,9 +102,10 @@ public:
   /// The mirror image in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change sign.
   RingStack mirrored() const;
 
-  /// All numbers of the stack in a row, ring by ring: r_j, a_{j,0}...a_{j,n_max}, b_{j,1}...b_{j,n_max}. Rows
-  /// of equally many rings and harmonics may be added and interpolated.
-  std::vector<double> coefficients() const;
+  /// All numbers of the stack in a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
+  /// n_harmonics; harmonics that the load does not have are 0. Rows of equally many rings and harmonics may
+  /// be added and interpolated.
+  std::vector<double> coefficients(unsigned int n_harmonics) const;
 
   /// The stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
   static RingStack from_coefficients(const std::vector<double> &row, std::size_t n_rings = 1);

@@ -1,8 +1,8 @@
+#include "ring_model/constants.h"
 #include "ring_model/free_sliding.h"
 #include "ring_model/friction_kernels.h"
 #include "tests/ring_model/reference.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 
@@ -15,7 +15,6 @@ namespace
 {
 using test::expect_relative;
 using test::reference;
-constexpr double pi = boost::math::constants::pi<double>();
 
 /// Unit mass, radius and mu g; inertia gamma.
 FreeSlider unit_slider(const SlidingBody &body, double gamma)

@@ -1,9 +1,9 @@
+#include "ring_model/constants.h"
 #include "ring_model/load_model.h"
 #include "ring_model/response_curve.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 #include <limits>
@@ -15,7 +15,6 @@ namespace
 {
 using test::expect_relative;
 using test::reference;
-constexpr double pi = boost::math::constants::pi<double>();
 
 void expect_reference_rows(const char *table, double exponent)
 {

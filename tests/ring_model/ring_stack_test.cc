@@ -1,8 +1,7 @@
+#include "ring_model/constants.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/ring_stack.h"
 #include "tests/ring_model/reference.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <limits>
 #include <stdexcept>
@@ -12,7 +11,6 @@ namespace stemware::ring
 namespace
 {
 using test::expect_relative;
-constexpr double pi = boost::math::constants::pi<double>();
 
 /// The message of the std::invalid_argument that building the load throws.
 std::string refusal(std::vector<double> a, std::vector<double> b, double radius)
@@ -169,17 +167,20 @@ TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
 TEST(RingStack, GoesThroughItsCoefficients)
 {
   const RingStack load = three_rings();
-  const std::vector<double> row = load.coefficients();
+  const std::vector<double> row = load.coefficients(2);
   ASSERT_EQ(row.size(), 18u);
   EXPECT_EQ(row[6], 0.030);
   EXPECT_EQ(row[10], 0.12); // b_1 of the second ring
   const RingStack again = RingStack::from_coefficients(row, 3);
-  EXPECT_EQ(again.coefficients(), row);
+  EXPECT_EQ(again.coefficients(2), row);
   EXPECT_EQ(again.difference(load), 0.);
   std::vector<double> other(row);
   other[10] += 0.02;
   EXPECT_NEAR(RingStack::from_coefficients(other, 3).b(1) - load.b(1), 0.02, 1e-16);
   EXPECT_GT(RingStack::from_coefficients(other, 3).difference(load), 0.02 / 0.5 - 1e-15);
+  const RingStack padded = RingStack::from_coefficients(load.coefficients(5), 3);
+  EXPECT_EQ(padded.n_harmonics(), 5u);
+  EXPECT_EQ(padded.difference(load), 0.);
   EXPECT_THROW(RingStack::from_coefficients(row, 4), std::invalid_argument);
 }
 

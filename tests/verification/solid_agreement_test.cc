@@ -10,7 +10,7 @@ namespace
 using namespace stemware::revolution_tests;
 using stemware::fem_tests::FootCase;
 
-double difference(const LoadHarmonics &one, const LoadHarmonics &other)
+double difference_of_bodies(const LoadHarmonics &one, const LoadHarmonics &other)
 {
   double largest = 0;
   for (unsigned int n = 2; n <= 6; ++n)
@@ -32,7 +32,7 @@ TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
   for (const unsigned int n : { 12u, 24u, 48u })
   {
     FootCase solid(profile, { n, n / 6, n / 12 }, linear);
-    const double now = difference(solid.press_on_mat(1e10, load), expected);
+    const double now = difference_of_bodies(solid.press_on_mat(1e10, load), expected);
     if (before > 0)
     {
       EXPECT_LT(now, before / 2) << n << " cells round the rim";
@@ -40,5 +40,5 @@ TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
     before = now;
   }
   FootCase quadratic(profile, { 24, 4, 2 });
-  EXPECT_LT(difference(quadratic.press_on_mat(1e10, load), expected), 1e-3);
+  EXPECT_LT(difference_of_bodies(quadratic.press_on_mat(1e10, load), expected), 1e-3);
 }

@@ -32,7 +32,7 @@ public:
   struct Parts
   {
     LoadReport at_rest;
-    AtSpin at_spin;    ///< empty: the load at rest
+    AtSpin at_spin = {}; ///< empty: the load at rest
     AtSpin whole = {}; ///< all harmonics of the pressure behind a truncated load, see whole(); empty: at_spin
     std::shared_ptr<const PhaseLoads> phases = {};       ///< nothing where the phase does not matter
     std::shared_ptr<CouplingStatistics> statistics = {}; ///< nothing where the spin does not matter

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -48,9 +47,7 @@ FootResponseCurve measure_response(const Study &study, const ElasticFoot &foot)
       // No harmonics, and any radius will do; the curve is smooth with the one that a vanishing moment tends
       // to.
       const ring::RingStack nearly = foot.rings(weight, moment_at(1e-4));
-      std::vector<double> a(nearly.n_harmonics() + 1, 0.), b(a.size(), 0.);
-      a[0] = nearly.a(0);
-      return ring::RingStack(std::move(a), std::move(b), nearly.radius());
+      return ring::RingStack({ nearly.a(0), 0 }, { 0, 0 }, nearly.radius());
     }
     const fem::ContactState state = foot.solve(weight, moment_at(ratio));
     if (state.load.contact_fraction < 1)

@@ -20,12 +20,15 @@ namespace
 LoadFunction polynomial(const LoadSamples &samples)
 {
   const std::size_t n_rings = samples.begin()->second.rings().size();
+  unsigned int n_harmonics = 0;
+  for (const auto &[place, load] : samples)
+    n_harmonics = std::max(n_harmonics, load.n_harmonics());
   std::vector<double> x;
   std::vector<std::vector<double>> rows;
   for (const auto &[place, load] : samples)
   {
     x.push_back(place);
-    rows.push_back(load.coefficients());
+    rows.push_back(load.coefficients(n_harmonics));
   }
   const std::size_t width = rows.front().size();
   const std::size_t order = x.size() - 1;

@@ -21,7 +21,7 @@ constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
 Eigen::VectorXd column_of(const ring::RingStack &load)
 {
-  const std::vector<double> row = load.coefficients();
+  const std::vector<double> row = load.coefficients(load.n_harmonics());
   return Eigen::Map<const Eigen::VectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/contact_solution.h"
+#include "fem/contact/contact_newton.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"

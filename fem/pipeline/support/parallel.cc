@@ -3,6 +3,9 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -37,10 +40,37 @@ void parallel_for_each(std::size_t n, unsigned int n_threads, const std::functio
   n_threads = static_cast<unsigned int>(std::clamp<std::size_t>(n, 1, n_threads));
   const ThreadLimit limit(n_threads);
   tbb::task_arena arena(static_cast<int>(n_threads));
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::size_t failed = n;
+  std::atomic<bool> has_failed = false;
+  // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
+  // the tables that deal.II fills: they would go on with half of them.
+  const auto guarded = [&](std::size_t i)
+  {
+    if (has_failed)
+      return;
+    try
+    {
+      work(i);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      has_failed = true;
+      if (i < failed)
+      {
+        failed = i;
+        failure = std::current_exception();
+      }
+    }
+  };
   // Without the isolation a thread that waits for a loop within one call could begin another call, and then
   // wait for what it has itself not finished.
-  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { work(i); }); };
+  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { guarded(i); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
+  if (failure)
+    std::rethrow_exception(failure);
 }
 
 } // namespace stemware::pipeline

@@ -36,11 +36,11 @@ CaseResult failed_case()
 
 } // namespace
 
-CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceStore &store)
+CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceCache &cache)
 {
   try
   {
-    return solve_case(plan.study_of(index), store);
+    return solve_case(plan.study_of(index), cache);
   }
   catch (...)
   {
@@ -64,7 +64,7 @@ bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
 void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
                       CaseLog &log, const std::function<void()> &watch)
 {
-  fem::ComplianceStore store;
+  fem::ComplianceCache cache;
   std::mutex mutex;
   auto last_watched = std::chrono::steady_clock::now();
   const auto finish = [&](std::size_t index, const CaseResult &result)
@@ -79,21 +79,21 @@ void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &ind
   };
   watch();
   parallel_for_each(indices.size(), n_threads,
-                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], store)); });
+                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], cache)); });
   watch();
 }
 
 void solve_together(const SweepPlan &plan, const std::vector<std::size_t> &indices, CaseLog &log,
                     const std::function<void()> &watch)
 {
-  fem::ComplianceStore store;
+  fem::ComplianceCache cache;
   for (const std::size_t index : indices)
   {
     watch();
     CaseResult result;
     try
     {
-      result = solve_case(plan.study_of(index), store);
+      result = solve_case(plan.study_of(index), cache);
     }
     catch (const BadInput &)
     {

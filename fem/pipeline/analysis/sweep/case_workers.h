@@ -9,7 +9,7 @@ namespace stemware::pipeline
 {
 
 /// One case, whatever becomes of it: trouble with it ends up in the result's message.
-CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceStore &store);
+CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceCache &cache);
 
 /// Whether a case is one that all ranks solve together, after another: a solid body. False for cases that
 /// cannot even be read.

@@ -11,7 +11,7 @@ namespace
 {
 
 /// summary.json of a first-harmonic study.
-nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings)
+nlohmann::json run_ring(const ScratchFolder &scratch, const std::vector<std::string> &settings)
 {
   std::vector<std::string> arguments = { "run",      scratch.write("study.prm", "# defaults\n"),
                                          "--output", "results",
@@ -47,8 +47,9 @@ class ClosureRun : public testing::TestWithParam<TerminalSpin>
 TEST_P(ClosureRun, ReachesTheTerminalSpinOfTheReference)
 {
   const ScratchFolder scratch;
-  const auto summary = run(scratch, { "Motion/Closure=" + GetParam().closure,
-                                      "Motion/Centre of mass height=" + GetParam().centre_of_mass_height });
+  const auto summary =
+    run_ring(scratch, { "Motion/Closure=" + GetParam().closure,
+                        "Motion/Centre of mass height=" + GetParam().centre_of_mass_height });
   expect_relative(summary["ring"]["tau_at_rest"], -0.003675, "torque at rest");
   expect_relative(summary["ring"]["tau_closed_form"], -0.003675, "closed form");
   expect_relative(summary["ring"]["omega_terminal"], GetParam().omega, "terminal spin");
@@ -68,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(FirstHarmonic, ClosureRun,
 TEST(FirstHarmonicRun, LiftOffIsJudgedByTheFullMoment)
 {
   const ScratchFolder scratch;
-  EXPECT_TRUE(run(scratch, { "Motion/Closure=full" })["ring"]["no_lift_off"].get<bool>());
-  const auto hand = run(scratch, { "Motion/Closure=hand" });
+  EXPECT_TRUE(run_ring(scratch, { "Motion/Closure=full" })["ring"]["no_lift_off"].get<bool>());
+  const auto hand = run_ring(scratch, { "Motion/Closure=hand" });
   EXPECT_FALSE(hand["ring"]["no_lift_off"].get<bool>());
   EXPECT_NEAR(hand["load"]["moment_ratio"].get<double>(), 1.037787677770, 1e-12);
   EXPECT_LT(hand["load"]["minimum"].get<double>(), 0);
@@ -79,9 +80,9 @@ TEST(FirstHarmonicRun, LiftOffIsJudgedByTheFullMoment)
 TEST(FirstHarmonicRun, ReversedOrbitMirrorsEverything)
 {
   const ScratchFolder scratch;
-  const auto there = run(scratch, { "Motion/Orbit sense=counterclockwise" });
+  const auto there = run_ring(scratch, { "Motion/Orbit sense=counterclockwise" });
   const auto torque_there = read_columns(scratch / "results/torque.dat");
-  const auto back = run(scratch, { "Motion/Orbit sense=clockwise" });
+  const auto back = run_ring(scratch, { "Motion/Orbit sense=clockwise" });
   const auto torque_back = read_columns(scratch / "results/torque.dat");
   const auto expect_mirrored = [](const nlohmann::json &one, const nlohmann::json &other, double sign)
   { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-14); };
@@ -100,7 +101,7 @@ TEST(FirstHarmonicRun, ReversedOrbitMirrorsEverything)
 TEST(FirstHarmonicRun, SpinUpPassesThroughTheReference)
 {
   const ScratchFolder scratch;
-  run(scratch, { "Motion/Closure=paper", "Motion/Yaw inertia=1.35e-4", "Motion/End time=0.2" });
+  run_ring(scratch, { "Motion/Closure=paper", "Motion/Yaw inertia=1.35e-4", "Motion/End time=0.2" });
   const auto columns = read_columns(scratch / "results/spin_up.dat");
   EXPECT_DOUBLE_EQ(columns[0][100], 0.1);
   EXPECT_NEAR(columns[1][100], -1.8314764495450, 1e-9);
@@ -113,7 +114,8 @@ TEST(FirstHarmonicRun, SpinUpPassesThroughTheReference)
 TEST(FirstHarmonicRun, StaticStudyHasTheGivenLoad)
 {
   const ScratchFolder scratch;
-  const auto summary = run(scratch, { "Load/Moment ratio=0.5", "Load/Moment direction=-1.5707963267948966" });
+  const auto summary =
+    run_ring(scratch, { "Load/Moment ratio=0.5", "Load/Moment direction=-1.5707963267948966" });
   const double a0 = summary["load"]["a"][0];
   EXPECT_NEAR(summary["load"]["b"][1].get<double>(), -0.5 * a0, 1e-15);
   EXPECT_NEAR(summary["load"]["a"][1].get<double>(), 0, 1e-15);
@@ -124,7 +126,7 @@ TEST(FirstHarmonicRun, StaticStudyHasTheGivenLoad)
 TEST(FirstHarmonicRun, WithoutAMomentThereIsNoRelativeChange)
 {
   const ScratchFolder scratch;
-  const auto summary = run(scratch, { "Load/Moment ratio=0" });
+  const auto summary = run_ring(scratch, { "Load/Moment ratio=0" });
   EXPECT_EQ(summary["ring"]["omega_terminal"], 0);
   EXPECT_TRUE(summary["truncation"][0]["relative_change"].is_null());
 }

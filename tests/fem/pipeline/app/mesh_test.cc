@@ -50,7 +50,7 @@ std::string moved(const std::string &mesh, const std::function<void(Vertex &)> &
 }
 
 /// What `mesh --check` says about a mesh that must not be used.
-std::string refusal(const std::string &mesh)
+std::string refusal_of_mesh(const std::string &mesh)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "mesh", "--check", scratch.write("bad.msh", mesh) });
@@ -110,25 +110,25 @@ TEST(MeshVerb, CheckSaysWhatIsThere)
 TEST(MeshVerb, RefusesMeshesThatCannotBeUsed)
 {
   const std::string flat = read_text(meshes + "/flat_foot.msh");
-  EXPECT_NE(refusal(moved(flat,
-                          [](Vertex &x) {
-                            x = { x[0], -x[1], -x[2] };
-                          }))
+  EXPECT_NE(refusal_of_mesh(moved(flat,
+                                  [](Vertex &x) {
+                                    x = { x[0], -x[1], -x[2] };
+                                  }))
               .find("looks up"),
             std::string::npos);
-  EXPECT_NE(refusal(moved(flat, [](Vertex &x) { x[0] += 0.001; })).find("the axis of the glass"),
+  EXPECT_NE(refusal_of_mesh(moved(flat, [](Vertex &x) { x[0] += 0.001; })).find("the axis of the glass"),
             std::string::npos);
   bool first = true;
-  EXPECT_NE(refusal(moved(flat,
-                          [&](Vertex &x)
-                          {
-                            if (first)
-                              x = { 0.1, 0.1, 0.1 };
-                            first = false;
-                          }))
+  EXPECT_NE(refusal_of_mesh(moved(flat,
+                                  [&](Vertex &x)
+                                  {
+                                    if (first)
+                                      x = { 0.1, 0.1, 0.1 };
+                                    first = false;
+                                  }))
               .find("inside out"),
             std::string::npos);
-  EXPECT_NE(refusal("no mesh at all\n").find("not a Gmsh .msh mesh"), std::string::npos);
+  EXPECT_NE(refusal_of_mesh("no mesh at all\n").find("not a Gmsh .msh mesh"), std::string::npos);
 }
 
 TEST(MeshVerb, ComparesAFileWithTheStudy)

@@ -11,7 +11,7 @@ namespace
 {
 
 /// Runs a study without finite elements.
-Ended run_first_harmonic(const ScratchFolder &scratch, const std::vector<std::string> &options)
+Ended run_with(const ScratchFolder &scratch, const std::vector<std::string> &options)
 {
   std::vector<std::string> arguments = { "run", scratch.write("study.prm", "# the default glass\n"), "--set",
                                          "Load/Source=first harmonic" };
@@ -39,7 +39,7 @@ std::string bad_lines(const std::string &text)
 TEST(StudyOptions, QuietPrintsNothing)
 {
   const ScratchFolder scratch;
-  const Ended ended = run_first_harmonic(scratch, { "--quiet" });
+  const Ended ended = run_with(scratch, { "--quiet" });
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err, "");
@@ -49,7 +49,7 @@ TEST(StudyOptions, QuietPrintsNothing)
 TEST(StudyOptions, QuietStillSaysWhatIsWrong)
 {
   const ScratchFolder scratch;
-  const Ended ended = run_first_harmonic(scratch, { "--quiet", "--set", "Motion/Mass=-1" });
+  const Ended ended = run_with(scratch, { "--quiet", "--set", "Motion/Mass=-1" });
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_EQ(ended.out, "");
   EXPECT_NE(ended.err.find("Mass"), std::string::npos) << ended.err;
@@ -58,7 +58,7 @@ TEST(StudyOptions, QuietStillSaysWhatIsWrong)
 TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
 {
   const ScratchFolder scratch;
-  const Ended ended = run_first_harmonic(scratch, { "--json", "--output", "there" });
+  const Ended ended = run_with(scratch, { "--json", "--output", "there" });
   EXPECT_EQ(ended.exit_code, 0);
   const auto line = nlohmann::json::parse(ended.out); // the whole of it
   EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1);
@@ -74,7 +74,7 @@ TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
 TEST(StudyOptions, JsonAndQuietPrintOneLine)
 {
   const ScratchFolder scratch;
-  const Ended ended = run_first_harmonic(scratch, { "--json", "--quiet" });
+  const Ended ended = run_with(scratch, { "--json", "--quiet" });
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_EQ(ended.err, "");
   EXPECT_TRUE(nlohmann::json::accept(ended.out)) << ended.out;

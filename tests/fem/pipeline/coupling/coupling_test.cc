@@ -133,7 +133,7 @@ TEST(BalancedLoad, CarriesWhatItsOwnFrictionAsksFor)
     for (const double omega : { 0., -3.6, 5. })
     {
       const ring::RingStack load = balanced_rim(n).at(omega);
-      EXPECT_EQ(load.n_harmonics(), std::min(n, balanced_rim().n_harmonics()));
+      EXPECT_LE(load.n_harmonics(), n);
       const ring::Wrench wrench = friction.wrench(load, omega, motion.orbit_speed);
       const Eigen::Vector3d T(wrench.force_x, wrench.force_y, 0),
         F =

@@ -16,7 +16,7 @@ namespace
 using test::read_text;
 using test::ScratchFolder;
 
-const double two_pi = 2 * std::acos(-1.);
+const double full_turn = 2 * std::acos(-1.);
 
 /// A load that has left the table over a third of the rim.
 const ring::RingStack lifted({ 1, 0, -0.4, 0, 0.05 }, { 0, -1.3, 0, 0.1, 0 }, 0.03);
@@ -64,7 +64,7 @@ TEST(Figures, Load)
   EXPECT_NEAR(columns[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12); // all of them
   EXPECT_EQ(columns[1][4 * 361], 1);
   EXPECT_TRUE(std::isnan(columns[1][4 * 361 + 1]));
-  EXPECT_NEAR(columns[0].back(), two_pi, 1e-12);
+  EXPECT_NEAR(columns[0].back(), full_turn, 1e-12);
 }
 
 TEST(Figures, LoadOfOneHarmonicWithoutSamples)
@@ -102,7 +102,7 @@ TEST(Figures, Footprint)
   // Two cuts of three points, the first of each free of pressure.
   fem::Footprint footprint;
   footprint.is_grid = true;
-  for (const double azimuth : { 0., two_pi / 4 })
+  for (const double azimuth : { 0., full_turn / 4 })
     footprint.cuts.push_back({ { 0.0299, azimuth, 0 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 3e3 } });
   const ReportFigure figure = footprint_figure(footprint, 0.03);
   EXPECT_EQ(draw(figure, scratch), "");

@@ -26,7 +26,7 @@ CaseResult solved(double value)
   return result;
 }
 
-CaseResult failed(const std::string &message)
+CaseResult tipped(const std::string &message)
 {
   CaseResult result;
   result.outcome = "tipping";
@@ -42,7 +42,7 @@ TEST(CaseLog, GivesBackEveryDigit)
     CaseLog log(scratch / "cases.jsonl");
     for (std::size_t i = 0; i < numbers.size(); ++i)
       log.append(10 - i, solved(numbers[i]));
-    log.append(0, failed("a \"message\", with commas\nand lines, größer"));
+    log.append(0, tipped("a \"message\", with commas\nand lines, größer"));
   }
   const FinishedCases cases = recover_cases(scratch / "cases.jsonl");
   ASSERT_EQ(cases.size(), numbers.size() + 1);
@@ -106,7 +106,7 @@ TEST(CaseLog, CasesAreCountedAsTheyCome)
   EXPECT_EQ(counter.count().n_finished, 1u);
   EXPECT_EQ(counter.count().n_finished, 1u);
   log.append(1, solved(1));
-  log.append(2, failed("the text \"message\":\"\", itself"));
+  log.append(2, tipped("the text \"message\":\"\", itself"));
   std::ofstream(scratch / "cases.jsonl", std::ios::app) << "{\"case\":3,\"outcome\":\"";
   EXPECT_EQ(counter.count().n_finished, 3u);
   EXPECT_EQ(counter.count().n_failed, 1u);

@@ -4,7 +4,7 @@
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
 //
-// docs/results/studies.txt says which studies there are and how a page shows a number.
+// docs/numbers/studies.txt says which studies there are and how a page shows a number.
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ struct Picture
   std::string study, file, page_file;
 };
 
-/// What docs/results/studies.txt says.
+/// What docs/numbers/studies.txt says.
 struct StudyList
 {
   std::map<std::string, std::string> commands; ///< by name
@@ -182,7 +182,7 @@ bool shows(const std::string &shown, const std::string &expected, double value)
   return std::abs(std::stod(plain) - value) <= 0.55 * digit;
 }
 
-/// The page with its numbers brought up to date; says on the terminal which ones have drifted.
+/// The page with its numbers brought up to date; says on the console which ones have drifted.
 std::string updated(const std::string &page, const fs::path &name, Results &results, unsigned int &n_numbers,
                     unsigned int &n_drifted)
 {
@@ -231,7 +231,7 @@ int work_on(const std::vector<std::string> &arguments)
 {
   const fs::path source = arguments[1], work = arguments[2];
   const bool only_check = arguments.size() > 3;
-  const StudyList list = read_list(source / "docs/results/studies.txt");
+  const StudyList list = read_list(source / "docs/numbers/studies.txt");
   fs::create_directories(work);
   Results results(arguments[0], source, work, list);
 
