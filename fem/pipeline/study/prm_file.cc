@@ -156,7 +156,7 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
         continue;
       if (comments)
       {
-        std::istringstream lines(wrapped(entry.help + ". Allowed: " + entry.allowed + ".", "", 76));
+        std::istringstream lines(wrapped(entry.help + ". Allowed: " + entry.allowed + ".", "", 74));
         text += is_first ? "" : "\n";
         for (std::string line; std::getline(lines, line);)
           text += "  # " + line + '\n';

@@ -261,11 +261,11 @@ void add_contact(EntryList &list, ContactSection &contact)
   list.count("Degree", contact.degree, 1, 4,
              "Polynomial degree of the elements: 1 or 2 for a solid body, 1 to 4 for a body of revolution");
   list.count("Azimuthal cells", contact.resolution.azimuthal_cells, 8, 2000,
-             "Cells round the rim of a generated mesh, a multiple of 4");
+             "Cells round the rim of the generated mesh of a solid body, a multiple of 4");
   list.count("Radial cells", contact.resolution.radial_cells, 2, 200,
              "Cells across the land of a generated mesh, an even number");
   list.count("Foot layers", contact.resolution.foot_layers, 1, 100,
-             "Cells through the thickness of the foot of a generated mesh");
+             "Cells through the thickness of the foot of the generated mesh of a solid body");
   list.count("Refinements", contact.refinements, 0, 6,
              "Halvings of every cell of a body of revolution; without effect on a solid body");
   list.number(

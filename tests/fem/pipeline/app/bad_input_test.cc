@@ -228,5 +228,35 @@ TEST(BadInput, UnwritableOutputIsRefused)
   expect_refused(scratch, { "run", file, "--output", "." }, 3, "not a result of Stemware");
 }
 
+TEST(BadInput, ARerunLosesNoFileOfAUser)
+{
+  const ScratchFolder scratch;
+  const std::string file =
+    scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
+  const auto run = [&] { return stemware(scratch, { "run", file, "--output", "results", "--quiet" }); };
+  ASSERT_EQ(run().exit_code, 0);
+  ASSERT_EQ(run().exit_code, 0); // nothing has changed
+  scratch.write("results/figures/my_note.txt", "mine");
+  const auto before = all_files(scratch / "results");
+  for (const char *verb : { "run", "truncate", "compare" })
+    expect_refused(scratch, { verb, file, "--output", "results" }, 3,
+                   "holds figures/my_note.txt, which is not a result of Stemware; move it away");
+  EXPECT_EQ(all_files(scratch / "results"), before);
+}
+
+TEST(BadInput, MessagesRepeatLittleOfALongInput)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("study.prm", "# defaults\n"), much(100000, '7');
+  for (const std::string &setting :
+       std::vector<std::string>{ "Motion/Mass=x" + much, "Motion/Mess" + much + "=1", much })
+  {
+    const Ended ended = stemware(scratch, { "run", file, "--set", setting });
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_NE(ended.err.find("7777..."), std::string::npos) << ended.err.substr(0, 1000);
+    EXPECT_LT(ended.err.size(), 300u);
+  }
+}
+
 } // namespace
 } // namespace stemware::test

@@ -72,6 +72,16 @@ TEST(Interruption, SignalsIgnoredFromTheStartStayIgnored)
   EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "long" });
 }
 
+TEST(Interruption, AFileLargerThanAllowedIsOneThatCannotBeWritten)
+{
+  const ScratchFolder scratch;
+  scratch.write("default.prm", "# defaults\n");
+  const std::string command = std::string("ulimit -f 8; exec ") + STEMWARE_PROGRAM + " run default.prm";
+  const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
+  EXPECT_EQ(ended.exit_code, 3) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "default.prm" });
+}
+
 TEST(Interruption, AtAnyMomentThereIsAWholeFolderOrNone)
 {
   // Signals spread over a run of about half a second, through claiming, writing and publishing.

@@ -49,14 +49,20 @@ std::string moved(const std::string &mesh, const std::function<void(Vertex &)> &
   return text.str();
 }
 
-/// What `mesh --check` says about a mesh that must not be used.
+/// What `mesh --check` says about a mesh that must not be used, and `run` too.
 std::string refusal_of_mesh(const std::string &mesh)
 {
   const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, { "mesh", "--check", scratch.write("bad.msh", mesh) });
+  const std::string file = scratch.write("bad.msh", mesh);
+  const Ended checked = stemware(scratch, { "mesh", "--check", file });
+  EXPECT_EQ(checked.exit_code, 1) << checked.out;
+  EXPECT_EQ(std::count(checked.err.begin(), checked.err.end(), '\n'), 1) << checked.err;
+  const std::string study = scratch.write("study.prm", coarse_study());
+  const Ended ended = stemware(scratch, { "run", study, "--set", "Contact/Mesh file=" + file });
   EXPECT_EQ(ended.exit_code, 1) << ended.out;
-  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-  return ended.err;
+  EXPECT_EQ(ended.err, checked.err);
+  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "bad.msh", "study.prm" }));
+  return checked.err;
 }
 
 } // namespace

@@ -214,6 +214,27 @@ TEST(Sweep, TwoIntoOnePlaceAreOneTooMany)
   first.end();
 }
 
+TEST(Sweep, DoesNotFollowALinkToItsCases)
+{
+  const ScratchFolder scratch;
+  scratch.write("study.prm", quick_study());
+  for (const char *folder : { "victim", "work" })
+    std::filesystem::create_directory(scratch / folder);
+  scratch.write("victim/keep.txt", "precious");
+  std::filesystem::create_directory(scratch / "victim/folder");
+  std::filesystem::create_directory_symlink("../victim", scratch / "work/.x.sweep");
+  for (const char *further : { "--quiet", "--restart" })
+  {
+    const Ended ended = stemware(
+      scratch, { "sweep", "study.prm", "--vary", "Motion/Mass=0.2:0.4:2", "--output", "work/x", further });
+    EXPECT_EQ(ended.exit_code, 3);
+    EXPECT_NE(ended.err.find("is not a folder of its own"), std::string::npos) << ended.err;
+  }
+  EXPECT_EQ(names_in(scratch / "victim"), (std::vector<std::string>{ "folder", "keep.txt" }));
+  EXPECT_EQ(read_text(scratch / "victim/keep.txt"), "precious");
+  EXPECT_EQ(names_in(scratch / "work"), std::vector<std::string>{ ".x.sweep" });
+}
+
 TEST(Sweep, ABadCaseIsListedAndDoesNotStopTheOthers)
 {
   const ScratchFolder scratch;

@@ -178,6 +178,55 @@ TEST(StudyFile, SuggestsTheLikeliestEntry)
   EXPECT_EQ(strange.find("did you mean"), std::string::npos) << strange;
 }
 
+TEST(StudyFile, LinesMayGoOnAndSectionsComeBack)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("a.prm", "# a comment\n"
+                                                  "subsection Glass # another\r\n"
+                                                  "\tset Contact radius= 0.0\\\n"
+                                                  "      31   # m\n"
+                                                  "end\n\n"
+                                                  "SUBSECTION Motion\n  SET Mass =0.4\nEND\n"
+                                                  "subsection Glass\n  set Rim waviness = 2: 1e-6, \\\n"
+                                                  "                     3: 2e-6\nend");
+  const Study study = read_study(file);
+  EXPECT_EQ(study.glass.profile.contact_radius, 0.031);
+  EXPECT_EQ(study.motion.orbit.mass, 0.4);
+  EXPECT_EQ(waviness_text(study.glass.waviness), "2: 1e-6, 3: 2e-6");
+}
+
+TEST(StudyFile, NamesTheLineOfWhatIsWrong)
+{
+  const ScratchFolder scratch;
+  const auto expect_refusal = [&](const std::string &text, const std::string &expected)
+  {
+    const std::string file = scratch.write("a.prm", text);
+    EXPECT_EQ(refusal(file), file + expected);
+  };
+  expect_refusal("subsection Glass\n  set Contact radius = 0.03\nend\nsubsection Glass\n"
+                 "  set Contact radius = 0.04\nend\n",
+                 ", line 5: Glass/Contact radius is set a second time, after line 2; leave one of them.");
+  expect_refusal("subsection Glass\n  set Foot \\\n    radius = 0.03\n  set Foot radius = x\nend\n",
+                 ", line 4: Glass/Foot radius is set a second time, after line 2; leave one of them.");
+  expect_refusal("subsection Glass\n\n  set Foot \\\n    radius = x\nend\n",
+                 ", line 3: Glass/Foot radius = x is not allowed; give a number greater than 0 (m).");
+  expect_refusal("\nsubsection Glass\n  set Contact radius = 0.03\n",
+                 ", line 2: the subsection Glass is not closed; write one \"end\" for each \"subsection\".");
+  expect_refusal("subsection Glass\nsubsection Table\nend\n",
+                 ", line 2: the subsection Glass of line 1 is not closed; write one \"end\" for each "
+                 "\"subsection\".");
+  expect_refusal("include other.prm\n",
+                 ", line 1: \"include other.prm\" is not a line of a study file; write "
+                 "subsection NAME, set ENTRY = VALUE, or end.");
+  expect_refusal(
+    "subsection Table\n  set Contact radius = 0.03\nend\n",
+    ", line 2: there is no entry \"Contact radius\" in this subsection; did you mean Glass/Contact "
+    "radius? (`stemware defaults` lists what there is.)");
+  expect_refusal("subsection Table\n  set Kind = " + std::string(100000, 'x') + "\nend\n",
+                 ", line 2: Table/Kind = " + std::string(80, 'x') +
+                   "... is not allowed; give one of rigid, mat, rough or elastic.");
+}
+
 TEST(StudyFile, SaysWhatWasGivenAndWhatIsAllowed)
 {
   const ScratchFolder scratch;

@@ -1,3 +1,4 @@
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,37 @@ TEST(Text, WrapsAtTheConsolesWidth)
   EXPECT_EQ(wrapped(word + " " + word + "xx"), word + "\n" + word + "xx");
   EXPECT_EQ(wrapped(word + " " + word, "Remark  "), "Remark  " + word + "\n        " + word);
   EXPECT_EQ(wrapped(""), "");
+}
+
+TEST(Text, CsvQuotesWhatNeedsIt)
+{
+  EXPECT_EQ(csv_record({ "a", "b, c", "say \"d\"", "two\nlines", "" }),
+            "a,\"b, c\",\"say \"\"d\"\"\",\"two\nlines\",\r\n");
+  EXPECT_EQ(column_title("spin", "rad/s"), "spin (rad/s)");
+  EXPECT_EQ(column_title("outcome", ""), "outcome");
+}
+
+TEST(Text, LikeliestWordIsTheClosest)
+{
+  const std::vector<std::string> words = { "run", "truncate", "compare", "sweep" };
+  EXPECT_EQ(likeliest("rum", words), "run");
+  EXPECT_EQ(likeliest("COMPAER", words), "compare");
+  EXPECT_EQ(likeliest("xyz", words), std::nullopt); // no letter of run is left
+  EXPECT_EQ(likeliest("frobnicate", words), std::nullopt);
+  EXPECT_EQ(likeliest(std::string(10000000, 'r'), words), std::nullopt);
+}
+
+TEST(Text, MessagesRepeatEightyCharactersAtMost)
+{
+  EXPECT_EQ(shortened(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(shortened(std::string(81, 'x')), std::string(80, 'x') + "...");
+  EXPECT_EQ(shortened(std::string(10000000, 'x')), std::string(80, 'x') + "...");
+  EXPECT_EQ(shortened("two\r\nlines"), "two lines");
+  std::string accents;
+  for (unsigned int i = 0; i < 81; ++i)
+    accents += "é";
+  EXPECT_EQ(shortened(accents), accents.substr(0, 160) + "...");
+  EXPECT_EQ(shortened_path(std::string(255, 'x')), std::string(255, 'x'));
 }
 
 } // namespace stemware::pipeline

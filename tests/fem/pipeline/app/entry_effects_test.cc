@@ -1,0 +1,223 @@
+// Every entry of a study does something: the list below names for each a base study, a value, and the number
+// of summary.json that must change with it. An entry that is read, checked and echoed, but not passed on,
+// fails here.
+#include "fem/pipeline/analysis/solve_study.h"
+#include "fem/pipeline/output/result_tables.h"
+#include "fem/pipeline/output/summary.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_file.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+/// What a change of one entry does.
+struct Effect
+{
+  std::string entry; ///< Section/Entry
+  std::string value;
+  std::string changed; ///< place in summary.json of what must change, or "/spin_up.dat" for that file; empty
+                       ///< where the entry has no effect, as its help says
+  Values base = {};       ///< other entries, if they are not those of the quick study
+  std::string stays = {}; ///< place of a number that must not change
+};
+
+std::ostream &operator<<(std::ostream &stream, const Effect &effect)
+{
+  return stream << effect.entry << " = " << effect.value;
+}
+
+const Values foot = { { "Glass/Shape", "foot" } };
+const Values elastic = { { "Table/Kind", "elastic" } };
+const Values rough = { { "Table/Kind", "rough" } };
+const Values given_moment = { { "Load/Moment ratio", "0.5" } };
+const Values response = { { "Load/Coupling", "response" } };
+const Values from_file = { { "Load/Source", "file" }, { "Load/File", "one.dat" } };
+const Values solid = { { "Contact/Body", "solid" },
+                       { "Contact/Degree", "1" },
+                       { "Contact/Azimuthal cells", "16" },
+                       { "Contact/Radial cells", "2" },
+                       { "Contact/Foot layers", "1" } };
+
+/// All of @p values, and one more.
+Values with(Values values, const std::string &entry, const std::string &value)
+{
+  values.emplace_back(entry, value);
+  return values;
+}
+
+const Values solid_rough = with(solid, "Table/Kind", "rough");
+const Values quadratic_solid = with(solid, "Contact/Degree", "2");
+
+const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
+
+const std::vector<Effect> effects = {
+  { "Motion/Mass", "0.4", "/load/normal_force" },
+  { "Motion/Yaw inertia", "6e-4", "/ring/time_constant", {}, "/ring/omega_terminal" },
+  { "Motion/Centre of mass height", "0.09", "/load/moment_ratio" },
+  { "Motion/Force offset", "-0.04", "/load/moment_ratio" },
+  { "Motion/Orbit radius", "0.2", "/load/moment/0" },
+  { "Motion/Orbit speed", "0.3", "/ring/omega_terminal" },
+  { "Motion/Orbit sense", "clockwise", "/ring/omega_terminal" },
+  { "Motion/Friction coefficient", "0.2", "/ring/tau_at_rest" },
+  { "Motion/Gravity", "9", "/load/normal_force" },
+  { "Motion/Closure", "paper", "/load/moment/1" },
+  { "Motion/End time", "1", "/spin_up.dat", {}, "/ring/omega_terminal" },
+  { "Motion/Euler step", "0.01", "/spin_up.dat", {}, "/ring/omega_terminal" },
+  { "Glass/Shape", "foot", second_harmonic },
+  { "Glass/Contact radius", "0.031", "/load/ring_radius" },
+  { "Glass/Foot radius", "0.036", second_harmonic },
+  { "Glass/Foot radius", "0.036", second_harmonic, foot },
+  { "Glass/Foot thickness", "0.005", second_harmonic },
+  { "Glass/Foot thickness", "0.005", second_harmonic, foot },
+  { "Glass/Land width", "0.003", second_harmonic },
+  { "Glass/Land width", "0.003", second_harmonic, foot },
+  { "Glass/Land height", "0.002", second_harmonic },
+  { "Glass/Land height", "0.0015", second_harmonic, foot },
+  { "Glass/Crown radius", "0.002", second_harmonic },
+  { "Glass/Underside rise", "0.002", second_harmonic, foot },
+  { "Glass/Underside rise", "0.002", nothing, {}, second_harmonic },
+  { "Glass/Edge thickness", "0.002", second_harmonic, foot },
+  { "Glass/Fillet radius", "0.003", second_harmonic, foot },
+  { "Glass/Stem radius", "0.007", second_harmonic },
+  { "Glass/Stem radius", "0.004", second_harmonic, foot },
+  { "Glass/Stem radius", "0.007", second_harmonic, solid },
+  { "Glass/Stem height", "0.004", second_harmonic },
+  { "Glass/Young modulus", "5e10", second_harmonic },
+  { "Glass/Young modulus", "5e10", second_harmonic, solid },
+  { "Glass/Poisson ratio", "0.3", second_harmonic },
+  { "Glass/Poisson ratio", "0.3", second_harmonic, solid },
+  { "Glass/Rim waviness", "2: 1e-6", second_harmonic },
+  { "Table/Kind", "rigid", second_harmonic },
+  { "Table/Kind", "rough", second_harmonic },
+  { "Table/Kind", "elastic", second_harmonic },
+  { "Table/Foundation modulus", "1e9", second_harmonic },
+  { "Table/Foundation modulus", "1e9", second_harmonic, solid },
+  // A factor of the pressure is an offset of the distance: only the table moves.
+  { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
+  { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
+  { "Table/Decay length", "2e-6", second_harmonic, rough },
+  { "Table/Decay length", "2e-6", second_harmonic, solid_rough },
+  { "Table/Disc radius", "0.1", second_harmonic, elastic },
+  { "Table/Disc thickness", "0.02", second_harmonic, elastic },
+  { "Table/Disc Young modulus", "5e9", second_harmonic, elastic },
+  { "Table/Disc Poisson ratio", "0.1", second_harmonic, elastic },
+  { "Table/Waviness", "2: 1e-6", second_harmonic },
+  { "Contact/Body", "revolution", unknowns, solid },
+  { "Contact/Mesh file", std::string(STEMWARE_MESHES) + "/crowned_foot.msh", second_harmonic, solid },
+  { "Contact/Degree", "1", unknowns },
+  { "Contact/Degree", "2", unknowns, solid },
+  { "Contact/Azimuthal cells", "20", unknowns, solid },
+  { "Contact/Azimuthal cells", "20", nothing, {}, second_harmonic },
+  { "Contact/Radial cells", "8", unknowns },
+  { "Contact/Radial cells", "4", unknowns, solid },
+  { "Contact/Foot layers", "3", nothing, {}, second_harmonic },
+  { "Contact/Foot layers", "2", unknowns, solid },
+  { "Contact/Refinements", "1", unknowns },
+  { "Contact/Land grading", "1", second_harmonic },
+  { "Contact/Linear solver", "multigrid", "/contact/linear_iterations", quadratic_solid, second_harmonic },
+  { "Contact/Harmonics", "8", unknowns },
+  { "Contact/Azimuth lines", "128", "/contact/contact_nodes" },
+  { "Contact/Friction coupling", "elastic", second_harmonic },
+  { "Load/Source", "first harmonic", second_harmonic },
+  { "Load/Coupling", "exact", "/ring/omega_terminal" },
+  { "Load/Response tolerance", "1e-9", "/coupling/contact_solutions", response },
+  { "Load/Moment ratio", "0.5", "/load/moment_ratio" },
+  { "Load/Moment direction", "0.5", "/load/moment/1", given_moment },
+  { "Load/File", "two.dat", "/load/a/1", from_file },
+};
+
+/// All that a study results in, with the spin-up's table beside the parts of summary.json.
+Json results_of(const Study &study, const test::ScratchFolder &scratch)
+{
+  if (study.contact.body == BodyKind::revolution)
+  {
+    const StudyResult result = solve_study(study);
+    write_result_tables(result, scratch.path());
+    Json all = run_findings(study, result).summary;
+    all["spin_up.dat"] = test::read_text(scratch / "spin_up.dat");
+    return all;
+  }
+  // A solid body needs MPI, which the program starts and ends.
+  const std::string file = scratch.write("study.prm", study_as_prm(study));
+  const test::Ended ended = test::stemware(scratch, { "run", file, "--output", "results", "--quiet" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  return Json::parse(test::read_text(scratch / "results/summary.json"));
+}
+
+/// The study of an effect's base, or with its value too.
+Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
+{
+  Values values = { { "Contact/Harmonics", "6" }, { "Contact/Azimuth lines", "64" } };
+  values.insert(values.end(), effect.base.begin(), effect.base.end());
+  if (with_value)
+    values.emplace_back(effect.entry, effect.value);
+  for (auto &[entry, value] : values)
+    if (entry == "Load/File")
+      value = scratch / value;
+  return with_values(Study(), "the list of effects", values);
+}
+
+class EntryEffects : public testing::TestWithParam<Effect>
+{
+};
+
+TEST_P(EntryEffects, ChangeWhatTheyAreFor)
+{
+  const test::ScratchFolder scratch;
+  scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
+  scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
+  const Json before = results_of(study_of(GetParam(), false, scratch), scratch);
+  const Json after = results_of(study_of(GetParam(), true, scratch), scratch);
+  // Of a number: more than what the solvers leave, 1e-9, and less than what Stem height does, 8e-6.
+  constexpr double least = 1e-7;
+  if (const Json::json_pointer changed(GetParam().changed); changed.empty())
+    EXPECT_EQ(after, before);
+  else if (before.at(changed).is_number() && after.contains(changed))
+  {
+    const double one = before[changed], other = after[changed];
+    EXPECT_GT(std::abs(other - one), least * std::max(std::abs(one), std::abs(other)));
+  }
+  else
+    EXPECT_NE(after.value(changed, Json()), before[changed]);
+  if (GetParam().stays.empty())
+    return;
+  const Json::json_pointer stays(GetParam().stays);
+  const double one = before.at(stays), other = after.at(stays);
+  EXPECT_NEAR(other, one, least * std::abs(one));
+}
+
+std::string name_of(const testing::TestParamInfo<Effect> &info)
+{
+  std::string name = std::to_string(info.index) + "_" + info.param.entry;
+  for (char &letter : name)
+    if (!std::isalnum(static_cast<unsigned char>(letter)))
+      letter = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(List, EntryEffects, testing::ValuesIn(effects), name_of);
+
+TEST(EntryEffectsList, EveryEntryIsInTheList)
+{
+  std::set<std::string> listed, existing;
+  for (const Effect &effect : effects)
+    listed.insert(effect.entry);
+  Study study;
+  for (const StudyEntry &entry : study_entries(study))
+    existing.insert(entry.path());
+  EXPECT_EQ(listed, existing);
+}
+
+} // namespace
+} // namespace stemware::pipeline

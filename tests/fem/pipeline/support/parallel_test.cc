@@ -1,0 +1,73 @@
+#include "fem/pipeline/support/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <tbb/parallel_for.h>
+#include <thread>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+TEST(Parallel, DoesEachOnceWithAsManyThreadsAsToldAtMost)
+{
+  for (const unsigned int n_threads : { 1u, 2u, 3u })
+  {
+    std::vector<std::atomic<unsigned int>> n_calls(50);
+    std::atomic<unsigned int> n_at_work = 0, most_at_work = 0;
+    parallel_for_each(n_calls.size(), n_threads,
+                      [&](std::size_t i)
+                      {
+                        const unsigned int n = ++n_at_work;
+                        for (unsigned int most = most_at_work; n > most;)
+                          if (most_at_work.compare_exchange_weak(most, n))
+                            break;
+                        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                        ++n_calls[i];
+                        --n_at_work;
+                      });
+    for (const auto &n : n_calls)
+      EXPECT_EQ(n, 1u);
+    EXPECT_EQ(most_at_work, n_threads);
+  }
+  parallel_for_each(0, 4, [](std::size_t) { FAIL(); });
+}
+
+TEST(Parallel, PassesOnWhatIsThrownAndStops)
+{
+  std::atomic<unsigned int> n_calls = 0;
+  const auto work = [&](std::size_t)
+  {
+    ++n_calls;
+    throw std::runtime_error("no room");
+  };
+  EXPECT_THROW(parallel_for_each(1000, 2, work), std::runtime_error);
+  EXPECT_LE(n_calls, 2u);
+}
+
+TEST(Parallel, LoopsWithinDoNotMix)
+{
+  // A thread that waits for its inner loop must not begin another outer call: it would find itself at work.
+  thread_local bool at_work = false;
+  std::atomic<unsigned int> n_mixed = 0, n_inner = 0;
+  const auto inner = [&](std::size_t)
+  {
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    ++n_inner;
+  };
+  const auto outer = [&](std::size_t)
+  {
+    n_mixed += at_work ? 1 : 0;
+    at_work = true;
+    tbb::parallel_for(std::size_t(0), std::size_t(16), inner, tbb::simple_partitioner());
+    at_work = false;
+  };
+  parallel_for_each(40, 2, outer);
+  EXPECT_EQ(n_mixed, 0u);
+  EXPECT_EQ(n_inner, 640u);
+}
+
+} // namespace stemware::pipeline
