@@ -74,8 +74,8 @@ set offsets 0.1, 0.1, 0.1, 0.1
 set key at screen 0.67, screen 0.72 left top vertical
 set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
 set label 1 "v" at 0.46,0 left
-set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(boost::math::double_constants::pi * i / 2),0.78 * sin(boost::math::double_constants::pi * i / 2) center font ",12"
-set parametric; set trange [0:2 * boost::math::double_constants::pi]; set samples 181
+set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(pi * i / 2),0.78 * sin(pi * i / 2) center font ",12"
+set parametric; set trange [0:2 * pi]; set samples 181
 plot cos(t), sin(t) with lines lt 8 title "rim", \
      data index arc using ($2 * cos($1)):($2 * sin($1)) with lines lt 7 lw 5 title "under load", \
      x(t, 1), y(t, 1) with lines lt 8 dt 3 title "mean load")gp";
