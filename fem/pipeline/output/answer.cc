@@ -1,9 +1,10 @@
 #include "fem/pipeline/output/answer.h"
 
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/output/render/number_format.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -14,7 +15,7 @@ namespace
 /// "2.5 % faster", "0.81 % slower".
 std::string faster_or_slower(double change)
 {
-  return formatted("%.3g %% %s", 100 * std::abs(change), change > 0 ? "faster" : "slower");
+  return format::percent<3>(std::abs(change)) + (change > 0 ? " faster" : " slower");
 }
 
 /// Decimals that show two digits of @p spread.
@@ -24,86 +25,329 @@ int decimals_of(double spread)
   return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
 }
 
-std::string terminal_spin(const StudyResult &result)
+/// @p value to two digits of @p spread.
+std::string to_spread(double value, double spread)
 {
-  if (!result.yaw.spins_up())
-    return "The glass does not spin up.";
-  return "The glass spins up to " +
-         with_band(result.yaw.terminal.omega, band_of(result.error_bands, "omega_terminal")) + " rad/s.";
+  return fmt::format(FMT_STRING("{:.{}f}"), value, decimals_of(spread));
 }
 
-std::string harmonic_sentence(const SpinComparison &spins, const StudyResult &result)
+/// " (harmonics: +0.27 %)"; empty where one of the spins does not exist.
+std::string effect_in_brackets(const std::string &name, const SpinRow *from, const SpinRow *to)
 {
-  const auto change = spins.harmonic_effect();
-  if (!change || result.load.at_rest.n_harmonics() < 2)
+  const auto effect = relative_effect(from, to);
+  return effect ? " (" + name + ": " + format::change(*effect) + ")" : "";
+}
+
+// ---- run
+
+std::string terminal_spin_sentence(const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
+{
+  if (!spin.spins_up())
+    return "The glass does not spin up.";
+  return "The glass spins up to " +
+         with_band(spin.all().omega_terminal().value(), band_of(bands, "omega_terminal")) + " rad/s.";
+}
+
+std::string harmonic_sentence(const SpinComparison &spins, unsigned int n_harmonics)
+{
+  const auto effect = spins.harmonic_effect();
+  if (!effect || n_harmonics < 2)
     return "";
-  if (std::abs(*change) < 1e-9)
-    return " The harmonics of the load beyond the first do not change that.";
-  return " The harmonics of the load beyond the first make it " + faster_or_slower(*change) +
-         formatted(" than the first alone would (%#.6g rad/s).", spins.first_harmonic);
+  if (std::abs(*effect) < 1e-9)
+    return "The harmonics of the load beyond the first do not change that.";
+  return "The harmonics of the load beyond the first make it " + faster_or_slower(*effect) +
+         " than the first alone would (" + format::all_significant<6>(spins.first_harmonic) + " rad/s).";
+}
+
+// ---- truncate
+
+/// What the first harmonic alone and all of them lead to, without a full stop; with the error band of the
+/// latter where one is known.
+std::string both_spins(const TruncationTable &table, const std::optional<double> &band)
+{
+  const SpinRow &first = table.rows.front(), &all = table.all();
+  const std::string with_all = fmt::format(FMT_STRING("with all {} to {} rad/s"), all.harmonics,
+                                           with_band(all.omega_terminal().value(), band));
+  if (!first.omega_terminal())
+    return "With the first harmonic of its load alone the glass has no terminal spin, " + with_all;
+  return "With the first harmonic of its load alone the glass spins up to " +
+         format::significant<6>(*first.omega_terminal()) + " rad/s, " + with_all +
+         effect_in_brackets("harmonics", &first, &all);
+}
+
+std::string load_at_rest_sentence(const TruncationTable &table)
+{
+  const auto first = table.rows.front().omega_terminal();
+  return "With the load at rest kept at every spin it would be " +
+         format::significant<6>(table.all().omega_terminal().value()) + " rad/s" +
+         (first ? ", and " + format::significant<6>(*first) + " with the first harmonic alone" +
+                    effect_in_brackets("harmonics", &table.rows.front(), &table.all())
+                : "") +
+         ".";
+}
+
+/// The harmonics' part of the answer: in balance where there is a balance, and what the study's own load says
+/// where that is another.
+std::string harmonic_sentences(const TruncationStudy &study)
+{
+  const SpinRow &all = study.frozen.all();
+  if (!all.relative_change)
+    return "The glass does not spin up, whatever harmonics its load has.";
+  if (all.harmonics == 1)
+    return "The load has one harmonic; the terminal spin is " +
+           format::significant<6>(all.omega_terminal().value()) + " rad/s.";
+  if (!study.self_consistent || !study.acts_back)
+    return both_spins(study.frozen, all.band) + ".";
+  if (!study.same_whole_load)
+    return both_spins(*study.self_consistent, {}) + ", contact and friction in balance at every spin. " +
+           load_at_rest_sentence(study.frozen);
+  const auto first = study.frozen.rows.front().omega_terminal();
+  return both_spins(*study.self_consistent, all.band) + "." +
+         (first ? " (Truncated afterwards, with the moment unchanged, the first alone leaves " +
+                    format::significant<6>(*first) + " rad/s.)"
+                : "");
+}
+
+// ---- compare
+
+/// "-3.12056 rad/s", or why there is none.
+std::string spin_of(const SpinRow &row)
+{
+  if (!row.omega_terminal())
+    return "nothing (" + to_string(row.standing) + ")";
+  return with_band(*row.omega_terminal(), row.band) + " rad/s" +
+         (row.standing == Standing::formal ? ", formally" : "");
+}
+
+// ---- sweep
+
+/// "0.27 %", "2110 %".
+std::string in_percent_of_sweep(double value)
+{
+  return std::abs(value) < 1000 ? format::significant<3>(value) + " %" : format::fixed<0>(value) + " %";
+}
+
+/// " (Load/Moment ratio = 1.3)": where something happens.
+std::string at_case(const SweepPlan &plan, std::size_t index)
+{
+  return " (" + values_of_case(plan, index) + ")";
+}
+
+std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings)
+{
+  const QuantityFindings *spin = findings.about("terminal spin");
+  if (spin == nullptr)
+    return "";
+  if (!spin->band)
+    return fmt::format(
+      FMT_STRING("In {} cases the glass spins up to between {:.6g} rad/s{} and {:.6g} rad/s{}."),
+      spin->n_values, spin->least, at_case(plan, spin->least_case), spin->most,
+      at_case(plan, spin->most_case));
+  const SampleBand &band = *spin->band;
+  // Where nothing varies, rounding would be shown as a spread.
+  const double spread = std::max(band.deviation, 1e-9 * std::abs(band.mean));
+  std::string sentence = fmt::format(
+    FMT_STRING("In {} samples the glass spins up to {} ± {} rad/s (mean and standard deviation; 95 % of them "
+               "lie between {} and {} rad/s)."),
+    spin->n_values, to_spread(band.mean, spread), to_spread(band.deviation, spread),
+    to_spread(band.lower, spread), to_spread(band.upper, spread));
+  if (!spin->sensitivity)
+    return sentence;
+  const std::vector<double> &shares = spin->sensitivity->first_order;
+  const auto largest = std::max_element(shares.begin(), shares.end());
+  return sentence + fmt::format(FMT_STRING(" {:.0f} % of the variance is due to {} alone."),
+                                100 * std::min(*largest, 1.),
+                                plan.entries[static_cast<std::size_t>(largest - shares.begin())].path);
+}
+
+std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &findings)
+{
+  const QuantityFindings *effect = findings.about("harmonic effect");
+  if (effect == nullptr || (effect->least == 0 && effect->most == 0))
+    return "";
+  const std::string subject = "The harmonics of the load beyond the first ";
+  if (effect->band)
+    return subject + "change it by " + in_percent_of_sweep(effect->band->mean) +
+           " (mean; 95 % of the samples: " + in_percent_of_sweep(effect->band->lower) + " to " +
+           in_percent_of_sweep(effect->band->upper) + ").";
+  const std::string faster =
+    effect->most > 0 ? in_percent_of_sweep(effect->most) + " faster" + at_case(plan, effect->most_case) : "";
+  const std::string slower =
+    effect->least < 0 ? in_percent_of_sweep(-effect->least) + " slower" + at_case(plan, effect->least_case)
+                      : "";
+  return subject + "make it up to " + faster + (faster.empty() || slower.empty() ? "" : " and up to ") +
+         slower + ".";
+}
+
+std::string sweep_closure_sentence(const SweepFindings &findings)
+{
+  const QuantityFindings *effect = findings.about("closure effect");
+  if (effect == nullptr)
+    return "";
+  const bool is_constant = effect->most - effect->least < 1e-9 * std::abs(effect->most);
+  return "For scale: what the paper's moment balance leaves out changes the spin of a first-harmonic load "
+         "by " +
+         (is_constant ? "" : in_percent_of_sweep(effect->least) + " to ") +
+         in_percent_of_sweep(effect->most) + ".";
+}
+
+std::string failed_cases_sentence(const SweepFindings &findings)
+{
+  if (findings.n_failed == 0)
+    return "";
+  return fmt::format(FMT_STRING("{} of {} cases failed; the column message of sweep.csv says why."),
+                     findings.n_failed, findings.n_cases);
 }
 
 } // namespace
 
-std::string answer(const Study &study, const StudyResult &result)
+std::string run_answer(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                       const std::vector<BandedQuantity> &bands)
 {
-  const SpinComparison spins = compare_spins(study, result);
-  return terminal_spin(result) + harmonic_sentence(spins, result) + closure_sentence(spins);
+  return joined({ terminal_spin_sentence(spin, bands),
+                  harmonic_sentence(compare_spins(study, spin), report.load.rings.n_harmonics()),
+                  closure_sentence(spin.closures) });
 }
 
-std::string closure_sentence(const SpinComparison &spins)
+std::string closure_sentence(const std::vector<SpinRow> &closures)
 {
-  const auto change = spins.closure_effect();
-  if (!change)
+  const SpinRow *paper = row_of(closures, ring::Closure::paper),
+                *full = row_of(closures, ring::Closure::full);
+  const auto effect = relative_effect(paper, full);
+  if (!effect)
     return "";
-  return formatted(
-    " For comparison: with a first-harmonic load, what the paper's balance of moments leaves out makes the "
-    "glass %s (%#.6g instead of %#.6g rad/s%s).",
-    faster_or_slower(*change).c_str(), *spins.complete_closure, *spins.paper_closure,
-    spins.is_formal ? ", formally: such a load would have to pull on the table" : "");
+  return "For scale: the friction that the paper's moment balance leaves out makes the glass " +
+         faster_or_slower(*effect) + " under a first-harmonic load (" +
+         format::all_significant<6>(*full->omega_terminal()) + " instead of " +
+         format::all_significant<6>(*paper->omega_terminal()) + " rad/s" +
+         (paper->pulls() || full->pulls() ? ", formally: such a load would have to pull on the table" : "") +
+         ").";
 }
 
-std::string lift_off_remark(const RingLoad &load)
+std::string lift_off_remark(const LoadReport &load)
 {
   if (load.moment_ratio <= 1)
     return "";
-  return formatted("The moment ratio is %.4g, above 1: a first-harmonic load would have to pull; %.1f %% of "
-                   "the rim carries load.",
-                   load.moment_ratio, 100 * load.contact_fraction);
+  return "The moment ratio is " + format::significant<4>(load.moment_ratio) +
+         ", above 1: a first-harmonic load would have to pull; " +
+         format::percent_fixed<1>(load.contact_fraction) + " of the rim carries load.";
 }
 
-std::string narrow_contact_remark(const Study &study, const std::optional<ContactFigures> &contact)
+std::string narrow_contact_remark(const Study &study, const std::optional<FootReport> &foot)
 {
-  if (!contact || contact->result.solution.outcome != fem::ContactOutcome::narrow_contact)
+  if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
     return "";
-  return formatted(
-    "Contact is narrow, at most %u of its nodes side by side: %s.", contact->result.solution.n_nodes_across,
+  return fmt::format(
+    FMT_STRING("Note: the contact is at most {} nodes wide: {}."), foot->at_rest.solution.n_nodes_across,
     study.table.kind == TableKind::rigid
       ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
-      : "the table's pressure is integrated exactly, the foot's indentation just under it is not resolved");
+      : "the pressure is integrated exactly across it, but the mesh does not resolve how the foot yields "
+        "just above it");
 }
 
-std::string waviness_remark(const Study &study, const std::optional<PhaseFigures> &phases)
+std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> &phases)
 {
   if (!phases)
     return "";
   const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
-  const std::string who = rim && table ? "Rim and table are" : rim ? "The rim is" : "The table is";
-  return who +
-         formatted(" out of flat: the terminal spin is the mean in the long run, about which the spin swings "
-                   "by %.3g rad/s, as the torque does by %.3g N m.",
-                   phases->spin_ripple, phases->torque_ripple);
+  return fmt::format(FMT_STRING("{} out of flat: the terminal spin is the mean in the long run, about which "
+                                "the spin swings by {:.3g} rad/s, and the torque by {:.3g} N m."),
+                     rim && table ? "Rim and table are" : (rim ? "The rim is" : "The table is"),
+                     phases->spin_ripple, phases->torque_ripple);
 }
 
-std::string to_spread(double value, double spread)
+std::string truncation_answer(const TruncationStudy &study)
 {
-  return formatted("%.*f", decimals_of(spread), value);
+  const TruncationTable &best = study.self_consistent ? *study.self_consistent : study.frozen;
+  const bool has_more = best.all().relative_change && best.all().harmonics > 1;
+  return joined({ harmonic_sentences(study),
+                  has_more ? fmt::format(FMT_STRING("From {} harmonics on the spin is right to 1e-4."),
+                                         harmonics_enough(best, 1e-4))
+                           : "",
+                  closure_sentence(study.closures) });
+}
+
+std::string comparison_answer(const Comparison &comparison)
+{
+  using ring::Closure;
+  const std::string &load = comparison.rows.back().load; // the study's own, the last
+  const SpinRow *paper = comparison.find(Closure::paper, compared_load::first_harmonic);
+  const SpinRow *full = comparison.find(Closure::full, compared_load::first_harmonic);
+  const SpinRow *paper_all = comparison.find(Closure::paper, load);
+  const SpinRow *full_all = comparison.find(Closure::full, load);
+  return "With the paper's moment balance a first-harmonic load reaches " + spin_of(*paper) +
+         "; with the friction that this balance leaves out, " + spin_of(*full) +
+         effect_in_brackets("closure", paper, full) + ". All harmonics of the " + load +
+         " reach, with the paper's balance, " + spin_of(*paper_all) +
+         effect_in_brackets("harmonics", paper, paper_all) + ", and with the complete balance " +
+         spin_of(*full_all) + effect_in_brackets("harmonics", full, full_all) + ".";
+}
+
+std::string refinement_answer(const RefinementResult &result)
+{
+  const std::size_t index = index_of(result.quantities, "omega_terminal");
+  const BandedQuantity &spin = result.quantities[index];
+  const AxisResult &first = result.axes.front();
+  const auto &order = first.quantities[index].judged.order;
+  return "Terminal spin " + with_band(spin.quantity.value, spin.band) + " rad/s (discretisation only)" +
+         (order ? "; it converges with order " + format::fixed<2>(*order) + " in the " + first.axis.name
+                : "") +
+         ", Richardson value " + format::significant<9>(spin.richardson) + " rad/s.";
+}
+
+std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings)
+{
+  return joined({ spread_sentence(plan, findings), sweep_harmonic_sentence(plan, findings),
+                  sweep_closure_sentence(findings), failed_cases_sentence(findings) });
+}
+
+std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key)
+{
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&](const BandedQuantity &each) { return each.quantity.key == key; });
+  if (found == quantities.end())
+    throw std::out_of_range("no quantity of interest is called " + key);
+  return static_cast<std::size_t>(found - quantities.begin());
+}
+
+unsigned int harmonics_enough(const TruncationTable &table, double share)
+{
+  unsigned int enough = table.all().harmonics;
+  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
+  {
+    if (!row->relative_change || std::abs(*row->relative_change) > share)
+      break;
+    enough = row->harmonics;
+  }
+  return enough;
+}
+
+std::optional<double> relative_effect(const SpinRow *from, const SpinRow *to)
+{
+  if (!from || !to || !from->omega_terminal() || !to->omega_terminal() || *from->omega_terminal() == 0)
+    return std::nullopt;
+  return *to->omega_terminal() / *from->omega_terminal() - 1;
+}
+
+const SpinRow *row_of(const std::vector<SpinRow> &rows, ring::Closure closure)
+{
+  const auto row =
+    std::find_if(rows.begin(), rows.end(), [=](const SpinRow &each) { return each.closure == closure; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+std::string joined(const std::vector<std::string> &sentences)
+{
+  std::string text;
+  for (const std::string &sentence : sentences)
+    text += (text.empty() || sentence.empty() ? "" : " ") + sentence;
+  return text;
 }
 
 std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))
-    return formatted("%#.6g", value);
+    return format::all_significant<6>(value);
   // Rounded up so that the band does not become narrower.
   const double unit = std::pow(10, -decimals_of(*band));
   return to_spread(value, *band) + " ± " + to_spread(std::ceil(*band / unit * (1 - 1e-9)) * unit, *band);

@@ -1,8 +1,12 @@
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace stemware::pipeline
 {
@@ -23,7 +27,7 @@ struct PressureUnit
   }
 
   double pascals;
-  std::string name;
+  const char *name;
 };
 
 double largest_pressure(const fem::Footprint &footprint)
@@ -52,17 +56,19 @@ std::vector<std::vector<fem::FootprintPoint>> drawn_cuts(const fem::Footprint &f
 
 /// Columns azimuth, distance from the contact radius, pressure, and the bounds of the cell that a point of a
 /// grid stands for, a little wider than it is: that closes the seams in the picture.
-std::vector<DataColumn> drawn_points(const std::vector<std::vector<fem::FootprintPoint>> &cuts,
-                                     double contact_radius, const PressureUnit &unit)
+Table drawn_points(const std::string &title, const std::vector<std::vector<fem::FootprintPoint>> &cuts,
+                   double contact_radius, const PressureUnit &unit)
 {
   constexpr double overlap = 1.03;
-  std::vector<DataColumn> columns = { { "theta", "degrees", {} },
-                                      { "r - R", "µm", {} },
-                                      { "pressure", unit.name, {} },
-                                      { "from theta", "degrees", {} },
-                                      { "to", "degrees", {} },
-                                      { "from r - R", "µm", {} },
-                                      { "to", "µm", {} } };
+  Table table = { title, {} };
+  for (const auto &[name, its_unit] : { std::pair("theta", "degrees"),
+                                        { "r - R", "µm" },
+                                        { "pressure", unit.name },
+                                        { "from theta", "degrees" },
+                                        { "to", "degrees" },
+                                        { "from r - R", "µm" },
+                                        { "to", "µm" } })
+    table.columns.push_back(numbers(name, its_unit, {}));
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
     const double azimuth = cuts[c].front().azimuth;
@@ -81,48 +87,50 @@ std::vector<DataColumn> drawn_points(const std::vector<std::vector<fem::Footprin
                              (azimuth + overlap * after / 2) / boost::math::double_constants::degree,
                              1e6 * (r - overlap * half_step),
                              1e6 * (r + overlap * half_step) };
-      for (std::size_t i = 0; i < columns.size(); ++i)
-        columns[i].values.push_back(row[i]);
+      for (std::size_t i = 0; i < table.columns.size(); ++i)
+        table.columns[i].cells.push_back(row[i]);
     }
   }
-  return columns;
+  return table;
 }
 
 /// What the vertical axis has to show; never less than a micrometre to both sides.
-std::pair<double, double> height_of(const std::vector<DataColumn> &columns)
+std::pair<double, double> height_of(const Table &points)
 {
-  const std::vector<double> &lower = columns[5].values;
-  const std::vector<double> &upper = columns[6].values;
-  if (lower.empty())
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t row = 0; row < points.n_rows(); ++row)
+  {
+    least = std::min(least, std::get<double>(points.columns[5].cells[row]));
+    most = std::max(most, std::get<double>(points.columns[6].cells[row]));
+  }
+  if (least > most)
     return { -1, 1 };
-  const double least = *std::min_element(lower.begin(), lower.end());
-  const double most = *std::max_element(upper.begin(), upper.end());
   const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);
   return { least - margin, most + margin };
 }
 
 } // namespace
 
-ReportFigure footprint_figure(const fem::Footprint &footprint, double contact_radius)
+Plot footprint_plot(const fem::Footprint &footprint, double contact_radius)
 {
   const double largest = largest_pressure(footprint);
   const PressureUnit unit(largest);
-  const std::vector<DataColumn> columns = drawn_points(drawn_cuts(footprint), contact_radius, unit);
   const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
   const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
                                         : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
   const std::string caption =
     "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
+  const Table points = drawn_points(caption, drawn_cuts(footprint), contact_radius, unit);
   return { "footprint",
            caption,
            "data = \"figures/footprint.dat\"\n" +
              axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
-             axis_commands("y", { "r - R (µm)", false, height_of(columns) }) +
-             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
+             axis_commands("y", { "r - R (µm)", false, height_of(points) }) +
+             colour_commands(std::string("pressure (") + unit.name + ")", 0, largest / unit.pascals) +
              "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
            540,
            360,
-           data_table(caption, columns) };
+           data_table(points) };
 }
 
 } // namespace stemware::pipeline

@@ -1,7 +1,5 @@
-#include "fem/pipeline/output/render/plots.h"
-#include "fem/pipeline/output/sweep_report.h"
+#include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +15,7 @@ namespace
 /// Something to draw: a quantity of the table, or a harmonic's amplitude.
 struct Drawing
 {
-  std::string name;  ///< of the figure
+  std::string name;  ///< of the plot
   std::string label; ///< of the axis, with its unit
   std::string caption;
   std::function<std::optional<double>(const CaseResult &)> value;
@@ -93,7 +91,7 @@ bool is_numeric(const SweptEntry &entry)
 Axis axis_of(const SweptEntry &entry)
 {
   const std::string name = entry.path.substr(entry.path.find('/') + 1);
-  return { column_title(name, entry.unit == "1" ? "" : entry.unit), entry.by_factors };
+  return { with_unit(name, entry.unit, false), entry.by_factors };
 }
 
 /// The entries as the axis of curves and the one that tells curves apart, by their positions.
@@ -113,8 +111,8 @@ std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along
   return first * plan.entries[1].values.size() + second;
 }
 
-ReportFigure family_figure(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
-                           const Drawing &drawing)
+Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
+                 const Drawing &drawing)
 {
   const SweptEntry &along = plan.entries[roles.along];
   CurvePlot plot = { drawing.name, drawing.caption, axis_of(along), { drawing.label }, {} };
@@ -131,11 +129,11 @@ ReportFigure family_figure(const SweepPlan &plan, const FinishedCases &cases, co
     curve.style = curve.x.size() <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
     plot.curves.push_back(curve);
   }
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
 /// Terminal spins of the models side by side, over one entry.
-ReportFigure model_figure(const SweepPlan &plan, const FinishedCases &cases)
+Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
 {
   const Roles roles;
   CurvePlot plot = {
@@ -159,12 +157,12 @@ ReportFigure model_figure(const SweepPlan &plan, const FinishedCases &cases)
       curve.y.push_back(value_in(cases, case_at(plan, roles, i, 0), drawing));
     plot.curves.push_back(curve);
   }
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
-ReportFigure map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &drawing)
+Plot map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &drawing)
 {
-  SweepMap map = { drawing.name,
+  ValueMap map = { drawing.name,
                    drawing.caption,
                    axis_of(plan.entries[0]),
                    axis_of(plan.entries[1]),
@@ -179,12 +177,12 @@ ReportFigure map_of(const SweepPlan &plan, const FinishedCases &cases, const Dra
     for (std::size_t i = 0; i < map.x_values.size(); ++i)
       row.push_back(value_in(cases, case_at(plan, roles, i, j), drawing));
   }
-  return map_figure(map);
+  return map_plot(map);
 }
 
 } // namespace
 
-std::vector<ReportFigure> grid_figures(const SweepPlan &plan, const FinishedCases &cases)
+std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
 {
   constexpr std::size_t most_curves = 7;
   const std::vector<SweptEntry> &entries = plan.entries;
@@ -201,17 +199,17 @@ std::vector<ReportFigure> grid_figures(const SweepPlan &plan, const FinishedCase
   const bool as_map =
     has_two && is_numeric(entries[*roles.across]) && entries[*roles.across].values.size() > most_curves;
 
-  std::vector<ReportFigure> figures;
+  std::vector<Plot> plots;
   for (const Drawing &drawing : drawings())
     if (!is_worth_drawing(cases, drawing))
       continue;
     else if (as_map)
-      figures.push_back(map_of(plan, cases, drawing));
+      plots.push_back(map_of(plan, cases, drawing));
     else if (!has_two && drawing.name == "terminal_spin")
-      figures.push_back(model_figure(plan, cases));
+      plots.push_back(model_plot(plan, cases));
     else
-      figures.push_back(family_figure(plan, cases, roles, drawing));
-  return figures;
+      plots.push_back(family_plot(plan, cases, roles, drawing));
+  return plots;
 }
 
 } // namespace stemware::pipeline

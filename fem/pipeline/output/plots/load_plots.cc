@@ -1,5 +1,8 @@
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -45,22 +48,19 @@ std::pair<double, double> amplitude_range(const std::vector<double> &values)
 }
 
 /// 1 where the rim carries load, nan elsewhere, so that gnuplot interrupts the line.
-DataBlock contact_arc(const ring::RingStack &load, std::vector<LoadSample> samples)
+Table contact_arc(const ring::RingStack &load, std::vector<fem::AzimuthLoad> samples)
 {
   if (samples.empty())
     for (const double theta : azimuths())
       samples.push_back({ theta, load(theta) });
   else // closed
     samples.push_back(
-      { samples.front().theta + boost::math::double_constants::two_pi, samples.front().lambda });
-  DataBlock block = { "Arc of the rim that carries load",
-                      { { "theta", "rad", {} }, { "1 under load, nan elsewhere", "1", {} } } };
-  for (const LoadSample &sample : samples)
-  {
-    block.columns[0].values.push_back(sample.theta);
-    block.columns[1].values.push_back(sample.lambda > 0 ? 1 : std::numeric_limits<double>::quiet_NaN());
-  }
-  return block;
+      { samples.front().azimuth + boost::math::double_constants::two_pi, samples.front().density });
+  return { "Arc of the rim that carries load",
+           { column(quantity::theta, samples, &fem::AzimuthLoad::azimuth),
+             column(quantity::under_load, samples,
+                    [](const fem::AzimuthLoad &place)
+                    { return place.density > 0 ? 1 : std::numeric_limits<double>::quiet_NaN(); }) } };
 }
 
 /// The rim has radius 1 and the load is drawn outwards from it, its mean as half a radius.
@@ -82,11 +82,18 @@ plot cos(t), sin(t) with lines lt 8 title "rim", \
 
 } // namespace
 
-ReportFigure load_figure(const ring::RingStack &load, const std::vector<LoadSample> &pointwise)
+std::string truncation_title(unsigned int n, unsigned int n_all)
+{
+  if (n == 1)
+    return "first harmonic";
+  return (n == n_all ? "all, n ≤ " : "n ≤ ") + std::to_string(n);
+}
+
+Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
 {
   const std::vector<double> theta = azimuths();
   const std::vector<unsigned int> orders = shown_truncations(load);
-  std::vector<DataBlock> blocks;
+  std::vector<Table> blocks;
   std::string curves;
   for (std::size_t i = 0; i < orders.size(); ++i)
   {
@@ -95,7 +102,8 @@ ReportFigure load_figure(const ring::RingStack &load, const std::vector<LoadSamp
     for (const double angle : theta)
       values.push_back(truncated(angle) / load.a(0));
     const std::string name = truncation_title(orders[i], load.n_harmonics());
-    blocks.push_back({ "λ(θ)/a_0, " + name, { { "theta", "rad", theta }, { "lambda / a_0", "1", values } } });
+    blocks.push_back(
+      { "λ(θ)/a_0, " + name, { column(quantity::theta, theta), column(quantity::load_over_mean, values) } });
     curves += ", \\\n     data index " + std::to_string(i) + " using (x($1, $2)):(y($1, $2)) with lines lt " +
               std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
   }
@@ -107,10 +115,10 @@ ReportFigure load_figure(const ring::RingStack &load, const std::vector<LoadSamp
            "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
            540,
            380,
-           data_blocks(blocks) };
+           data_tables(blocks) };
 }
 
-ReportFigure higher_harmonics_figure(const ring::RingStack &load)
+Plot higher_harmonics_plot(const ring::RingStack &load)
 {
   std::vector<double> degrees;
   for (const double theta : azimuths())
@@ -133,10 +141,10 @@ ReportFigure higher_harmonics_figure(const ring::RingStack &load)
         curve.y.push_back((load.truncated(n)(theta) - first(theta)) / load.a(0));
       plot.curves.push_back(curve);
     }
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
-ReportFigure spectrum_figure(const ring::RingStack &load, const std::vector<double> &band)
+Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band)
 {
   Curve curve = { "", {}, {}, CurveStyle::points };
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
@@ -153,7 +161,7 @@ ReportFigure spectrum_figure(const ring::RingStack &load, const std::vector<doub
     { "√(a_n² + b_n²) / a_0", true, amplitude_range(curve.y) },
     { curve }
   };
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
 } // namespace stemware::pipeline

@@ -1,8 +1,7 @@
+#include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/render/plot_script.h"
-#include "fem/pipeline/output/sweep_report.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,7 @@ namespace
 /// A quantity to be drawn.
 struct SampledQuantity
 {
-  std::string name; ///< beginning of the figures' names
+  std::string name; ///< beginning of the plots' names
   std::string label;
   std::string quantity;
 };
@@ -41,7 +40,7 @@ pairs_of(const SweepPlan &plan, const FinishedCases &cases, std::size_t entry, s
 }
 
 /// How many values lie in each of equal intervals, about the square root of their number.
-ReportFigure histogram(const SampledQuantity &drawing, const std::vector<double> &values)
+Plot histogram(const SampledQuantity &drawing, const std::vector<double> &values)
 {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const auto n_bins =
@@ -64,12 +63,13 @@ ReportFigure histogram(const SampledQuantity &drawing, const std::vector<double>
            script,
            540,
            360,
-           data_table(caption, { { "middle of the interval: " + drawing.label, "", middles },
-                                 { "samples", "1", counts } }) };
+           data_table({ caption,
+                        { numbers("middle of the interval: " + drawing.label, "", middles),
+                          numbers("samples", "1", counts) } }) };
 }
 
 /// Changes of a quantity by one standard deviation of each entry, in the linear fit.
-ReportFigure tornado(const SweepPlan &plan, const SampledQuantity &drawing, const QuantityFindings &about)
+Plot tornado(const SweepPlan &plan, const SampledQuantity &drawing, const QuantityFindings &about)
 {
   std::vector<Sensitivity> bars;
   for (std::size_t i = 0; i < plan.entries.size(); ++i)
@@ -77,14 +77,14 @@ ReportFigure tornado(const SweepPlan &plan, const SampledQuantity &drawing, cons
     const double change = about.sensitivity->regression[i] * about.band->deviation;
     bars.push_back({ plan.entries[i].path.substr(plan.entries[i].path.find('/') + 1), -change, change });
   }
-  return tornado_figure(drawing.name + "_tornado",
-                        "Change of the " + drawing.quantity +
-                          " by one standard deviation of each parameter, from a linear fit of the samples",
-                        "change: " + drawing.label, bars);
+  return tornado_plot(drawing.name + "_tornado",
+                      "Change of the " + drawing.quantity +
+                        " by one standard deviation of each parameter, from a linear fit of the samples",
+                      "change: " + drawing.label, bars);
 }
 
-ReportFigure scatter(const SweepPlan &plan, const FinishedCases &cases, const SampledQuantity &drawing,
-                     const QuantityFindings &about)
+Plot scatter(const SweepPlan &plan, const FinishedCases &cases, const SampledQuantity &drawing,
+             const QuantityFindings &about)
 {
   const std::vector<double> &shares = about.sensitivity->first_order;
   const auto entry =
@@ -93,8 +93,7 @@ ReportFigure scatter(const SweepPlan &plan, const FinishedCases &cases, const Sa
   const auto [x, y] = pairs_of(plan, cases, entry, about.index);
   CurvePlot plot = { drawing.name + "_samples",
                      "All samples over the parameter with the largest first-order share: " + drawing.quantity,
-                     { column_title(swept.path.substr(swept.path.find('/') + 1),
-                                    swept.unit == "1" ? "" : swept.unit),
+                     { with_unit(swept.path.substr(swept.path.find('/') + 1), swept.unit, false),
                        swept.by_factors },
                      { drawing.label },
                      {} };
@@ -103,25 +102,25 @@ ReportFigure scatter(const SweepPlan &plan, const FinishedCases &cases, const Sa
   curve.y = y;
   curve.style = CurveStyle::points;
   plot.curves = { curve };
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
 } // namespace
 
-std::vector<ReportFigure> sample_figures(const SweepPlan &plan, const FinishedCases &cases,
-                                         const SweepFindings &findings)
+std::vector<Plot> sample_plots(const SweepPlan &plan, const FinishedCases &cases,
+                               const SweepFindings &findings)
 {
-  std::vector<ReportFigure> figures;
+  std::vector<Plot> plots;
   for (const SampledQuantity &drawing : sampled_quantities)
   {
     const QuantityFindings *about = findings.about(drawing.quantity);
     if (about == nullptr || !about->sensitivity) // nothing varies
       continue;
-    figures.push_back(histogram(drawing, pairs_of(plan, cases, 0, about->index).second));
-    figures.push_back(tornado(plan, drawing, *about));
-    figures.push_back(scatter(plan, cases, drawing, *about));
+    plots.push_back(histogram(drawing, pairs_of(plan, cases, 0, about->index).second));
+    plots.push_back(tornado(plan, drawing, *about));
+    plots.push_back(scatter(plan, cases, drawing, *about));
   }
-  return figures;
+  return plots;
 }
 
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
-#include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/output/plots/plots.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -7,9 +8,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// Relative changes below this say nothing.
-constexpr double rounding = 1e-12;
 
 std::vector<double> in_milli(const std::vector<double> &values)
 {
@@ -19,10 +17,37 @@ std::vector<double> in_milli(const std::vector<double> &values)
   return scaled;
 }
 
+/// Relative changes of the terminal spin by the number of harmonics; those below @p rounding say nothing.
+Curve change_curve(const std::string &title, const std::vector<SpinRow> &rows, double rounding)
+{
+  Curve curve = { title, {}, {}, CurveStyle::line_and_points };
+  for (const SpinRow &row : rows)
+    if (row.relative_change && std::abs(*row.relative_change) > rounding)
+    {
+      curve.x.push_back(row.harmonics);
+      curve.y.push_back(std::abs(*row.relative_change));
+    }
+  return curve;
+}
+
+/// What the a-priori bound on the torque says about the spin, to first order: bound / |d tau / d omega|,
+/// relative to the spin.
+Curve bound_curve(const TruncationTable &table, double slope, double rounding)
+{
+  Curve curve = { "a-priori bound, to first order", {}, {}, CurveStyle::line };
+  const double scale = slope * std::abs(table.all().omega_terminal().value());
+  for (const SpinRow &row : table.rows)
+    if (row.bound && *row.bound / scale > rounding)
+    {
+      curve.x.push_back(row.harmonics);
+      curve.y.push_back(*row.bound / scale);
+    }
+  return curve;
+}
+
 } // namespace
 
-ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<TruncationRow> &truncations,
-                           const std::string &name)
+Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, const std::string &name)
 {
   CurvePlot plot = { name,
                      "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
@@ -34,7 +59,7 @@ ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<Truncatio
   std::vector<double> torques;
   for (const ring::Wrench &friction : curve.friction)
     torques.push_back(1e3 * friction.torque);
-  const unsigned int n_all = truncations.back().harmonics;
+  const unsigned int n_all = rows.back().harmonics;
   plot.curves.push_back({ truncation_title(n_all, n_all), curve.omega, torques, CurveStyle::line, {}, 1 });
   for (std::size_t i = 0; i < curve.harmonics.size() && curve.harmonics[i] <= 3; ++i)
     plot.curves.push_back({ truncation_title(curve.harmonics[i], n_all),
@@ -43,36 +68,25 @@ ReportFigure torque_figure(const TorqueCurve &curve, const std::vector<Truncatio
                             CurveStyle::line,
                             {},
                             static_cast<unsigned int>(i) + 2 });
-  for (const TruncationRow &row : truncations)
-  {
-    const bool all = &row == &truncations.back();
-    if (all || row.harmonics <= 3)
+  for (const SpinRow &row : rows)
+    if (const bool all = &row == &rows.back(); row.omega_terminal() && (all || row.harmonics <= 3))
       plot.curves.push_back(
-        { "", { row.omega_terminal }, { 0 }, CurveStyle::points, {}, all ? 1 : row.harmonics + 1 });
-  }
-  return curve_figure(plot);
+        { "", { *row.omega_terminal() }, { 0 }, CurveStyle::points, {}, all ? 1 : row.harmonics + 1 });
+  return curve_plot(plot);
 }
 
-ReportFigure spin_up_figure(const std::vector<double> &time, const std::vector<SpinUp> &curves,
-                            const std::string &name)
+Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinUp> &curves, const std::string &name,
+                  const std::string &caption)
 {
-  CurvePlot plot = {
-    name, "Spin-up of the glass from rest.", { "time (s)" }, { "spin ω (rad/s)" }, {}, "set xzeroaxis lt 8\n"
-  };
+  CurvePlot plot = { name, caption, { "time (s)" }, { "spin ω (rad/s)" }, {}, "set xzeroaxis lt 8\n" };
   for (const SpinUp &curve : curves)
     plot.curves.push_back({ curve.title, time, curve.omega, CurveStyle::line, {}, curve.line_type });
-  return curve_figure(plot);
+  return curve_plot(plot);
 }
 
-ReportFigure truncation_figure(const std::vector<TruncationRow> &truncations)
+Plot truncation_plot(const std::vector<SpinRow> &rows)
 {
-  Curve change = { "terminal spin, relative change", {}, {}, CurveStyle::line_and_points };
-  for (const TruncationRow &row : truncations)
-    if (row.relative_change && std::abs(*row.relative_change) > rounding)
-    {
-      change.x.push_back(row.harmonics);
-      change.y.push_back(std::abs(*row.relative_change));
-    }
+  const Curve change = change_curve("terminal spin, relative change", rows, 1e-12);
   CurvePlot plot = { "truncation",
                      "What leaving out the harmonics beyond some number does to the terminal spin.",
                      { "harmonics kept" },
@@ -80,7 +94,81 @@ ReportFigure truncation_figure(const std::vector<TruncationRow> &truncations)
                      { change } };
   if (!change.x.empty() && change.x.back() <= 8)
     plot.commands = "set xtics 1\n";
-  return curve_figure(plot);
+  return curve_plot(plot);
+}
+
+Plot truncation_plot(const TruncationStudy &study)
+{
+  constexpr double rounding = 1e-13;
+  CurvePlot plot = {
+    "terminal_spin",
+    "What is missing in the terminal spin when the load is truncated, relative to all harmonics.",
+    { "harmonics kept" },
+    { "|change of terminal spin|", true },
+    { change_curve("truncated afterwards", study.frozen.rows, rounding) }
+  };
+  if (study.self_consistent && study.acts_back)
+    plot.curves.push_back(change_curve("truncated in the loop", study.self_consistent->rows, rounding));
+  plot.curves.push_back(bound_curve(study.frozen, std::abs(study.torque_slope), rounding));
+  return curve_plot(plot);
+}
+
+Plot deviation_plot(const std::string &name, const std::string &how, const std::vector<double> &time,
+                    const TruncationTable &table)
+{
+  CurvePlot plot = { name,
+                     "How far ω(t) is from that of all harmonics, " + how + ".",
+                     { "t (s)" },
+                     { "|ω_n - ω_all| (rad/s)", true },
+                     {} };
+  const SpinRow &all = table.all();
+  const double rounding = 1e-10 * std::abs(all.omega_terminal().value());
+  for (const SpinRow &row : table.rows)
+  {
+    Curve curve = { truncation_title(row.harmonics, all.harmonics), {}, {} };
+    curve.line_type = static_cast<unsigned int>(plot.curves.size()) + 2; // all harmonics have the first
+    for (std::size_t i = 1; i < row.spin_up.size(); ++i)
+      if (const double deviation = std::abs(row.spin_up[i] - all.spin_up[i]); deviation > rounding)
+      {
+        curve.x.push_back(time[i]);
+        curve.y.push_back(deviation);
+      }
+    if (!curve.x.empty() && plot.curves.size() < 6)
+      plot.curves.push_back(curve);
+  }
+  return curve_plot(plot);
+}
+
+Plot comparison_plot(const Comparison &comparison)
+{
+  std::vector<std::string> loads;
+  for (const SpinRow &row : comparison.rows)
+    if (std::find(loads.begin(), loads.end(), row.load) == loads.end())
+      loads.push_back(row.load);
+  CurvePlot plot = { "terminal_spins",
+                     "Terminal spin by load, all its harmonics kept, and by moment balance (colours).",
+                     { "terminal spin (rad/s)" },
+                     { "", false, std::pair(0.5, static_cast<double>(loads.size()) + 0.5) },
+                     {} };
+  // The SVG terminal of gnuplot takes texts for wider than they are: too much room would be left for the
+  // names.
+  plot.commands = "set lmargin at screen 0.3\nset key width 0\nset ytics (";
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    plot.commands += (i ? ", '" : "'") + loads[i] + "' " + std::to_string(loads.size() - i);
+  plot.commands += ")\nset grid x y\n";
+  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
+  {
+    Curve curve = { ring::to_string(closure), {}, {}, CurveStyle::points };
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (const SpinRow *row = comparison.find(closure, loads[i]); row && row->omega_terminal())
+      {
+        curve.x.push_back(*row->omega_terminal());
+        curve.y.push_back(static_cast<double>(loads.size() - i));
+      }
+    if (!curve.x.empty())
+      plot.curves.push_back(curve);
+  }
+  return curve_plot(plot);
 }
 
 } // namespace stemware::pipeline

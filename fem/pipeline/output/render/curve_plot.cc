@@ -1,6 +1,6 @@
 #include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/plot_script.h"
-#include "fem/pipeline/output/render/plots.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -77,44 +77,26 @@ std::string colour_commands(const std::string &label, double low, double high)
          to_text(low) + ":" + to_text(high) + "]\n" + tic_commands("cb", low, high);
 }
 
-std::string truncation_title(unsigned int n, unsigned int n_all)
-{
-  if (n == 1)
-    return "first harmonic";
-  return (n == n_all ? "all, n ≤ " : "n ≤ ") + std::to_string(n);
-}
-
-std::string data_blocks(const std::vector<DataBlock> &blocks)
-{
-  std::string text;
-  for (const DataBlock &block : blocks)
-    text += (text.empty() ? "" : "\n\n") + data_table(block.title, block.columns);
-  return text;
-}
-
 namespace
 {
 
-DataBlock block_of(const CurvePlot &plot, const Curve &curve)
+/// The points of a curve; "ω (rad/s)" names a column ω with the unit rad/s.
+Table points_of(const CurvePlot &plot, const Curve &curve)
 {
-  // "ω (rad/s)" names a column ω with the unit rad/s.
   const auto column = [](const Axis &axis, const std::vector<double> &values)
   {
     const auto unit = axis.label.rfind(" (");
     return unit == std::string::npos || axis.label.back() != ')'
-             ? DataColumn{ axis.label, "1", values }
-             : DataColumn{ axis.label.substr(0, unit),
-                           axis.label.substr(unit + 2, axis.label.size() - unit - 3), values };
+             ? numbers(axis.label, "1", values)
+             : numbers(axis.label.substr(0, unit), axis.label.substr(unit + 2, axis.label.size() - unit - 3),
+                       values);
   };
-  DataBlock block = { curve.title.empty() ? plot.caption : curve.title,
-                      { column(plot.x, curve.x), column(plot.y, curve.y) } };
+  Table table = { curve.title.empty() ? plot.caption : curve.title,
+                  { column(plot.x, curve.x), column(plot.y, curve.y) } };
   if (!curve.band.empty())
-  {
-    block.columns.push_back(block.columns.back());
-    block.columns.back().name = "half-width of its error band";
-    block.columns.back().values = curve.band;
-  }
-  return block;
+    table.columns.push_back(
+      numbers("half-width of its error band", table.columns.back().quantity.unit, curve.band));
+  return table;
 }
 
 /// The parts of gnuplot's plot command that draw one curve.
@@ -174,16 +156,16 @@ plot NaN notitle
 
 } // namespace
 
-ReportFigure curve_figure(const CurvePlot &plot)
+Plot curve_plot(const CurvePlot &plot)
 {
-  std::vector<DataBlock> blocks;
+  std::vector<Table> blocks;
   std::string drawings;
   unsigned int line_type = 0;
   bool is_empty = true;
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
   {
     const Curve &curve = plot.curves[i];
-    blocks.push_back(block_of(plot, curve));
+    blocks.push_back(points_of(plot, curve));
     is_empty = is_empty && !has_points(plot, curve);
     drawings += (i == 0 ? "" : ", \\\n     ") + drawing("\"figures/" + plot.name + ".dat\"", curve, i,
                                                         curve.line_type > 0 ? curve.line_type : ++line_type);
@@ -191,7 +173,7 @@ ReportFigure curve_figure(const CurvePlot &plot)
   const std::string script = axis_commands("x", plot.x) + axis_commands("y", plot.y) +
                              tics_of_narrow_axis(plot) + plot.commands +
                              (is_empty ? nothing_to_show : "plot " + drawings + "\n");
-  return { plot.name, plot.caption, script, 540, 360, data_blocks(blocks) };
+  return { plot.name, plot.caption, script, 540, 360, data_tables(blocks) };
 }
 
 } // namespace stemware::pipeline

@@ -21,9 +21,9 @@ namespace
 
 constexpr std::array formats = { "svg", "pdf" };
 
-fs::path figure_file(const ReportFigure &figure, const std::string &extension)
+fs::path plot_file(const Plot &plot, const std::string &extension)
 {
-  return fs::path("figures") / (figure.name + "." + extension);
+  return fs::path("figures") / (plot.name + "." + extension);
 }
 
 std::string as_comment(const std::string &text)
@@ -34,50 +34,50 @@ std::string as_comment(const std::string &text)
   return comment + "\n";
 }
 
-std::string script_of(const ReportFigure &figure)
+std::string script_of(const Plot &plot)
 {
-  const std::string file = figure_file(figure, "gp").string();
+  const std::string file = plot_file(plot, "gp").string();
   std::ostringstream script;
-  script << as_comment(figure.caption) << "# Drawn again, as SVG or as PDF, in the folder of the results:\n"
+  script << as_comment(plot.caption) << "# Drawn again, as SVG or as PDF, in the folder of the results:\n"
          << "#   gnuplot " << file << "\n#   gnuplot -e 'format = \"pdf\"' " << file << "\n"
-         << "name = \"" << figure.name << "\"; width = " << figure.width << "; height = " << figure.height
+         << "name = \"" << plot.name << "\"; width = " << plot.width << "; height = " << plot.height
          << "\nload \"figures/style.gnuplot\"\n\n"
-         << figure.script << (figure.script.empty() || figure.script.back() != '\n' ? "\n" : "");
+         << plot.script << (plot.script.empty() || plot.script.back() != '\n' ? "\n" : "");
   return script.str();
 }
 
-void write_scripts(const std::vector<ReportFigure> &figures, const fs::path &folder)
+void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 {
   fs::create_directories(folder / "figures");
   write_text_file(folder / "figures/style.gnuplot", gnuplot_style);
-  for (const ReportFigure &figure : figures)
+  for (const Plot &plot : plots)
   {
-    write_text_file(folder / figure_file(figure, "gp"), script_of(figure));
-    if (!figure.data.empty())
-      write_text_file(folder / figure_file(figure, "dat"), figure.data);
+    write_text_file(folder / plot_file(plot, "gp"), script_of(plot));
+    if (!plot.data.empty())
+      write_text_file(folder / plot_file(plot, "dat"), plot.data);
   }
 }
 
-/// A gnuplot that draws some figures one after the other; a user's own start-up files have no say.
+/// A gnuplot that draws some plots one after the other; a user's own start-up files have no say.
 std::unique_ptr<ChildProcess> start_drawing(const std::string &gnuplot, const std::string &format,
-                                            const std::vector<ReportFigure> &figures, const fs::path &folder)
+                                            const std::vector<Plot> &plots, const fs::path &folder)
 {
   std::vector<std::string> command = { gnuplot, "-d", "-e", "format = \"" + format + "\"" };
-  for (const ReportFigure &figure : figures)
-    command.push_back(figure_file(figure, "gp").string());
+  for (const Plot &plot : plots)
+    command.push_back(plot_file(plot, "gp").string());
   return std::make_unique<ChildProcess>(command, folder);
 }
 
-/// Draws one figure in one format, alone. Returns what gnuplot says when it fails; what it has drawn by then
+/// Draws one plot in one format, alone. Returns what gnuplot says when it fails; what it has drawn by then
 /// is not kept.
-std::string draw_alone(const std::string &gnuplot, const std::string &format, const ReportFigure &figure,
+std::string draw_alone(const std::string &gnuplot, const std::string &format, const Plot &plot,
                        const fs::path &folder)
 {
-  const ChildProcess::Ended ended = start_drawing(gnuplot, format, { figure }, folder)->wait();
+  const ChildProcess::Ended ended = start_drawing(gnuplot, format, { plot }, folder)->wait();
   if (ended.exit_status == 0)
     return "";
-  fs::remove(folder / figure_file(figure, format));
-  return "gnuplot could not draw " + figure_file(figure, format).string() + " (" +
+  fs::remove(folder / plot_file(plot, format));
+  return "gnuplot could not draw " + plot_file(plot, format).string() + " (" +
          (ended.messages.empty() ? "exit status " + std::to_string(ended.exit_status)
                                  : on_one_line(ended.messages)) +
          "). ";
@@ -126,24 +126,24 @@ std::string missing_plotter()
          "(Debian: apt-get install gnuplot-nox).";
 }
 
-std::string draw_figures(const std::vector<ReportFigure> &figures, const fs::path &folder)
+std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)
 {
-  write_scripts(figures, folder);
+  write_scripts(plots, folder);
   const auto gnuplot = find_program("gnuplot");
   if (!gnuplot)
     return missing_plotter();
-  if (figures.empty())
+  if (plots.empty())
     return "";
   std::array<std::unique_ptr<ChildProcess>, formats.size()> processes;
   for (std::size_t f = 0; f < formats.size(); ++f)
-    processes[f] = start_drawing(gnuplot->string(), formats[f], figures, folder);
+    processes[f] = start_drawing(gnuplot->string(), formats[f], plots, folder);
   std::string trouble;
   for (std::size_t f = 0; f < formats.size(); ++f)
     if (processes[f]->wait().exit_status != 0)
-      for (const ReportFigure &figure : figures) // gnuplot stops at the first that fails
-        trouble += draw_alone(gnuplot->string(), formats[f], figure, folder);
-  for (const ReportFigure &figure : figures)
-    if (const fs::path pdf = folder / figure_file(figure, "pdf"); fs::exists(pdf))
+      for (const Plot &plot : plots) // gnuplot stops at the first that fails
+        trouble += draw_alone(gnuplot->string(), formats[f], plot, folder);
+  for (const Plot &plot : plots)
+    if (const fs::path pdf = folder / plot_file(plot, "pdf"); fs::exists(pdf))
       remove_date(pdf);
   return trouble;
 }

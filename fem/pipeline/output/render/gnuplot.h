@@ -9,10 +9,10 @@
 namespace stemware::pipeline
 {
 
-/// Writes figures/style.gnuplot and the scripts and data of @p figures into @p folder, then lets gnuplot draw
-/// all of them, SVG and PDF side by side. A figure that fails costs the others nothing. Returns one or more
+/// Writes figures/style.gnuplot and the scripts and data of @p plots into @p folder, then lets gnuplot draw
+/// all of them, SVG and PDF side by side. A plot that fails costs the others nothing. Returns one or more
 /// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
-std::string draw_figures(const std::vector<ReportFigure> &figures, const std::filesystem::path &folder);
+std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
 
 /// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the
 /// subscripts of formula_pieces().

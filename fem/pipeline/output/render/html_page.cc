@@ -2,10 +2,10 @@
 
 #include "fem/pipeline/output/render/formula_text.h"
 #include "fem/pipeline/output/render/html_style.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/program.h"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -37,63 +37,29 @@ std::string paragraphs(const std::string &text)
   return html;
 }
 
-std::string figure(const ReportFigure &figure, const std::map<std::string, std::string> &pictures)
+std::string figure(const Plot &plot, const std::map<std::string, std::string> &pictures)
 {
-  const std::string stem = "figures/" + figure.name + ".";
-  const auto picture = pictures.find(figure.name);
+  const std::string stem = "figures/" + plot.name + ".";
+  const auto picture = pictures.find(plot.name);
   const bool drawn = picture != pictures.end();
   std::string files;
   if (drawn)
     files = link(stem + "svg", "SVG") + " · " + link(stem + "pdf", "PDF") + " · ";
-  if (!figure.data.empty())
+  if (!plot.data.empty())
     files += link(stem + "dat", "data") + " · ";
   files += link(stem + "gp", "script");
   return element(
-    "figure id=\"" + figure.name + "\"",
+    "figure id=\"" + plot.name + "\"",
     "\n" +
-      (drawn ? inline_svg(picture->second, figure.name, figure.caption)
-             : element("p class=\"missing\"", "This figure has not been drawn.")) +
-      element("figcaption", html_formula(figure.caption) + " <span class=\"files\">" + files + "</span>"));
+      (drawn ? inline_svg(picture->second, plot.name, plot.caption)
+             : element("p class=\"missing\"", "This plot has not been drawn.")) +
+      element("figcaption", html_formula(plot.caption) + " <span class=\"files\">" + files + "</span>"));
 }
 
-bool is_number(const std::string &cell)
-{
-  const std::size_t digit = cell.find_first_not_of("+-");
-  return cell.empty() || cell == "–" || cell == "-" ||
-         (digit != std::string::npos && digit < 2 && std::isdigit(static_cast<unsigned char>(cell[digit])));
-}
-
-std::string table(const ReportTable &table)
-{
-  std::vector<std::string> attributes;
-  for (std::size_t c = 0; c < table.header.size(); ++c)
-  {
-    const bool numbers = std::all_of(table.rows.begin(), table.rows.end(),
-                                     [&](const auto &row) { return is_number(row.at(c)); });
-    attributes.push_back(numbers ? " class=\"number\"" : "");
-  }
-  std::string head, body;
-  for (std::size_t c = 0; c < table.header.size(); ++c)
-    head += "<th scope=\"col\"" + attributes[c] + ">" + html_formula(table.header[c]) + "</th>";
-  for (const auto &row : table.rows)
-  {
-    std::string cells;
-    for (std::size_t c = 0; c < table.header.size(); ++c)
-      cells += "<td" + attributes[c] + ">" + html_formula(row.at(c)) + "</td>";
-    body += element("tr", cells);
-  }
-  const bool has_header =
-    std::any_of(table.header.begin(), table.header.end(), [](const auto &cell) { return !cell.empty(); });
-  const std::string thead = has_header ? element("thead", element("tr", head)) : "";
-  const std::string caption = table.caption.empty() ? "" : element("caption", html_formula(table.caption));
-  return element("div class=\"wide\"",
-                 element("table", "\n" + caption + thead + element("tbody", "\n" + body)));
-}
-
-std::string file_list(const std::vector<ReportFile> &files)
+std::string file_list(const std::vector<FileNote> &files)
 {
   std::string items;
-  for (const ReportFile &file : files)
+  for (const FileNote &file : files)
     items += element("dt", link(file.name, file.name)) + element("dd", html_formula(file.description));
   return items.empty() ? "" : element("dl", "\n" + items);
 }
@@ -101,12 +67,12 @@ std::string file_list(const std::vector<ReportFile> &files)
 std::string section(const ReportSection &section, const std::map<std::string, std::string> &pictures)
 {
   std::string figures, content = paragraphs(section.text);
-  for (const ReportFigure &item : section.figures)
-    figures += figure(item, pictures);
+  for (const Plot &plot : section.plots)
+    figures += figure(plot, pictures);
   if (!figures.empty())
     content += element("div class=\"figures\"", "\n" + figures);
-  for (const ReportTable &item : section.tables)
-    content += table(item);
+  for (const Table &table : section.tables)
+    content += html_table(table);
   content += file_list(section.files);
   const std::string heading = element("h2", html_formula(section.heading));
   return element("section",

@@ -8,15 +8,15 @@
 namespace stemware::pipeline
 {
 
-/// The page of a report as HTML5 that is well-formed XML too. @p pictures holds the SVG of each figure that
-/// was drawn, by the figure's name; @p notice, unless empty, is shown below the answer.
+/// The page of a report as HTML5 that is well-formed XML too. @p pictures holds the SVG of each plot that
+/// was drawn, by the plot's name; @p notice, unless empty, is shown below the answer.
 std::string html_page(const Report &report, const std::map<std::string, std::string> &pictures,
                       const std::string &notice);
 
 /// A text without what means something to HTML, in elements and in quoted attributes.
 std::string html_text(const std::string &text);
 
-/// The same with the subscripts of formula_pieces().
+/// html_text() with the subscripts of formula_pieces().
 std::string html_formula(const std::string &text);
 
 /// An SVG document of gnuplot as an element of a page: as wide as the page allows, with ids that begin with

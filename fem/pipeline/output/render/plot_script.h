@@ -1,10 +1,8 @@
 #pragma once
 
-#include "fem/pipeline/output/render/plots.h"
-#include "fem/pipeline/support/text_file.h"
+#include "fem/pipeline/output/render/curve_plot.h"
 
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -18,15 +16,5 @@ std::string tic_commands(const std::string &which, double low, double high);
 
 /// gnuplot's commands for a colour scale from @p low to @p high with its label.
 std::string colour_commands(const std::string &label, double low, double high);
-
-/// A table within a data file.
-struct DataBlock
-{
-  std::string title;
-  std::vector<DataColumn> columns;
-};
-
-/// Tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
-std::string data_blocks(const std::vector<DataBlock> &blocks);
 
 } // namespace stemware::pipeline

@@ -15,21 +15,21 @@ namespace fs = std::filesystem;
 
 void write_report(const Report &report, const fs::path &folder)
 {
-  std::vector<ReportFigure> figures;
+  std::vector<Plot> plots;
   for (const ReportSection &section : report.sections)
-    figures.insert(figures.end(), section.figures.begin(), section.figures.end());
-  const std::string notice = draw_figures(figures, folder);
+    plots.insert(plots.end(), section.plots.begin(), section.plots.end());
+  const std::string notice = draw_plots(plots, folder);
   if (!notice.empty() && notice != missing_plotter())
     std::cerr << "stemware: " << notice << std::endl;
 
   std::map<std::string, std::string> pictures;
-  for (const ReportFigure &figure : figures)
+  for (const Plot &plot : plots)
   {
-    std::ifstream stream(folder / "figures" / (figure.name + ".svg"), std::ios::binary);
+    std::ifstream stream(folder / "figures" / (plot.name + ".svg"), std::ios::binary);
     std::ostringstream svg;
     svg << stream.rdbuf();
     if (stream)
-      pictures[figure.name] = svg.str();
+      pictures[plot.name] = svg.str();
   }
   write_text_file(folder / "report.html", html_page(report, pictures, notice));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/pipeline/output/render/table.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -7,44 +9,36 @@
 namespace stemware::pipeline
 {
 
-/// A table of a report. Columns of numbers are aligned to the right; a header of empty cells is left out.
-struct ReportTable
-{
-  std::string caption;
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows; ///< as many cells as the header
-};
-
 /// A picture of a report, drawn by gnuplot as SVG and as PDF.
-struct ReportFigure
+struct Plot
 {
   std::string name;    ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
-  std::string caption; ///< below the figure, and its name for those who do not see it
+  std::string caption; ///< below the picture, and its name for those who do not see it
   std::string script;  ///< gnuplot commands without terminal and output; the results folder is where they run
   double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
   std::string data = "";            ///< content of figures/<name>.dat; empty: no such file is written
 };
 
 /// A file of the results to which a report links.
-struct ReportFile
+struct FileNote
 {
   std::string name; ///< relative to the results folder
   std::string description;
 };
 
-/// A heading, paragraphs (parted by empty lines), figures, tables and files, in this order; whatever is empty
+/// A heading, paragraphs (parted by empty lines), plots, tables and files, in this order; whatever is empty
 /// is left out.
 struct ReportSection
 {
   std::string heading, text = "";
-  std::vector<ReportFigure> figures = {};
-  std::vector<ReportTable> tables = {};
-  std::vector<ReportFile> files = {};
+  std::vector<Plot> plots = {};
+  std::vector<Table> tables = {};
+  std::vector<FileNote> files = {};
   bool folded = false; ///< shown when the heading is clicked
 };
 
-/// What a verb has found out, for eyes. All texts are plain: they are escaped here and nowhere else, and an
-/// underscore after a single letter makes a subscript (τ_z, a_n, z_CM).
+/// The results of a verb as a page to be read. All texts are plain: they are escaped here and nowhere else,
+/// and an underscore after a single letter makes a subscript (τ_z, a_n, z_CM).
 struct Report
 {
   std::string title;
@@ -57,7 +51,7 @@ struct Report
 std::string missing_plotter();
 
 /// Writes report.html, one page that needs nothing else (CSS and SVG inside, no address outside), and
-/// figures/ with the pictures as SVG and PDF, their gnuplot scripts and data, into @p folder.
+/// figures/ with the plots as SVG and PDF, their gnuplot scripts and data, into @p folder.
 ///
 /// Equal reports give equal files, byte for byte. What gnuplot does not draw is left out, and the page says
 /// why: results are not lost for want of a picture. Where gnuplot fails, stderr says so too; that it is

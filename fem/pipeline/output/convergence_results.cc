@@ -1,0 +1,200 @@
+#include "fem/pipeline/output/convergence_results.h"
+
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/common_sections.h"
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/table_renderers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// The rows that are not zero by symmetry.
+Table without_zeros(Table table, const std::vector<BandedQuantity> &quantities)
+{
+  for (Column &column : table.columns)
+  {
+    std::vector<Cell> cells;
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+      if (!quantities[i].is_zero())
+        cells.push_back(column.cells.at(i));
+    column.cells = cells;
+  }
+  return table;
+}
+
+Json axis_as_json(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+{
+  Json levels = Json::array();
+  for (const RefinementLevel &level : result.axis.levels)
+    levels.push_back(level.size);
+  Json sequences = Json::object();
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+  {
+    const RefinementSequence &judged = result.quantities[i].judged;
+    sequences[quantities[i].quantity.key] = { { "values", result.quantities[i].values },
+                                              { "order", json_number(judged.order) },
+                                              { "limit", judged.limit },
+                                              { "bands", judged.bands } };
+  }
+  return { { "name", result.axis.name },
+           { "size", result.axis.size },
+           { "levels", levels },
+           { "own_level", result.axis.own },
+           { "figures", sequences } };
+}
+
+Findings findings_of(const RefinementResult &result)
+{
+  Findings findings;
+  Json axes = Json::object();
+  for (const AxisResult &axis : result.axes)
+    axes[axis.axis.key] = axis_as_json(axis, result.quantities);
+  findings.summary = {
+    { "refinement", axes },
+    { "error_bands",
+      json_by_name(
+        band_table(result.quantities).with("", { ".key", "value", "band", "unit", "richardson" })) }
+  };
+  const BandedQuantity &spin = result.quantities[index_of(result.quantities, "omega_terminal")];
+  findings.key_figures = { { "omega_terminal", spin.quantity.value }, { "omega_terminal_band", spin.band } };
+  return findings;
+}
+
+// ---- files
+
+/// One row a level, one column a quantity.
+Table axis_data(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+{
+  Table table = { "Refinement of the " + result.axis.name,
+                  { column({ "", result.axis.size, "1", "", "" }, result.axis.levels,
+                           &RefinementLevel::size) } };
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    table.columns.push_back(
+      numbers(quantities[i].quantity.name, quantities[i].quantity.unit, result.quantities[i].values));
+  return table;
+}
+
+/// Three rows, one column a quantity.
+Table band_data(const std::vector<BandedQuantity> &bands)
+{
+  Table table = { "Values, half-widths of their error bands, Richardson values", {} };
+  for (const BandedQuantity &banded : bands)
+    table.columns.push_back(numbers(banded.quantity.name, banded.quantity.unit,
+                                    { banded.quantity.value, banded.band, banded.richardson }));
+  return table;
+}
+
+// ---- report
+
+/// Quantities worth a curve: terminal spin, time constant, and the larger part of harmonics 2, 3 and 4.
+std::vector<std::size_t> drawn_quantities(const std::vector<BandedQuantity> &quantities)
+{
+  std::vector<std::size_t> drawn = { index_of(quantities, "omega_terminal"),
+                                     index_of(quantities, "time_constant") };
+  for (const unsigned int n : { 2u, 3u, 4u })
+  {
+    const std::size_t a = index_of(quantities, "a" + std::to_string(n));
+    const std::size_t b = index_of(quantities, "b" + std::to_string(n));
+    const auto size = [&](std::size_t i) { return std::abs(quantities[i].quantity.value); };
+    drawn.push_back(size(a) >= size(b) ? a : b);
+  }
+  return drawn;
+}
+
+/// Relative distances from the limit, without the levels that are at the limit to within rounding.
+ConvergenceSeries series_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
+{
+  const QuantitySequence &sequence = result.quantities[i];
+  const double scale = std::abs(sequence.judged.limit);
+  ConvergenceSeries series = { quantity.name, {}, {}, {} };
+  for (std::size_t l = 0; l < sequence.values.size(); ++l)
+  {
+    const double error = std::abs(sequence.values[l] - sequence.judged.limit);
+    if (error <= quantity.rounding || scale <= quantity.rounding)
+      continue;
+    series.size.push_back(result.axis.levels[l].size);
+    series.error.push_back(error / scale);
+    series.band.push_back(sequence.judged.bands[l] / scale);
+  }
+  return series;
+}
+
+ReportSection axis_section(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+{
+  ReportSection section = { "Refinement: " + result.axis.name, "" };
+  std::vector<ConvergenceSeries> series;
+  for (const std::size_t i : drawn_quantities(quantities))
+    if (ConvergenceSeries curve = series_of(result, i, quantities[i].quantity); !curve.size.empty())
+      series.push_back(std::move(curve));
+  if (series.empty())
+    section.text = "All levels agree to within the tolerances of the contact solver.";
+  else
+    section.plots = { convergence_plot(
+      "converge_" + result.axis.key, "Relative distance from the limit; bars reach up to the error band",
+      { result.axis.size, result.axis.sizes_double }, "relative error", series) };
+  section.tables = { without_zeros(level_table(result, quantities), quantities) };
+  return section;
+}
+
+} // namespace
+
+Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+{
+  const RefinementAxis &axis = result.axis;
+  Table table = { "Values on each level; * the study's own",
+                  { column(quantity::quantity_name.labelled(axis.size), quantities,
+                           [](const BandedQuantity &row) { return row.quantity.name; }) } };
+  for (std::size_t l = 0; l < axis.levels.size(); ++l)
+  {
+    const std::string name = std::to_string(axis.levels[l].size) + (l == axis.own ? " *" : "");
+    table.columns.push_back(
+      column({ "", "", "1", name, name, format::significant<9>, format::significant<8> }, result.quantities,
+             [=](const QuantitySequence &sequence) { return sequence.values.at(l); }));
+  }
+  if (axis.decay == Decay::algebraic)
+    table.columns.push_back(column(quantity::observed_order, result.quantities,
+                                   [](const QuantitySequence &sequence) { return sequence.judged.order; }));
+  table.columns.push_back(column(quantity::error_band, result.quantities,
+                                 [&](const QuantitySequence &sequence)
+                                 { return sequence.judged.bands.at(axis.own); }));
+  return table;
+}
+
+Results convergence_results(const StudyOptions &options, const RefinementResult &result)
+{
+  Results results;
+  results.files = { { "summary.json", "everything, for programs" },
+                    { "error_bands.dat", "values, bands, Richardson values", band_data(result.quantities) },
+                    { "parameters.prm", "the study as it was refined" } };
+  results.report = { "Refinement study of " + std::filesystem::path(options.study_file).filename().string(),
+                     refinement_answer(result),
+                     { error_band_section(result.quantities) } };
+  for (const AxisResult &axis : result.axes)
+  {
+    results.files.push_back({ "converge_" + axis.axis.key + ".dat",
+                              "the values on every level of the " + axis.axis.name,
+                              axis_data(axis, result.quantities) });
+    results.report.sections.push_back(axis_section(axis, result.quantities));
+    Table table = without_zeros(level_table(axis, result.quantities), result.quantities);
+    table.title = axis.axis.name + " (* the study's own)";
+    results.console.push_back({ "", table });
+  }
+  results.report.sections.push_back(file_section(results.files));
+  results.console.push_back({ "", without_zeros(band_table(result.quantities), result.quantities)
+                                    .with("error bands of the study as it is; harmonics not listed are zero",
+                                          { ".quantity", "value", "richardson", "band", "unit" }) });
+  results.console.push_back({ results.report.answer });
+  results.findings = findings_of(result);
+  return results;
+}
+
+} // namespace stemware::pipeline

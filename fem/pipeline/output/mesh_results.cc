@@ -1,0 +1,178 @@
+#include "fem/pipeline/output/mesh_results.h"
+
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text_layout.h"
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
+{
+  const auto found = check.n_faces.find(static_cast<unsigned int>(id));
+  return found == check.n_faces.end() ? 0 : found->second;
+}
+
+/// Faces with ids that mean nothing; they are as free as those without.
+unsigned int n_other_faces(const fem::MeshCheck &check)
+{
+  unsigned int n = 0;
+  for (const auto &[id, count] : check.n_faces)
+    n += id > static_cast<unsigned int>(fem::FootBoundary::contact_zone) ? count : 0;
+  return n;
+}
+
+/// What a mesh is like, line by line: a word, and what there is to say.
+std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
+{
+  const fem::MeshCheck &check = findings.check;
+  using fem::FootBoundary;
+  std::vector<std::vector<std::string>> lines = {
+    { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
+                          check.n_vertices) },
+    { "Box", fmt::format(FMT_STRING("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g} (m)"),
+                         check.lower[0], check.upper[0], check.lower[1], check.upper[1], check.lower[2],
+                         check.upper[2]) },
+    { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
+                           n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
+                           n_faces(check, FootBoundary::free), n_other_faces(check)) },
+    { "Contact",
+      fmt::format(FMT_STRING("r {:.6g} to {:.6g}, z {:.6g} to {:.6g} (m), area {:.6g} m^2"),
+                  check.inner_radius, check.outer_radius, check.lowest, check.highest, check.contact_area) }
+  };
+  if (const auto &report = findings.report)
+    lines.push_back(
+      { "Rim",
+        report->round_rim
+          ? fmt::format(FMT_STRING("round, middle radius {:.6g} m: the cells of the land follow the circles"),
+                        report->rim_radius)
+          : fmt::format(
+              FMT_STRING("not round, middle radius {:.6g} m: straight edges cut off about {:.2g} % of "
+                         "the land"),
+              report->rim_radius, 100 * report->land_area_deficit) });
+  lines.push_back(
+    { "Quality",
+      fmt::format(
+        FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}), {:.3g} on average"),
+        check.least_jacobian, check.worst_place[0], check.worst_place[1], check.worst_place[2],
+        check.mean_jacobian) });
+  for (const std::string &remark : mesh_remarks(findings))
+    lines.push_back({ "Remark", remark });
+  return lines;
+}
+
+nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
+{
+  const fem::MeshCheck &check = findings.check;
+  nlohmann::ordered_json json = {
+    { "mesh", findings.origin },
+    { "cells", check.n_cells },
+    { "vertices", check.n_vertices },
+    { "faces",
+      { { "stem_cut", n_faces(check, fem::FootBoundary::stem_cut) },
+        { "contact_zone", n_faces(check, fem::FootBoundary::contact_zone) },
+        { "free", n_faces(check, fem::FootBoundary::free) },
+        { "other", n_other_faces(check) } } },
+    { "box", { { "lower", check.lower }, { "upper", check.upper } } },
+    { "contact_zone",
+      { { "radii", { check.inner_radius, check.outer_radius } },
+        { "heights", { check.lowest, check.highest } },
+        { "centre", check.centre },
+        { "area", check.contact_area } } },
+    { "scaled_jacobian",
+      { { "least", check.least_jacobian }, { "mean", check.mean_jacobian }, { "at", check.worst_place } } },
+    { "remarks", mesh_remarks(findings) }
+  };
+  if (findings.report)
+    json["rim"] = { { "round", findings.report->round_rim },
+                    { "radius", findings.report->rim_radius },
+                    { "land_area_deficit", findings.report->land_area_deficit } };
+  return json;
+}
+
+} // namespace
+
+Results mesh_results(const MeshFindings &findings, const MeshPictures &pictures,
+                     const std::vector<std::string> &written)
+{
+  const fem::MeshCheck &check = findings.check;
+  std::vector<std::string> answer = { fmt::format(
+    FMT_STRING(
+      "The mesh can be used: {} hexahedra whose scaled Jacobian is {:.3g} at least, a contact zone of "
+      "{:.4g} mm² between radii of {:.4g} and {:.4g} mm."),
+    check.n_cells, check.least_jacobian, 1e6 * check.contact_area, 1e3 * check.inner_radius,
+    1e3 * check.outer_radius) };
+  const std::vector<std::string> remarks = mesh_remarks(findings);
+  answer.insert(answer.end(), remarks.begin(), remarks.end());
+  Results results;
+  results.files = { { "summary.json", "all numbers, for programs" } };
+  results.report = {
+    "Mesh of a foot",
+    joined(answer),
+    { { "What it is like",
+        "",
+        { contact_zone_plot(pictures.contact_faces), quality_plot(pictures.scaled_jacobians) },
+        { words("", { "", "" }, lines_of(findings)) } },
+      file_section(results.files) }
+  };
+  const nlohmann::ordered_json summary = mesh_summary(findings);
+  results.findings.summary = { { "mesh", summary } };
+  results.findings.key_figures = { { "written", written } };
+  results.findings.key_figures.update(summary);
+  return results;
+}
+
+std::string mesh_text(const MeshFindings &findings)
+{
+  std::string text;
+  for (const std::vector<std::string> &line : lines_of(findings))
+    text += wrapped(line[1], fmt::format(FMT_STRING("{:<10}"), line[0])) + '\n';
+  return text;
+}
+
+std::vector<std::string> mesh_remarks(const MeshFindings &findings)
+{
+  constexpr double poor = 0.1;
+  const fem::MeshCheck &check = findings.check;
+  std::vector<std::string> remarks;
+  if (check.least_jacobian < poor)
+    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.least_jacobian) +
+                      ", below 0.1: stresses near it are poor.");
+  if (n_other_faces(check) > 0)
+    remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
+  if (check.outer_radius > 1)
+    remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
+                      " m: is the mesh in metres?");
+  return remarks;
+}
+
+void require_usable(const MeshFindings &findings)
+{
+  const fem::MeshCheck &check = findings.check;
+  const std::string mesh = "The mesh (" + findings.origin + ")";
+  if (check.n_inverted > 0)
+    throw BadInput(fmt::format(
+      FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, {:.4g}, "
+                 "{:.4g}); mesh that place anew."),
+      mesh, check.n_inverted, check.worst_place[0], check.worst_place[1], check.worst_place[2]));
+  if (check.upward_share > 0)
+    throw BadInput(
+      fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % looks up; turn the mesh so that "
+                             "the glass stands upright on it, z upwards."),
+                  mesh, 100 * check.upward_share));
+  const double offset = std::hypot(check.centre[0], check.centre[1]);
+  if (offset > 0.01 * check.outer_radius)
+    throw BadInput(
+      fmt::format(FMT_STRING("{} has its contact zone round ({:.4g}, {:.4g}) m; move it so that the "
+                             "axis of the glass is x = y = 0."),
+                  mesh, check.centre[0], check.centre[1]));
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "fem/contact/pressure_map.h"
+#include "fem/geometry/mesh_quality.h"
+#include "fem/pipeline/analysis/comparison.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/analysis/sweep/sweep_findings.h"
+#include "fem/pipeline/analysis/truncation.h"
+#include "fem/pipeline/output/render/curve_plot.h"
+#include "ring_model/ring_stack.h"
+
+#include <string>
+#include <vector>
+
+/// The plots of the reports.
+namespace stemware::pipeline
+{
+
+/// What a load truncated after @p n of @p n_all harmonics is called in keys.
+std::string truncation_title(unsigned int n, unsigned int n_all);
+
+/// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
+/// and the arc of the rim that carries load according to @p pointwise (sorted by azimuth; empty: the whole
+/// rim where the series is positive).
+Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise);
+
+/// What the harmonics beyond the first add to the load, over a_0.
+Plot higher_harmonics_plot(const ring::RingStack &load);
+
+/// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
+Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
+
+/// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
+/// footprint must have a point under pressure.
+Plot footprint_plot(const fem::Footprint &footprint, double contact_radius);
+
+/// tau_z(omega) of all harmonics and of truncations, with the terminal spins of @p rows, the last of which
+/// has all harmonics.
+Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows,
+                 const std::string &name = "torque");
+
+/// A spin-up to be drawn.
+struct SpinUp
+{
+  std::string title;
+  std::vector<double> omega;  ///< [rad/s], one per time
+  unsigned int line_type = 0; ///< as in Curve
+};
+
+/// omega(t) of several models of one glass.
+Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinUp> &curves,
+                  const std::string &name = "spin_up",
+                  const std::string &caption = "Spin-up of the glass from rest.");
+
+/// How fast the terminal spin approaches that of all harmonics.
+Plot truncation_plot(const std::vector<SpinRow> &rows);
+
+/// As truncation_plot(), of a load truncated both ways, beside the a-priori bound.
+Plot truncation_plot(const TruncationStudy &study);
+
+/// How far omega(t) of each truncation is from that of all harmonics; @p how says how it was truncated.
+Plot deviation_plot(const std::string &name, const std::string &how, const std::vector<double> &time,
+                    const TruncationTable &table);
+
+/// Terminal spins as points, a line of its own for each load, the first on top.
+Plot comparison_plot(const Comparison &comparison);
+
+/// The faces of a mesh's contact zone, seen from above.
+Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces);
+
+/// How many cells of a mesh have which scaled Jacobian.
+Plot quality_plot(const std::vector<double> &jacobians);
+
+/// The plots of a grid: curves over one entry of numbers, one family of curves for each word or each of a
+/// few values of the other, or maps over both. Nothing where both entries are words.
+std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases);
+
+/// The plots of random samples: how the terminal spin and the harmonic effect are distributed, and which
+/// entries they depend on.
+std::vector<Plot> sample_plots(const SweepPlan &plan, const FinishedCases &cases,
+                               const SweepFindings &findings);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,65 @@
+#include "fem/pipeline/output/render/html_page.h"
+#include "fem/pipeline/output/render/table_renderers.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Whether a cell is to be aligned as numbers are: a number, perhaps with its unit behind it, or nothing.
+bool is_number(const std::string &cell)
+{
+  const std::size_t digit = cell.find_first_not_of("+-");
+  return cell.empty() || cell == "–" ||
+         (digit != std::string::npos && digit < 2 && std::isdigit(static_cast<unsigned char>(cell[digit])));
+}
+
+/// A unit that is not broken at the end of a line.
+std::string unbroken(const std::string &unit)
+{
+  std::string text;
+  for (const char letter : unit)
+    text += letter == ' ' ? "\u00a0" : std::string(1, letter);
+  return text;
+}
+
+std::string heading_of(const Quantity &quantity)
+{
+  return with_unit(quantity.heading, unbroken(quantity.unit), false);
+}
+
+} // namespace
+
+std::string html_table(const Table &table)
+{
+  std::string head;
+  std::vector<std::string> rows(table.n_rows());
+  bool has_header = false;
+  for (const Column &column : table.columns)
+  {
+    std::vector<std::string> cells;
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      cells.push_back(shown(column, row, "–"));
+    const std::string type = std::all_of(cells.begin(), cells.end(), is_number) ? " class=\"number\"" : "";
+    const std::string heading = heading_of(column.quantity);
+    has_header = has_header || !heading.empty();
+    head += "<th scope=\"col\"" + type + ">" + html_formula(heading) + "</th>";
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      rows[row] += "<td" + type + ">" + html_formula(cells[row]) + "</td>";
+  }
+  std::string html = "<div class=\"wide\"><table>\n";
+  if (!table.title.empty())
+    html += "<caption>" + html_formula(table.title) + "</caption>\n";
+  if (has_header)
+    html += "<thead><tr>" + head + "</tr>\n</thead>\n";
+  html += "<tbody>\n";
+  for (const std::string &row : rows)
+    html += "<tr>" + row + "</tr>\n";
+  return html + "</tbody>\n</table>\n</div>\n";
+}
+
+} // namespace stemware::pipeline

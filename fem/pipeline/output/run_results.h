@@ -1,0 +1,18 @@
+#pragma once
+
+#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/output/results.h"
+
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands are empty
+/// where they have not been estimated.
+Results run_results(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                    const std::vector<BandedQuantity> &bands);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,212 @@
+#include "fem/pipeline/output/run_tables.h"
+
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/support/numbers.h"
+
+#include <boost/math/constants/constants.hpp>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+std::optional<double> tau_of(const std::optional<RingState> &state)
+{
+  return state ? std::optional(state->friction.torque) : std::nullopt;
+}
+
+std::optional<double> moment_ratio_of(const std::optional<RingState> &state)
+{
+  return state ? std::optional(state->moment_ratio) : std::nullopt;
+}
+
+/// A row of friction_table(), as seen by the ring or by the pressure field.
+struct FrictionRow
+{
+  std::string name;
+  ring::Wrench friction;
+};
+
+FrictionRow resolved(const std::string &name, const fem::ResolvedFriction &friction)
+{
+  return { name, { friction.torque, friction.force_x, friction.force_y } };
+}
+
+} // namespace
+
+Table truncation_table(const std::vector<SpinRow> &rows)
+{
+  const auto with_nan =
+    quantity::relative_change.renamed(quantity::relative_change.name + ", nan where that is 0");
+  return { "The answer with the load cut off after some harmonics",
+           { column(quantity::harmonics, rows, &SpinRow::harmonics),
+             column(quantity::tau_at_rest, rows, [](const SpinRow &row) { return tau_of(row.at_rest); }),
+             column(quantity::omega_terminal, rows, &SpinRow::omega_terminal),
+             column(with_nan, rows, &SpinRow::relative_change),
+             column(quantity::bound, rows, &SpinRow::bound),
+             column(quantity::load_minimum, rows,
+                    [](const SpinRow &row)
+                    { return row.at_rest ? std::optional(row.at_rest->minimum) : std::nullopt; }) } };
+}
+
+Table closure_table(const std::vector<SpinRow> &rows)
+{
+  return {
+    "",
+    { column(quantity::closure, rows, [](const SpinRow &row) { return ring::to_string(row.closure); }),
+      column(quantity::tau_at_rest.with_digits(format::significant<6>), rows,
+             [](const SpinRow &row) { return tau_of(row.at_rest); }),
+      column(quantity::omega_terminal.with_digits(format::all_significant<6>), rows,
+             &SpinRow::omega_terminal),
+      column(
+        quantity::moment_ratio_at_rest.with_digits(format::significant<4>).headed("moment ratio at rest"),
+        rows, [](const SpinRow &row) { return moment_ratio_of(row.at_rest); }),
+      column(
+        quantity::moment_ratio_at_terminal.with_digits(format::significant<4>).headed("at the terminal spin"),
+        rows, [](const SpinRow &row) { return moment_ratio_of(row.at_terminal); }),
+      column(quantity::formal, rows, &SpinRow::pulls),
+      column(Quantity{ ".formal", "", "", "", "" }, rows,
+             [](const SpinRow &row) { return row.pulls() ? "formal" : ""; }) }
+  };
+}
+
+Table contact_table(const FootReport &foot)
+{
+  const fem::ContactSolution &solution = foot.at_rest.solution;
+  nlohmann::ordered_json mesh_summary = nlohmann::ordered_json::object();
+  if (foot.foot.n_cells)
+    mesh_summary["cells"] = *foot.foot.n_cells;
+  if (const auto &mesh = foot.foot.mesh_report)
+    mesh_summary.update({ { "round_rim", mesh->round_rim },
+                          { "rim_radius", mesh->rim_radius },
+                          { "land_area_deficit", mesh->land_area_deficit } });
+  return {
+    "",
+    { single(quantity::body, foot.foot.body), single(quantity::friction_coupling, foot.friction_coupling),
+      single(quantity::outcome, fem::to_string(solution.outcome)), single(quantity::mesh, mesh_summary),
+      single(quantity::cells, foot.foot.n_cells), single(quantity::unknowns, foot.foot.n_unknowns),
+      single(quantity::contact_nodes, foot.foot.n_contact_nodes),
+      single(quantity::loaded_nodes, solution.n_loaded_nodes),
+      single(quantity::nodes_across, solution.n_nodes_across),
+      single(quantity::iterations, solution.n_iterations),
+      single(quantity::linear_iterations, solution.n_linear_iterations),
+      single(quantity::force_residual, solution.force_residual),
+      single(quantity::moment_residual, solution.moment_residual),
+      single(quantity::equilibrium_residual, solution.equilibrium_residual),
+      single(quantity::table_heave, solution.motion(0)), single(quantity::table_tilt_1, solution.motion(1)),
+      single(quantity::table_tilt_2, solution.motion(2)) }
+  };
+}
+
+Table friction_table(const Study &study, const ContactReport &report, const SpinRow &all)
+{
+  const double force = study.motion.orbit.friction_coefficient * report.load.normal_force;
+  const double torque = force * report.load.rings.radius();
+  std::vector<FrictionRow> rows = { { "equivalent ring, at rest", all.at_rest.value().friction },
+                                    { "equivalent ring, at the terminal spin",
+                                      all.at_terminal.value().friction } };
+  if (report.foot)
+  {
+    rows.push_back(resolved("pressure field p(r, θ), at rest", report.foot->friction_at_rest));
+    rows.push_back(
+      resolved("pressure field p(r, θ), at the terminal spin", report.foot->friction_at_terminal));
+  }
+  return {
+    "Friction of the table on the glass",
+    { column(Quantity{ ".name", "", "", "", "" }, rows, &FrictionRow::name),
+      column(
+        quantity::tau_z, rows, [](const FrictionRow &row) { return row.friction.torque; }, 1e-12 * torque),
+      column(
+        quantity::force_x, rows, [](const FrictionRow &row) { return row.friction.force_x; }, 1e-12 * force),
+      column(
+        quantity::force_y, rows, [](const FrictionRow &row) { return row.friction.force_y; }, 1e-12 * force) }
+  };
+}
+
+Table load_table(const ring::RingStack &load)
+{
+  constexpr unsigned int n_intervals = 720;
+  const ring::RingStack first = load.truncated(1);
+  std::vector<double> angles;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    angles.push_back(boost::math::double_constants::two_pi * i / n_intervals);
+  return { "Load on the table round the ring at rest",
+           { column(quantity::theta, angles),
+             column(quantity::lambda_all, angles, [&](double angle) { return load(angle); }),
+             column(quantity::lambda_first, angles, [&](double angle) { return first(angle); }) } };
+}
+
+Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
+{
+  return { "Load on the table round the ring at rest, pointwise: at the azimuths of the contact's lines, 0 "
+           "where they carry none",
+           { column(quantity::theta, pointwise, &fem::AzimuthLoad::azimuth),
+             column(quantity::lambda, pointwise, &fem::AzimuthLoad::density) } };
+}
+
+std::string footprint_text(const fem::Footprint &footprint)
+{
+  std::string text =
+    std::string("# Pressure of the foot on the table at rest, where there is some: ") +
+    (footprint.is_grid ? "a grid, one block for each azimuth" : "points, one block for each contact line") +
+    "\n# 1: r (m)\n# 2: theta (rad)\n# 3: pressure (Pa)\n";
+  for (const auto &cut : footprint.cuts)
+  {
+    for (const fem::FootprintPoint &point : cut)
+      text +=
+        to_text(point.radius) + ' ' + to_text(point.azimuth) + ' ' + to_short_text(point.pressure) + '\n';
+    text += '\n';
+  }
+  return text;
+}
+
+Table torque_table(const TorqueCurve &curve)
+{
+  Table table = { "Friction of the table on the ring against its spin",
+                  { column(quantity::omega, curve.omega), column(quantity::slip_ratio, curve.slip_ratio),
+                    column(quantity::tau_z, curve.friction, &ring::Wrench::torque),
+                    column(quantity::force_x, curve.friction, &ring::Wrench::force_x),
+                    column(quantity::force_y, curve.friction, &ring::Wrench::force_y) } };
+  for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
+    table.columns.push_back(
+      column(quantity::tau_z.renamed("tau_z, harmonics up to " + std::to_string(curve.harmonics[i])),
+             curve.truncations[i]));
+  return table;
+}
+
+Table spin_up_table(const SpinUpCurves &curves, const std::optional<CouplingStatistics> &coupling)
+{
+  std::string title = "Spin-up from rest";
+  if (coupling && coupling->interpolation_error)
+    title += "; columns 3 to 5 from loads interpolated in omega, within " +
+             to_short_text(*coupling->interpolation_error) + " of a_0";
+  return { title,
+           { column(quantity::time, curves.time), column(quantity::omega_adaptive, curves.adaptive),
+             column(quantity::omega_euler, curves.euler),
+             column(quantity::omega_first, curves.first_harmonic),
+             column(quantity::yaw_angle, curves.yaw_angle) } };
+}
+
+Table phase_table(const PhaseStudy &phases)
+{
+  return { "Yaw torque over the phase: where the marks of glass and table stand in the slip frame",
+           { column(quantity::mark_of_glass, phases.phases, &fem::FootPhase::glass),
+             column(quantity::mark_of_table, phases.phases, &fem::FootPhase::table),
+             column(quantity::tau_at_phase, phases.torque_at_rest),
+             column(quantity::tau_at_phase_in_the_long_run, phases.torque_at_terminal) } };
+}
+
+Table history_table(const std::vector<fem::ContactIteration> &history)
+{
+  using Step = fem::ContactIteration;
+  return { "Newton steps of the contact",
+           { column(quantity::step, history, &Step::number),
+             column(quantity::step_active, history, &Step::n_loaded),
+             column(quantity::step_changed, history, &Step::n_changed),
+             column(quantity::step_residual, history, &Step::residual),
+             column(quantity::step_length, history, &Step::step_fraction),
+             column(quantity::step_linear_iterations, history, &Step::linear_iterations) } };
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/output/render/table.h"
+
+#include <string>
+#include <vector>
+
+/// The tables of `run`.
+namespace stemware::pipeline
+{
+
+/// Terminal spin and torque by the number of harmonics.
+Table truncation_table(const std::vector<SpinRow> &rows);
+
+/// A first-harmonic load under each moment balance.
+Table closure_table(const std::vector<SpinRow> &rows);
+
+/// Size of the finite-element system and residuals of the contact at rest: one row.
+Table contact_table(const FootReport &foot);
+
+/// Friction of the table on the glass, on the ring and on the pressure field; values below 1e-12 of mu N and
+/// mu N R are shown as 0. At rest, then at the terminal spin.
+Table friction_table(const Study &study, const ContactReport &report, const SpinRow &all);
+
+/// lambda(theta) at rest, round the ring.
+Table load_table(const ring::RingStack &load);
+
+/// lambda(theta) at rest where the contact was solved.
+Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
+
+/// p(r, theta) as text: one block of rows a cut, blank lines between them, what gnuplot takes for a grid.
+std::string footprint_text(const fem::Footprint &footprint);
+
+/// tau_z, T_x and T_y over the spin.
+Table torque_table(const TorqueCurve &curve);
+
+/// omega(t) from rest.
+Table spin_up_table(const SpinUpCurves &curves, const std::optional<CouplingStatistics> &coupling);
+
+/// The torque over the orientations of glass and table.
+Table phase_table(const PhaseStudy &phases);
+
+/// Newton steps of the contact at rest.
+Table history_table(const std::vector<fem::ContactIteration> &history);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,302 @@
+#include "fem/pipeline/output/sweep_results.h"
+
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/common_sections.h"
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/table_renderers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+template <typename Condition>
+std::vector<QuantityFindings> those(const SweepFindings &findings, Condition condition)
+{
+  std::vector<QuantityFindings> list;
+  std::copy_if(findings.quantities.begin(), findings.quantities.end(), std::back_inserter(list), condition);
+  return list;
+}
+
+bool has_band(const QuantityFindings &about)
+{
+  return about.band.has_value();
+}
+
+/// Whether the tables of the report show it; the harmonics one by one are for sweep.csv.
+bool is_for_people(const QuantityFindings &about)
+{
+  return about.quantity().name.find("/a_0") == std::string::npos;
+}
+
+/// Those that the console shows.
+std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
+{
+  std::vector<QuantityFindings> list;
+  for (const char *name : { "moment ratio", "contact fraction", "torque at rest", "terminal spin",
+                            "terminal spin of the first harmonic alone", "harmonic effect" })
+    if (const QuantityFindings *about = findings.about(name))
+      list.push_back(*about);
+  return list;
+}
+
+// ---- summary.json
+
+Json quantity_summary(const SweepPlan &plan, const QuantityFindings &about)
+{
+  const Table table = statistics_table(plan, { about });
+  Json summary = json_row(table.with("", { "unit", "values", "least", "least_case", "most", "most_case" }));
+  if (about.band)
+    summary["band"] =
+      json_row(table.with("", { "mean", "standard_deviation", "percentile_2.5", "percentile_97.5" }));
+  if (const auto &sensitivity = about.sensitivity)
+  {
+    Json entries = Json::object();
+    for (std::size_t i = 0; i < plan.entries.size(); ++i)
+      entries[plan.entries[i].path] = { { "regression", sensitivity->regression[i] },
+                                        { "first_order", sensitivity->first_order[i] } };
+    summary["sensitivity"] = { { "r_squared", sensitivity->r_squared }, { "entries", entries } };
+  }
+  return summary;
+}
+
+Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
+{
+  Json quantities = Json::object();
+  for (const QuantityFindings &about : found.quantities)
+    quantities[about.quantity().name] = quantity_summary(plan, about);
+  Json sweep = plan_as_json(plan);
+  sweep["failed"] = found.n_failed;
+  Findings findings;
+  findings.summary = { { "sweep", sweep }, { "quantities", quantities } };
+  findings.key_figures = { { "cases", found.n_cases }, { "failed", found.n_failed } };
+  for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
+                                       std::pair("harmonic_effect_percent", "harmonic effect") })
+    if (const QuantityFindings *about = found.about(quantity))
+      findings.key_figures[key] =
+        about->band ? Json{ about->band->lower, about->band->upper } : Json{ about->least, about->most };
+  return findings;
+}
+
+// ---- report
+
+ReportSection plan_section(const SweepPlan &plan)
+{
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+  {
+    const SweptEntry &entry = plan.entries[i];
+    std::string values;
+    if (plan.is_random())
+      values = plan.spreads[i].description();
+    else if (entry.values.size() > 8)
+      values = std::to_string(entry.values.size()) + " values from " + entry.values.front() + " to " +
+               entry.values.back() + (entry.by_factors ? ", by equal factors" : "");
+    else
+      for (const std::string &value : entry.values)
+        values += (values.empty() ? "" : ", ") + value;
+    rows.push_back({ entry.path, entry.unit, values });
+  }
+  return { "The sweep",
+           "",
+           {},
+           { words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows) } };
+}
+
+/// What a quantity depends on, entry by entry.
+Table sensitivity_table(const SweepPlan &plan, const std::string &quantity,
+                        const SampleSensitivity &sensitivity)
+{
+  constexpr double rounding = 5e-4;
+  return { "What the " + quantity + " depends on; the linear fit explains " +
+             format::percent_fixed<1>(sensitivity.r_squared) + " of its variance",
+           { column(quantity::entry, plan.entries, &SweptEntry::path),
+             column(
+               quantity::regression, sensitivity.regression, [](double value) { return value; }, rounding),
+             column(
+               quantity::first_order, sensitivity.first_order, [](double value) { return value; },
+               rounding) } };
+}
+
+ReportSection sample_section(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
+{
+  ReportSection section = {
+    "Bands and sensitivities",
+    fmt::format(
+      FMT_STRING(
+        "Independent samples of all entries (seed {}). The regression coefficients say by how many "
+        "standard deviations the quantity changes with one of the entry, in the best linear fit; "
+        "entries that spread by factors count in the logarithm. The first-order share is the part of "
+        "the variance that would vanish if the entry were known (Sobol's index), estimated from "
+        "neighbours in the order of the entry (Gamboa, Gremaud, Klein and Lagnoux, Bernoulli 28, "
+        "2022); with {} samples it is uncertain by about {:.2f}."),
+      plan.seed, plan.cases.size(), 1 / std::sqrt(static_cast<double>(plan.cases.size()))),
+    sample_plots(plan, cases, findings)
+  };
+  for (const char *quantity : { "terminal spin", "harmonic effect" })
+    if (const QuantityFindings *about = findings.about(quantity); about != nullptr && about->sensitivity)
+      section.tables.push_back(sensitivity_table(plan, quantity, *about->sensitivity));
+  section.tables.push_back(statistics_table(plan, those(findings, [](const QuantityFindings &about)
+                                                        { return has_band(about) && is_for_people(about); }))
+                             .with("Bands of all samples", { ".title", "values", "mean", "standard_deviation",
+                                                             "percentile_2.5", "percentile_97.5" }));
+  return section;
+}
+
+ReportSection grid_section(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
+{
+  return { "What comes out",
+           "",
+           grid_plots(plan, cases),
+           { statistics_table(plan, those(findings, is_for_people))
+               .with("Least and largest values", { ".title", "least", ".at_least", "most", ".at_most" }) } };
+}
+
+ReportSection failure_section(const SweepPlan &plan, const FinishedCases &cases)
+{
+  // Many cases fail for one reason: each is listed once, with the first case that met it.
+  std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
+  for (const auto &[index, result] : cases)
+    if (!result.is_solved())
+      ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
+  std::vector<std::vector<std::string>> rows;
+  for (const auto &[message, place] : reasons)
+    if (rows.size() < 20)
+      rows.push_back({ std::to_string(place.second), values_of_case(plan, place.first), message });
+  return { "Cases that failed",
+           "sweep.csv lists all of them.",
+           {},
+           { words("", { "cases", "first of them", "message" }, rows) } };
+}
+
+std::vector<ResultFile> files_of(const SweepPlan &plan, const FinishedCases &cases,
+                                 const SweepFindings &findings)
+{
+  std::vector<ResultFile> files = { { "sweep.csv", "a row for every case, units in the header",
+                                      case_table(plan, cases) } };
+  if (plan.is_random())
+    files.push_back({ "statistics.csv", "bands and sensitivities of every quantity",
+                      statistics_table(plan, those(findings, has_band))
+                        .with("", { ".quantity", "unit", "values", "mean", "standard_deviation",
+                                    "percentile_2.5", "percentile_97.5", "r_squared", ".sensitivity" }) });
+  files.push_back({ "sweep.json", "how the cases came about", plan_as_json(plan).dump(2) + "\n" });
+  files.push_back({ "summary.json", "all findings, for programs" });
+  files.push_back({ "parameters.prm", "the base study" });
+  files.push_back({ "timings.json", "how long it took" });
+  return files;
+}
+
+} // namespace
+
+Table case_table(const SweepPlan &plan, const FinishedCases &cases)
+{
+  std::vector<std::size_t> indices(plan.cases.size());
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    indices[i] = i;
+  const auto of_case = [&](const Quantity &quantity, auto value)
+  { return column(quantity, indices, [&cases, value](std::size_t i) { return value(cases.at(i)); }); };
+  Table table = { "", { column(quantity::case_number, indices, [](std::size_t i) { return i + 1; }) } };
+  for (std::size_t e = 0; e < plan.entries.size(); ++e)
+    table.columns.push_back(column({ "", plan.entries[e].path, plan.entries[e].unit, "", "" }, plan.cases,
+                                   [=](const std::vector<std::string> &values) { return values.at(e); }));
+  for (std::size_t q = 0; q < sweep_quantities().size(); ++q)
+    table.columns.push_back(of_case({ "", sweep_quantities()[q].name, sweep_quantities()[q].unit, "", "" },
+                                    [=](const CaseResult &result)
+                                    { return result.is_solved() ? result.values.at(q) : std::nullopt; }));
+  table.columns.push_back(
+    of_case(quantity::case_outcome, [](const CaseResult &result) { return result.outcome; }));
+  table.columns.push_back(of_case(quantity::case_status, [](const CaseResult &result)
+                                  { return result.is_solved() ? "ok" : "failed"; }));
+  table.columns.push_back(
+    of_case(quantity::message, [](const CaseResult &result) { return result.message; }));
+  return table;
+}
+
+Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings> &quantities)
+{
+  using Row = QuantityFindings;
+  const auto title = [](const Row &row) { return with_unit(row.quantity().name, row.quantity().unit); };
+  const auto place = [&](std::size_t Row::*index)
+  {
+    return [&plan, index](const Row &row)
+    {
+      const bool is_constant = row.most - row.least <= 1e-9 * std::abs(row.most);
+      return is_constant ? "everywhere" : values_of_case(plan, row.*index);
+    };
+  };
+  const auto band = [](double SampleBand::*value)
+  { return [=](const Row &row) { return row.band ? std::optional(*row.band.*value) : std::nullopt; }; };
+  const auto r_squared = [](const Row &row)
+  { return row.sensitivity ? std::optional(row.sensitivity->r_squared) : std::nullopt; };
+  Table table = {
+    "",
+    { column(quantity::quantity_name, quantities, [](const Row &row) { return row.quantity().name; }),
+      column(quantity::quantity_name.keyed(".title"), quantities, title),
+      column(quantity::unit, quantities, [](const Row &row) { return row.quantity().unit; }),
+      column(quantity::values_found, quantities, &Row::n_values),
+      column(quantity::least, quantities, &Row::least),
+      column(quantity::least_case, quantities, [](const Row &row) { return row.least_case + 1; }),
+      column(quantity::place_of_least, quantities, place(&Row::least_case)),
+      column(quantity::most, quantities, &Row::most),
+      column(quantity::most_case, quantities, [](const Row &row) { return row.most_case + 1; }),
+      column(quantity::place_of_most, quantities, place(&Row::most_case)),
+      column(quantity::mean, quantities, band(&SampleBand::mean)),
+      column(quantity::deviation, quantities, band(&SampleBand::deviation)),
+      column(quantity::percentile_low, quantities, band(&SampleBand::lower)),
+      column(quantity::percentile_high, quantities, band(&SampleBand::upper)),
+      column(quantity::r_squared, quantities, r_squared) }
+  };
+  for (std::size_t e = 0; e < plan.entries.size(); ++e)
+  {
+    const auto share = [=](const std::vector<double> SampleSensitivity::*values)
+    {
+      return [=](const Row &row)
+      { return row.sensitivity ? std::optional((*row.sensitivity.*values).at(e)) : std::nullopt; };
+    };
+    const std::string &path = plan.entries[e].path;
+    table.columns.push_back(
+      column(quantity::regression.keyed(".sensitivity").renamed("regression on " + path), quantities,
+             share(&SampleSensitivity::regression)));
+    table.columns.push_back(
+      column(quantity::first_order.keyed(".sensitivity").renamed("first-order share of " + path), quantities,
+             share(&SampleSensitivity::first_order)));
+  }
+  return table;
+}
+
+Results sweep_results(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
+{
+  Results results;
+  results.files = files_of(plan, cases, findings);
+  results.report = { "Spin of a wine glass in " + std::to_string(plan.cases.size()) +
+                       (plan.is_random() ? " random samples" : " cases"),
+                     sweep_answer(plan, findings),
+                     { plan_section(plan), plan.is_random() ? sample_section(plan, cases, findings)
+                                                            : grid_section(plan, cases, findings) } };
+  if (findings.n_failed > 0)
+    results.report.sections.push_back(failure_section(plan, cases));
+  for (const ReportSection &section : study_sections(plan.base))
+    results.report.sections.push_back(section);
+  results.report.sections.push_back(file_section(results.files));
+  const std::vector<QuantityFindings> main = main_quantities(findings);
+  const bool has_bands = std::any_of(main.begin(), main.end(), has_band);
+  results.console = { { results.report.answer,
+                        statistics_table(plan, main)
+                          .with("", has_bands
+                                      ? std::vector<std::string>{ ".title", "least", "mean", "most",
+                                                                  "standard_deviation", "percentile_2.5",
+                                                                  "percentile_97.5" }
+                                      : std::vector<std::string>{ ".title", "least", "most" }) } };
+  results.findings = findings_of(plan, findings);
+  return results;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,317 @@
+#include "fem/pipeline/output/truncation_results.h"
+
+#include "fem/pipeline/coupling/load_file.h"
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/common_sections.h"
+#include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/table_renderers.h"
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// One number of a row's load at rest, or at its terminal spin; nothing where there is no such load.
+template <typename Value>
+auto of_state(std::optional<RingState> SpinRow::*state, Value value)
+{
+  return [=](const SpinRow &row) -> std::optional<double>
+  {
+    const std::optional<RingState> &present = row.*state;
+    return present ? std::optional<double>(std::invoke(value, *present)) : std::nullopt;
+  };
+}
+
+Json series_at_terminal(const SpinRow &row)
+{
+  if (!row.at_terminal)
+    return nullptr;
+  Json summary = series_summary(row.at_terminal->load);
+  summary["ring_radius"] = row.at_terminal->load.radius();
+  summary["moment_ratio"] = row.at_terminal->moment_ratio;
+  return summary;
+}
+
+/// The table that the answer is about.
+const TruncationTable &main_table(const TruncationStudy &study)
+{
+  return study.self_consistent ? *study.self_consistent : study.frozen;
+}
+
+const std::vector<std::string> console_columns = { "harmonics",       "amplitude",         "omega_terminal",
+                                                   "relative_change", "spin_up_deviation", "bound",
+                                                   "tau_at_rest",     "torque[]",          ".least_load",
+                                                   ".pulls_with" };
+const std::vector<std::string> data_columns = { "harmonics",
+                                                "amplitude",
+                                                "tau_at_rest",
+                                                "omega_terminal",
+                                                "relative_change",
+                                                "spin_up_deviation",
+                                                "spin_up_deviation_at_end",
+                                                "bound",
+                                                ".ring_radius_at_terminal",
+                                                ".moment_ratio_at_terminal",
+                                                "load_minimum",
+                                                "load_minimum_at_terminal",
+                                                "pulling_share",
+                                                "pulling_share_at_terminal",
+                                                "pulls",
+                                                "torque[]" };
+const std::vector<std::string> spin_columns = { "harmonics",
+                                                "amplitude",
+                                                "omega_terminal",
+                                                "relative_change",
+                                                "spin_up_deviation",
+                                                "spin_up_deviation_at_end",
+                                                "bound" };
+const std::vector<std::string> load_columns = { "harmonics",   "tau_at_rest", "torque[]",
+                                                ".least_load", ".pulls_with", ".moment_ratio_at_terminal" };
+
+Findings findings_of(const LoadReport &load, const TruncationStudy &study)
+{
+  const bool balanced = study.self_consistent.has_value();
+  const TruncationTable &best = main_table(study);
+  const auto change_of_first = [](const TruncationTable &table)
+  { return json_number(table.rows.front().relative_change); };
+  Findings findings;
+  findings.summary = { { "load", load_summary(load) },
+                       { "torque_at", study.omega },
+                       { "truncation", json_table(truncation_table(study.frozen, study.omega)) },
+                       { "truncation_self_consistent",
+                         balanced ? json_table(truncation_table(*study.self_consistent, study.omega))
+                                  : Json(nullptr) },
+                       { "why_not_self_consistent", balanced ? Json(nullptr) : Json(study.why_not) } };
+  findings.key_figures = {
+    { "omega_terminal", json_number(best.all().omega_terminal()) },
+    { "omega_terminal_band",
+      study.same_whole_load || !balanced ? json_number(study.frozen.all().band) : Json(nullptr) },
+    { "relative_change_first_harmonic", change_of_first(study.frozen) },
+    { "relative_change_first_harmonic_self_consistent",
+      balanced ? change_of_first(*study.self_consistent) : Json(nullptr) },
+    { "closure_effect", json_number(relative_effect(row_of(study.closures, ring::Closure::paper),
+                                                    row_of(study.closures, ring::Closure::full))) },
+    { "harmonics_for_1e-4", harmonics_enough(best, 1e-4) }
+  };
+  return findings;
+}
+
+// ---- report
+
+/// Spin-ups with 1, 2, 3 and all harmonics, in the colours of torque_plot(), and the paper's.
+std::vector<SpinUp> shown_spin_ups(const TruncationTable &table, const std::vector<double> &paper)
+{
+  const unsigned int n_all = table.all().harmonics;
+  std::vector<SpinUp> curves = { { truncation_title(n_all, n_all), table.all().spin_up, 1 } };
+  for (const SpinRow &row : table.rows)
+    if (row.harmonics <= 3 && row.harmonics < n_all && !row.spin_up.empty())
+      curves.push_back({ truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1 });
+  curves.push_back({ "the paper's model", paper, 7 });
+  return curves;
+}
+
+/// Sentences about rows that lack something.
+std::string reasons(const TruncationTable &table)
+{
+  std::string text;
+  for (const SpinRow &row : table.rows)
+    if (!row.reason.empty())
+      text += fmt::format(FMT_STRING("\n\nWith {} harmonics: {}."), row.harmonics, row.reason);
+  return text;
+}
+
+/// Everything about one way of truncating; @p suffix makes the names of its plots its own.
+ReportSection table_section(const std::string &heading, const std::string &text, const std::string &suffix,
+                            const TruncationStudy &study, const TruncationTable &truncations)
+{
+  const bool in_the_loop = !suffix.empty();
+  ReportSection section = { heading, text + reasons(truncations) };
+  section.plots = { torque_plot(truncations.torque, truncations.rows, "torque" + suffix),
+                    spin_up_plot(study.time, shown_spin_ups(truncations, study.paper), "spin_up" + suffix,
+                                 "Spin-up from rest, n harmonics kept, beside the paper's result.") };
+  if (truncations.rows.size() > 1)
+    section.plots.push_back(deviation_plot("deviation" + suffix,
+                                           in_the_loop ? "truncated in the loop" : "truncated afterwards",
+                                           study.time, truncations));
+  const std::string name = in_the_loop ? "In the loop" : "Afterwards";
+  const Table table = truncation_table(truncations, study.omega);
+  section.tables = { table.with(name + ": the spin", spin_columns),
+                     table.with(name + ": torque and load, the worse of rest and terminal spin",
+                                load_columns) };
+  return section;
+}
+
+ReportSection frozen_section(const TruncationStudy &study)
+{
+  return table_section(
+    "Truncated afterwards (moment unchanged)",
+    std::string(study.same_whole_load
+                  ? "The load of all harmonics loses some of them at every spin. "
+                  : "The load at rest, kept at every spin, loses some of its harmonics. ") +
+      "The torque at rest, μ M_Nx, stays: it lies in the first harmonic. The bound is known before anything "
+      "is solved: μ R Σ |K_n(ε)| √(a_n² + b_n²) over what is left out, at the terminal spin of all "
+      "harmonics. A load that is negative somewhere would have to pull on the table; all harmonics of a foot "
+      "that lifts off still leave a little of that, where their series overshoots.",
+    "", study, study.frozen);
+}
+
+ReportSection balance_section(const TruncationStudy &study)
+{
+  const std::string heading = "Truncated in the loop (moment recomputed)";
+  if (!study.self_consistent)
+    return { heading, study.why_not };
+  if (!study.acts_back)
+    return { heading, "In this moment balance friction does not act back on the load: truncation changes "
+                      "nothing in the balance, and the tables above are these too." };
+  return table_section(
+    heading,
+    "The friction T of the truncated load enters the moment M_N that the table has to provide, M_N the "
+    "contact, and the contact's load is truncated again, at every spin. The first harmonic alone is the "
+    "formal first harmonic on a ring of the contact's radius.",
+    "_self_consistent", study, *study.self_consistent);
+}
+
+ReportSection load_section(const LoadReport &load)
+{
+  return { "The load at rest",
+           fmt::format(
+             FMT_STRING("Moment ratio {:.5g}; the equivalent ring has a radius of {:.6g} m. {:.1f} % of the "
+                        "rim carries load."),
+             load.moment_ratio, load.rings.radius(), 100 * load.contact_fraction),
+           { load_plot(load.rings, load.pointwise), spectrum_plot(load.rings) },
+           { harmonics_table(load.rings) } };
+}
+
+std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &study)
+{
+  const auto data = [&](const TruncationTable &table)
+  {
+    return truncation_table(table, study.omega)
+      .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns);
+  };
+  std::vector<ResultFile> files = {
+    { "summary.json", "all numbers, for programs" },
+    { "parameters.prm", "the study, to be run again" },
+    { "harmonics.dat", "Fourier coefficients of the load at rest; Load/File reads them",
+      load_file_text(load.rings) },
+    { "truncation.dat", "the answer by the number of harmonics, truncated afterwards", data(study.frozen) },
+    { "spin_up.dat", "the spin against time by the number of harmonics, truncated afterwards",
+      spin_up_table(study.time, study.frozen) }
+  };
+  if (study.self_consistent)
+  {
+    files.push_back({ "truncation_self_consistent.dat",
+                      "the answer by the number of harmonics, truncated in the loop",
+                      data(*study.self_consistent) });
+    files.push_back({ "spin_up_self_consistent.dat",
+                      "the spin against time by the number of harmonics, truncated in the loop",
+                      spin_up_table(study.time, *study.self_consistent) });
+  }
+  files.push_back({ "timings.json", "how long it took" });
+  return files;
+}
+
+std::vector<ConsoleBlock> console_of(const std::string &answer, const TruncationStudy &study)
+{
+  const auto block = [&](const std::string &text, const TruncationTable &table) -> ConsoleBlock {
+    return { text, truncation_table(table, study.omega).with("", console_columns) };
+  };
+  std::vector<ConsoleBlock> blocks = { { answer },
+                                       block("Truncated afterwards (moment unchanged):", study.frozen) };
+  if (!study.self_consistent)
+    blocks.push_back({ study.why_not });
+  else if (study.acts_back)
+    blocks.push_back(block("Truncated in the loop (moment recomputed):", *study.self_consistent));
+  return blocks;
+}
+
+} // namespace
+
+Table truncation_table(const TruncationTable &truncations, const std::vector<double> &omega)
+{
+  const auto scientific = &format::scientific_or_zero<2>;
+  const std::vector<SpinRow> &rows = truncations.rows;
+  const SpinRow &all = truncations.all();
+  const double torque_rounding = all.at_rest ? 1e-12 * std::abs(all.at_rest->friction.torque) : 0;
+  constexpr double change_rounding = 1e-11;
+  const double spin_rounding = change_rounding * std::abs(all.omega_terminal().value_or(0));
+  const auto torque = [](const RingState &state) { return state.friction.torque; };
+  const auto radius = [](const RingState &state) { return state.load.radius(); };
+  Table table = { "",
+                  { column(quantity::harmonics, rows, &SpinRow::harmonics),
+                    column(quantity::amplitude, rows, &SpinRow::amplitude),
+                    column(quantity::tau_at_rest.with_digits(format::significant<6>).labelled("tau at 0"),
+                           rows, of_state(&SpinRow::at_rest, torque), torque_rounding) } };
+  for (std::size_t i = 0; i < omega.size(); ++i)
+    table.columns.push_back(column(
+      quantity::torque_at(omega[i]), rows,
+      [=](const SpinRow &row) -> std::optional<double>
+      {
+        const double value = row.torques.at(i); // NaN: no balance
+        return std::isnan(value) ? std::nullopt : std::optional(value);
+      },
+      torque_rounding));
+  const Quantity bound =
+    quantity::bound.renamed(quantity::bound.name + " of all harmonics").with_digits(scientific);
+  const Quantity moment_ratio = quantity::moment_ratio_at_terminal.keyed(".moment_ratio_at_terminal");
+  const std::vector<Column> further = {
+    column(quantity::omega_terminal, rows, &SpinRow::omega_terminal),
+    column(quantity::relative_change, rows, &SpinRow::relative_change, change_rounding),
+    column(quantity::spin_up_deviation, rows, &SpinRow::largest_deviation, spin_rounding),
+    column(quantity::spin_up_deviation_at_end, rows, &SpinRow::final_deviation, spin_rounding),
+    column(bound, rows, &SpinRow::bound),
+    column(quantity::pulls, rows, &SpinRow::pulls),
+    column(quantity::load_minimum, rows, of_state(&SpinRow::at_rest, &RingState::minimum)),
+    column(quantity::pulling_share, rows, of_state(&SpinRow::at_rest, &RingState::pulling_share)),
+    column(quantity::load_minimum_at_terminal, rows, of_state(&SpinRow::at_terminal, &RingState::minimum)),
+    column(quantity::pulling_share_at_terminal, rows,
+           of_state(&SpinRow::at_terminal, &RingState::pulling_share)),
+    column({ "load_at_terminal", "", "", "", "" }, rows, series_at_terminal),
+    column({ "trouble", "", "", "", "" }, rows,
+           [](const SpinRow &row) { return row.reason.empty() ? std::nullopt : std::optional(row.reason); }),
+    column(quantity::ring_radius_at_terminal, rows, of_state(&SpinRow::at_terminal, radius)),
+    column(moment_ratio, rows, of_state(&SpinRow::at_terminal, &RingState::moment_ratio)),
+    column(quantity::least_load, rows, &SpinRow::least_load),
+    column(quantity::pulls_with, rows,
+           [](const SpinRow &row) { return row.pulls() ? std::optional(row.pulling_share()) : std::nullopt; })
+  };
+  table.columns.insert(table.columns.end(), further.begin(), further.end());
+  return table;
+}
+
+Table spin_up_table(const std::vector<double> &time, const TruncationTable &truncations)
+{
+  Table table = { "Spin-up from rest", { column(quantity::time, time) } };
+  for (const SpinRow &row : truncations.rows)
+    if (!row.spin_up.empty())
+      table.columns.push_back(column(
+        quantity::omega.renamed("omega, harmonics up to " + std::to_string(row.harmonics)), row.spin_up));
+  return table;
+}
+
+Results truncation_results(const Study &study, const LoadReport &load, const TruncationStudy &truncations)
+{
+  Results results;
+  results.files = files_of(load, truncations);
+  Report &report = results.report;
+  report = { "How many harmonics of the load matter", truncation_answer(truncations), {} };
+  if (truncations.frozen.all().relative_change && truncations.frozen.rows.size() > 1)
+    report.sections.push_back(
+      { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
+  report.sections.insert(report.sections.end(),
+                         { load_section(load), frozen_section(truncations), balance_section(truncations) });
+  for (const ReportSection &section : study_sections(study))
+    report.sections.push_back(section);
+  report.sections.push_back(file_section(results.files));
+  results.console = console_of(report.answer, truncations);
+  results.findings = findings_of(load, truncations);
+  return results;
+}
+
+} // namespace stemware::pipeline
