@@ -2,7 +2,7 @@
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/output/mesh_report.h"
+#include "fem/pipeline/output/mesh_results.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
@@ -121,16 +121,12 @@ void mesh(const MeshOptions &options)
   // 3. The mesh in files, and the report.
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
-  Findings all = { { { "mesh", mesh_json(findings) } }, { { "written", options.writes } } };
-  all.key_figures.update(mesh_json(findings));
+  const Results results =
+    mesh_results(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) }, options.writes);
   if (folder)
-  {
-    const Report report = mesh_report(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) });
-    folder->write([&](ResultsFolder &owned) { write_report(report, owned.working_folder()); });
-    publish(options.study, study, all, *folder, stopwatch);
-  }
+    publish(options.study, study, results, *folder, stopwatch);
   else if (options.study.json && is_first_rank())
-    print_json(all);
+    print_json(results.findings);
 }
 
 } // namespace

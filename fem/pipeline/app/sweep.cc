@@ -1,16 +1,14 @@
 #include "fem/pipeline/analysis/sweep/case_workers.h"
+#include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/output/sweep_report.h"
-#include "fem/pipeline/output/sweep_table.h"
+#include "fem/pipeline/output/sweep_results.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/text_file.h"
 #include "fem/pipeline/support/work_progress.h"
 
 #include <CLI/CLI.hpp>
@@ -167,28 +165,6 @@ void solve(const SweepPlan &plan, const SharedCases &cases, unsigned int n_threa
   solve_together(plan, for_all, log, std::ref(watch));
 }
 
-void write_tables(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings,
-                  const fs::path &place)
-{
-  write_text_file(place / "sweep.csv", sweep_csv(plan, cases));
-  write_text_file(place / "sweep.json", plan_as_json(plan).dump(2) + "\n");
-  if (plan.is_random())
-    write_text_file(place / "statistics.csv", statistics_csv(plan, findings));
-  write_report(sweep_report(plan, cases, findings), place);
-}
-
-/// The numbers for the last line of --json.
-Json key_figures(const SweepFindings &findings)
-{
-  Json figures = { { "cases", findings.n_cases }, { "failed", findings.n_failed } };
-  for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
-                                       std::pair("harmonic_effect_percent", "harmonic effect") })
-    if (const QuantityFindings *about = findings.about(quantity))
-      figures[key] =
-        about->band ? Json{ about->band->lower, about->band->upper } : Json{ about->least, about->most };
-  return figures;
-}
-
 /// A sweep without a single answer has failed.
 void require_one_solved(const FinishedCases &cases, const SweepFindings &findings)
 {
@@ -229,10 +205,8 @@ void sweep(const SweepOptions &options)
   SharedFolder folder(options.results_place());
   const FinishedCases finished = cases.all();
   const SweepFindings found = find_out(plan, finished);
-  folder.write([&](ResultsFolder &owned) { write_tables(plan, finished, found, owned.working_folder()); });
-  if (is_first_rank())
-    console() << '\n' << wrapped(sweep_answer(plan, found)) << "\n\n" << findings_table(found) << std::endl;
-  publish(options, plan.base, { findings_as_json(plan, found), key_figures(found) }, folder, stopwatch);
+  const Results results = is_first_rank() ? sweep_results(plan, finished, found) : Results();
+  publish(options, plan.base, results, folder, stopwatch);
   cases.remove();
   require_one_solved(finished, found);
 }

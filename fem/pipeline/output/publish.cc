@@ -70,12 +70,18 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
 
 } // namespace
 
-void publish(const StudyOptions &options, const std::optional<Study> &study, const Findings &findings,
+void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
              SharedFolder &folder, Stopwatch &stopwatch)
 {
-  folder.write([&](ResultsFolder &owned) { write_and_publish(options, study, findings, stopwatch, owned); });
+  folder.write(
+    [&](ResultsFolder &owned)
+    {
+      write_results(results, owned.working_folder(), stopwatch);
+      write_and_publish(options, study, results.findings, stopwatch, owned);
+    });
   if (!is_first_rank())
     return;
+  console() << console_text(results);
   const fs::path place = options.results_place();
   const fs::path report = place / "report.html";
   const bool has_report = fs::exists(report);
@@ -89,7 +95,7 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, con
                 { "results", place.string() },
                 { "summary", (place / "summary.json").string() },
                 { "report", has_report ? Json(report.string()) : Json(nullptr) } };
-  line.update(findings.key_figures);
+  line.update(results.findings.key_figures);
   std::cout << line.dump() << std::endl;
 }
 

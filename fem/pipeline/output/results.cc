@@ -51,6 +51,10 @@ void write_results(const Results &results, const std::filesystem::path &folder, 
   for (const ResultFile &file : results.files)
     if (!std::holds_alternative<std::monostate>(file.content))
       write_text_file(folder / file.name, text_of(file));
+  if (!results.fields.empty())
+    std::filesystem::create_directory(folder / "fields");
+  for (const fem::FieldFile &field : results.fields)
+    write_text_file(folder / "fields" / field.name, field.text);
   stopwatch.finish("tables");
   write_report(results.report, folder);
   stopwatch.finish("report");

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "fem/pipeline/output/publish.h"
+#include "fem/contact/foot.h"
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/output/render/table.h"
+#include "fem/pipeline/support/stopwatch.h"
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -12,6 +15,21 @@
 
 namespace stemware::pipeline
 {
+
+/// A number of summary.json, or null where there is none.
+inline nlohmann::ordered_json number_or_null(const std::optional<double> &value)
+{
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+/// What a verb has found out, as programs read it. SI units, or those of the study.
+struct Findings
+{
+  /// The verb's own parts of summary.json, which stand between "parameters" and "files".
+  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
+  /// The few numbers of the last line of --json.
+  nlohmann::ordered_json key_figures = nlohmann::ordered_json::object();
+};
 
 /// A file of the results folder.
 struct ResultFile
@@ -35,13 +53,14 @@ struct Results
   Report report;
   std::vector<ResultFile> files;
   std::vector<ConsoleBlock> console;
-  Findings findings; ///< for publish()
+  std::vector<fem::FieldFile> fields = {}; ///< for fields/
+  Findings findings;                       ///< for summary.json and --json
 };
 
 /// The "Files" at the end of a report: those of @p files that have a description.
 ReportSection file_section(const std::vector<ResultFile> &files);
 
-/// Writes the files with content, then report.html and its plots, into @p folder. Ends the stages "tables"
+/// Writes the files with content and the fields, then report.html and its plots, into @p folder. Ends the stages "tables"
 /// and "report" of @p stopwatch. Throws OutputFailure. One rank only.
 void write_results(const Results &results, const std::filesystem::path &folder, Stopwatch &stopwatch);
 

@@ -151,7 +151,7 @@ std::vector<double> spectrum_band(const std::vector<BandedQuantity> &bands, unsi
   if (bands.empty())
     return {};
   std::vector<double> widths(n_harmonics + 1, 0);
-  for (unsigned int n = 1; n <= std::min(n_harmonics, n_followed_harmonics); ++n)
+  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
     widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
                            band_of(bands, "b" + std::to_string(n)).value());
   return widths;
@@ -305,6 +305,8 @@ Results run_results(const Study &study, const ContactReport &report, const SpinS
                                                  "relative_change", "bound", "load_minimum" }) }
   };
   results.findings = findings_of(study, report, spin, bands);
+  if (report.foot)
+    results.fields = report.foot->fields;
   return results;
 }
 

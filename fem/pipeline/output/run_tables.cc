@@ -191,8 +191,8 @@ Table spin_up_table(const SpinUpCurves &curves, const std::optional<CouplingStat
 Table phase_table(const PhaseStudy &phases)
 {
   return { "Yaw torque over the phase: where the marks of glass and table stand in the slip frame",
-           { column(quantity::mark_of_glass, phases.phases, &fem::FootPhase::glass),
-             column(quantity::mark_of_table, phases.phases, &fem::FootPhase::table),
+           { column(quantity::mark_of_glass, phases.phases, &ring::Orientation::glass),
+             column(quantity::mark_of_table, phases.phases, &ring::Orientation::table),
              column(quantity::tau_at_phase, phases.torque_at_rest),
              column(quantity::tau_at_phase_in_the_long_run, phases.torque_at_terminal) } };
 }
