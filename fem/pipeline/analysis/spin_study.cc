@@ -175,11 +175,11 @@ SpinStudy study_spin(const BalancedLoad &load, const Study &study)
   result.rows = truncation_rows(load, motion);
   for (SpinRow &row : result.rows)
     row.closure = study.motion.closure;
+  if (load.phases())
+    result.phases = study_phases(*load.phases(), result.all(), motion);
   result.closures = closure_rows(study);
   result.torque = torque_curve(load, motion);
   result.spin_up = spin_up_curves(load, study, result.rows);
-  if (load.phases())
-    result.phases = study_phases(*load.phases(), result.all(), motion);
   return result;
 }
 
