@@ -29,8 +29,7 @@ std::string unit_of(const StudyEntry &entry)
   return entry.unit == "1" ? "" : entry.unit;
 }
 
-} // namespace
-
+/// What was asked for: the entries that differ from the defaults, and all of them in a folded section.
 std::vector<ReportSection> study_sections(const Study &study)
 {
   Study given = study, usual;
@@ -52,6 +51,15 @@ std::vector<ReportSection> study_sections(const Study &study)
   everything.tables = { words("", { "entry", "value", "unit", "meaning" }, all) };
   everything.folded = true;
   return { differences, everything };
+}
+
+} // namespace
+
+void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files)
+{
+  for (const ReportSection &section : study_sections(study))
+    report.sections.push_back(section);
+  report.sections.push_back(file_section(files));
 }
 
 Table harmonics_table(const ring::RingStack &load)
@@ -129,7 +137,7 @@ ReportSection error_band_section(const std::vector<BandedQuantity> &bands)
     "mass; stemware sweep --random does.",
     {},
     { band_table(listed).with("The study as it is; harmonics not listed are zero",
-                              { ".quantity", "value", "band", "richardson", "unit" }) }
+                              "quantity value band richardson unit") }
   };
 }
 

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/output/results.h"
 #include "fem/pipeline/study/study.h"
 
 #include <nlohmann/json.hpp>
@@ -13,9 +13,9 @@
 namespace stemware::pipeline
 {
 
-/// What was asked for, for the end of any verb's report: the entries that differ from the defaults, and all
-/// of them in a folded section.
-std::vector<ReportSection> study_sections(const Study &study);
+/// The end of a report: the entries of the study that differ from the defaults, all of them in a folded
+/// section, and the files.
+void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files);
 
 /// The first harmonics of a load over its mean.
 Table harmonics_table(const ring::RingStack &load);

@@ -5,6 +5,7 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/output/spin_table.h"
 
 #include <algorithm>
 
@@ -14,6 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
+using Json = nlohmann::ordered_json;
 using ring::Closure;
 constexpr Closure closures[] = { Closure::paper, Closure::hand, Closure::full };
 
@@ -31,15 +33,6 @@ std::string load_title(const SpinRow &row, const std::string &at_most)
   return row.load + (row.all_harmonics ? ", all" : ", n " + at_most + " " + std::to_string(row.harmonics));
 }
 
-/// A text that stays on one line: with no-break spaces.
-std::string on_one_line_of_html(const std::string &text)
-{
-  std::string result;
-  for (const char letter : text)
-    result += letter == ' ' ? "\u00a0" : std::string(1, letter);
-  return result;
-}
-
 std::vector<SpinRow> rows_of(const Comparison &comparison, Closure closure)
 {
   std::vector<SpinRow> rows;
@@ -55,56 +48,40 @@ Findings findings_of(const Comparison &comparison)
   const SpinRow *full = comparison.find(Closure::full, compared_load::first_harmonic);
   const auto effect = [](const SpinRow *from, const SpinRow *to)
   { return json_number(relative_effect(from, to)); };
+  const Json rows = json_table(
+    spin_table(comparison.rows)
+      .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
+                "omega_terminal_band difference_to_paper load_minimum_at_terminal "
+                "contact_fraction_at_terminal state message"));
   Findings findings;
   findings.key_figures = {
     { "closure_effect", effect(paper, full) },
     { "harmonic_effect_closure_paper", effect(paper, comparison.find(Closure::paper, load)) },
     { "harmonic_effect_closure_full", effect(full, comparison.find(Closure::full, load)) }
   };
-  findings.summary = { { "effects", findings.key_figures },
-                       { "comparison", json_table(comparison_table(comparison.rows)) } };
+  findings.summary = { { "effects", findings.key_figures }, { "comparison", rows } };
   return findings;
 }
 
 /// Terminal spins: loads and truncations down, moment balances along; down a column what the harmonics do,
-/// along a row what the moment balances do.
-Table overview_table(const Comparison &comparison)
+/// along a row what the moment balances do. A spin is followed by @p formal where the load pulls.
+Table overview_table(const Comparison &comparison, const std::string &at_most, const std::string &formal)
 {
+  const std::string blanks(formal.size(), ' ');
   Table table = { "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
                   { column(quantity::load, rows_of(comparison, Closure::paper),
-                           [](const SpinRow &row) { return on_one_line_of_html(load_title(row, "≤")); }) } };
+                           [&](const SpinRow &row) { return load_title(row, at_most); }) } };
   for (const Closure closure : closures)
   {
     const std::vector<SpinRow> rows = rows_of(comparison, closure);
-    table.columns.push_back(column({ "", "", "", ring::to_string(closure), "" }, rows,
-                                   [](const SpinRow &row)
+    const std::string name = ring::to_string(closure);
+    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)" + blanks), rows,
+                                   [&](const SpinRow &row)
                                    {
                                      if (!row.omega_terminal())
-                                       return on_one_line_of_html(to_string(row.standing));
+                                       return (row.standing == Standing::tips ? "tips" : "none") + blanks;
                                      return format::all_significant<6>(*row.omega_terminal()) +
-                                            (row.standing == Standing::formal ? " (formal)" : "");
-                                   }));
-    table.columns.push_back(column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper));
-  }
-  return table;
-}
-
-/// overview_table() for the console: "f" marks formal loads.
-Table console_overview(const Comparison &comparison)
-{
-  Table table = { "",
-                  { column(quantity::load, rows_of(comparison, Closure::paper),
-                           [](const SpinRow &row) { return load_title(row, "<="); }) } };
-  for (const Closure closure : closures)
-  {
-    const std::vector<SpinRow> rows = rows_of(comparison, closure);
-    table.columns.push_back(column({ "", "", "1", "", ring::to_string(closure) + "\n(rad/s)  " }, rows,
-                                   [](const SpinRow &row) -> std::string
-                                   {
-                                     if (!row.omega_terminal())
-                                       return row.standing == Standing::tips ? "tips  " : "none  ";
-                                     return format::all_significant<6>(*row.omega_terminal()) +
-                                            (row.standing == Standing::formal ? " f" : "  ");
+                                            (row.standing == Standing::formal ? formal : blanks);
                                    }));
     table.columns.push_back(column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper));
   }
@@ -115,14 +92,12 @@ Table console_overview(const Comparison &comparison)
 Table closure_table(const Comparison &comparison, Closure closure)
 {
   const std::vector<SpinRow> rows = rows_of(comparison, closure);
-  Table table =
-    comparison_table(rows).with("Closure " + ring::to_string(closure),
-                                { "load", "tau_at_rest", "moment_ratio_at_rest", "omega_terminal",
-                                  "load_minimum_at_terminal", "contact_fraction_at_terminal", "state" });
-  table.columns.front() = column(
-    quantity::load, rows, [](const SpinRow &row) { return on_one_line_of_html(load_title(row, "≤")); });
-  table.columns.back() = column(
-    quantity::state, rows, [](const SpinRow &row) { return on_one_line_of_html(to_string(row.standing)); });
+  Table table = spin_table(rows).with("Closure " + ring::to_string(closure),
+                                      "load tau_at_rest moment_ratio_at_rest omega_terminal "
+                                      "load_minimum_at_terminal contact_fraction_at_terminal state");
+  table["omega_terminal"].digits = format::significant<7>;
+  table.columns.front() =
+    column(quantity::load, rows, [](const SpinRow &row) { return load_title(row, "≤"); });
   return table;
 }
 
@@ -136,7 +111,7 @@ ReportSection overview_section(const Comparison &comparison)
     "the rigid rims coincide with the first row, whatever they stand on. Formal: the load, or what is "
     "left of it, would have to pull on the table.",
     { comparison_plot(comparison) },
-    { overview_table(comparison) }
+    { overview_table(comparison, "≤", " (formal)") }
   };
 }
 
@@ -158,8 +133,10 @@ ReportSection table_section(const Comparison &comparison)
 
 std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison &comparison)
 {
+  Table overview = overview_table(comparison, "<=", " f");
+  overview.title = "";
   std::vector<ConsoleBlock> blocks = {
-    { answer }, { "Terminal spin by load, harmonics kept and moment balance:", console_overview(comparison) }
+    { answer }, { "Terminal spin by load, harmonics kept and moment balance:", overview }
   };
   if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
                   [](const SpinRow &row)
@@ -177,54 +154,23 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison
 
 } // namespace
 
-Table comparison_table(const std::vector<SpinRow> &rows)
-{
-  const auto at_rest = [](auto value)
-  {
-    return [=](const SpinRow &row)
-    { return row.at_rest ? std::optional<double>(value(*row.at_rest)) : std::nullopt; };
-  };
-  return { "",
-           { column(quantity::closure, rows, [](const SpinRow &row) { return ring::to_string(row.closure); }),
-             column(quantity::load, rows, &SpinRow::load),
-             column(quantity::harmonics.in_units(""), rows, &SpinRow::harmonics),
-             column(quantity::all_harmonics, rows, &SpinRow::all_harmonics),
-             column(quantity::tau_at_rest, rows,
-                    at_rest([](const RingState &state) { return state.friction.torque; })),
-             column(quantity::moment_ratio_at_rest, rows,
-                    at_rest([](const RingState &state) { return state.moment_ratio; })),
-             column(quantity::omega_terminal.with_digits(format::significant<7>), rows,
-                    &SpinRow::omega_terminal),
-             column(quantity::omega_terminal_band, rows, &SpinRow::band),
-             column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper),
-             column(quantity::load_minimum_at_terminal.renamed("least load at terminal omega"), rows,
-                    [](const SpinRow &row)
-                    { return row.at_terminal ? std::optional(row.at_terminal->minimum) : std::nullopt; }),
-             column(quantity::contact_fraction_at_terminal, rows, &SpinRow::contact_fraction),
-             column(quantity::state, rows, [](const SpinRow &row) { return to_string(row.standing); }),
-             column(quantity::message, rows,
-                    [](const SpinRow &row)
-                    { return row.reason.empty() ? std::nullopt : std::optional(row.reason); }) } };
-}
-
 Results comparison_results(const Study &study, const Comparison &comparison)
 {
+  Table csv = spin_table(comparison.rows)
+                .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "
+                          "omega_terminal difference_to_paper load_minimum_at_terminal "
+                          "contact_fraction_at_terminal state message");
+  csv["harmonics"].unit = "";
+  csv["load_minimum_at_terminal"].name = "least load at terminal omega";
   Results results;
-  results.files = { { "compare.csv", "all rows",
-                      comparison_table(comparison.rows)
-                        .with("", { "closure", "load", "harmonics", "all_harmonics", "tau_at_rest",
-                                    "moment_ratio_at_rest", "omega_terminal", "difference_to_paper",
-                                    "load_minimum_at_terminal", "contact_fraction_at_terminal", "state",
-                                    "message" }) },
+  results.files = { { "compare.csv", "all rows", csv },
                     { "summary.json", "all numbers, for programs" },
                     { "parameters.prm", "the study, to be run again" },
                     { "timings.json", "how long it took" } };
   results.report = { "What changes the spin of a wine glass",
                      comparison_answer(comparison),
                      { overview_section(comparison), table_section(comparison) } };
-  for (const ReportSection &section : study_sections(study))
-    results.report.sections.push_back(section);
-  results.report.sections.push_back(file_section(results.files));
+  add_closing_sections(results.report, study, results.files);
   results.console = console_of(results.report.answer, comparison);
   results.findings = findings_of(comparison);
   return results;

@@ -60,9 +60,7 @@ Findings findings_of(const RefinementResult &result)
     axes[axis.axis.key] = axis_as_json(axis, result.quantities);
   findings.summary = {
     { "refinement", axes },
-    { "error_bands",
-      json_by_name(
-        band_table(result.quantities).with("", { ".key", "value", "band", "unit", "richardson" })) }
+    { "error_bands", json_by_name(band_table(result.quantities).with("", "key value band unit richardson")) }
   };
   const BandedQuantity &spin = result.quantities[index_of(result.quantities, "omega_terminal")];
   findings.key_figures = { { "omega_terminal", spin.quantity.value }, { "omega_terminal_band", spin.band } };
@@ -75,8 +73,7 @@ Findings findings_of(const RefinementResult &result)
 Table axis_data(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   Table table = { "Refinement of the " + result.axis.name,
-                  { column({ "", result.axis.size, "1", "", "" }, result.axis.levels,
-                           &RefinementLevel::size) } };
+                  { column(Quantity("", result.axis.size), result.axis.levels, &RefinementLevel::size) } };
   for (std::size_t i = 0; i < quantities.size(); ++i)
     table.columns.push_back(
       numbers(quantities[i].quantity.name, quantities[i].quantity.unit, result.quantities[i].values));
@@ -151,14 +148,14 @@ Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &q
 {
   const RefinementAxis &axis = result.axis;
   Table table = { "Values on each level; * the study's own",
-                  { column(quantity::quantity_name.labelled(axis.size), quantities,
+                  { column(quantity::quantity_name.with(&Quantity::label, axis.size), quantities,
                            [](const BandedQuantity &row) { return row.quantity.name; }) } };
   for (std::size_t l = 0; l < axis.levels.size(); ++l)
   {
     const std::string name = std::to_string(axis.levels[l].size) + (l == axis.own ? " *" : "");
     table.columns.push_back(
-      column({ "", "", "1", name, name, format::significant<9>, format::significant<8> }, result.quantities,
-             [=](const QuantitySequence &sequence) { return sequence.values.at(l); }));
+      column(Quantity("", "", "1", name, name, format::significant<9>, format::significant<8>),
+             result.quantities, [=](const QuantitySequence &sequence) { return sequence.values.at(l); }));
   }
   if (axis.decay == Decay::algebraic)
     table.columns.push_back(column(quantity::observed_order, result.quantities,
@@ -191,7 +188,7 @@ Results convergence_results(const StudyOptions &options, const RefinementResult 
   results.report.sections.push_back(file_section(results.files));
   results.console.push_back({ "", without_zeros(band_table(result.quantities), result.quantities)
                                     .with("error bands of the study as it is; harmonics not listed are zero",
-                                          { ".quantity", "value", "richardson", "band", "unit" }) });
+                                          "quantity value richardson band unit") });
   results.console.push_back({ results.report.answer });
   results.findings = findings_of(result);
   return results;

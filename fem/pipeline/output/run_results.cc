@@ -7,6 +7,7 @@
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/output/run_tables.h"
+#include "fem/pipeline/output/spin_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,41 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+
+constexpr char truncation_title_of_tables[] = "The answer with the load cut off after some harmonics";
+/// Terminal spin and torque by the number of harmonics.
+Table truncation_table(const SpinStudy &spin)
+{
+  return spin_table(spin.rows).with(
+    "", "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
+}
+
+/// A first-harmonic load under each moment balance.
+Table closure_table(const SpinStudy &spin)
+{
+  Table table = spin_table(spin.closures)
+                  .with("A first-harmonic load in balance at every spin",
+                        "closure tau_at_rest omega_terminal moment_ratio_at_rest moment_ratio_at_terminal "
+                        "formal");
+  table["tau_at_rest"].digits = format::significant<6>;
+  table["omega_terminal"].digits = format::all_significant<6>;
+  table["moment_ratio_at_rest"].digits = table["moment_ratio_at_terminal"].digits = format::significant<4>;
+  table["moment_ratio_at_rest"].heading = "moment ratio at rest";
+  table["moment_ratio_at_terminal"].heading = "at the terminal spin";
+  return table;
+}
+
 // ---- summary.json
+
+/// "closures": by name.
+Json closure_summary(const SpinStudy &spin)
+{
+  Table table =
+    spin_table(spin.closures)
+      .with("", "closure tau_at_rest omega_terminal moment_ratio_at_rest moment_ratio_at_terminal pulls");
+  table["pulls"].key = "formal";
+  return json_by_name(table);
+}
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
@@ -68,7 +103,7 @@ Json resolved_summary(const ContactReport &report, const Table &friction)
     return nullptr;
   const auto row = [&](std::size_t field, std::size_t ring)
   {
-    const Table numbers = friction.with("", { "torque", "force[]" });
+    const Table numbers = friction.with("", "torque force[]");
     Json object = json_row(numbers, field);
     const Json on_ring = json_row(numbers, ring);
     object["ring_torque"] = on_ring["torque"];
@@ -88,11 +123,10 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                        { "coupling", coupling_summary(report.coupling) },
                        { "waviness", waviness_summary(spin.phases) },
                        { "resolved", resolved_summary(report, friction_table(study, report, spin.all())) },
-                       { "truncation", json_table(truncation_table(spin.rows)) },
-                       { "closures", json_by_name(closure_table(spin.closures)) } };
+                       { "truncation", json_table(truncation_table(spin)) },
+                       { "closures", closure_summary(spin) } };
   if (!bands.empty())
-    findings.summary["error_bands"] =
-      json_by_name(band_table(bands).with("", { ".key", "value", "band", "unit" }));
+    findings.summary["error_bands"] = json_by_name(band_table(bands).with("", "key value band unit"));
   const SpinRow &first = spin.rows.front();
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
                            { "omega_terminal", spin.all().omega_terminal().value() },
@@ -206,12 +240,14 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
 
 ReportSection truncation_section(const SpinStudy &spin)
 {
+  Table truncations = truncation_table(spin);
+  truncations.title = truncation_title_of_tables;
   return { "Fewer harmonics",
            "The torque at rest is that of the first harmonic. The terminal spin is that of the ring under "
            "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
            "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
            { truncation_plot(spin.rows) },
-           { truncation_table(spin.rows) } };
+           { truncations } };
 }
 
 ReportSection closure_section(const SpinStudy &spin)
@@ -221,28 +257,27 @@ ReportSection closure_section(const SpinStudy &spin)
            "takes the whole force of the hand, closure full adds the moment of the friction about the centre "
            "of mass. A formal load would have to pull on the table.",
            {},
-           { closure_table(spin.closures)
-               .with("A first-harmonic load in balance at every spin",
-                     { "closure", "tau_at_rest", "omega_terminal", "moment_ratio_at_rest",
-                       "moment_ratio_at_terminal", ".formal" }) } };
+           { closure_table(spin) } };
 }
 
 ReportSection contact_section(const Study &study, const FootReport &foot)
 {
-  std::vector<std::string> keys = { "body" };
+  Table numbers = contact_table(foot).with(
+    "", "body unknowns contact_nodes loaded_nodes nodes_across outcome iterations force_residual "
+        "moment_residual equilibrium_residual table_motion[]");
   if (foot.foot.n_cells)
-    keys.push_back(".cells");
-  keys.insert(keys.end(),
-              { "unknowns", "contact_nodes", "loaded_nodes", "nodes_across", "outcome", "iterations",
-                "force_residual", "moment_residual", "equilibrium_residual", "table_motion[]" });
+    numbers.columns.insert(numbers.columns.begin() + 1, single(quantity::cells, *foot.foot.n_cells));
   return { "The contact at rest",
            narrow_contact_remark(study, foot),
            { footprint_plot(foot.footprint, study.glass.profile.contact_radius) },
-           { as_list(contact_table(foot).with("", keys)) } };
+           { as_list(numbers) } };
 }
 
 std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &spin)
 {
+  Table truncations = truncation_table(spin);
+  truncations.title = truncation_title_of_tables;
+  truncations["relative_change"].name += ", nan where that is 0";
   std::vector<ResultFile> files = {
     { "summary.json", "all numbers, for programs" },
     { "parameters.prm", "the study, to be run again" },
@@ -250,7 +285,7 @@ std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &s
     { "harmonics.dat", "its Fourier coefficients; Load/File reads them", load_file_text(report.load.rings) },
     { "torque.dat", "τ_z, T_x, T_y against the spin", torque_table(spin.torque) },
     { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
-    { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncation_table(spin.rows) }
+    { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations }
   };
   if (spin.phases)
     files.push_back({ "phases.dat", "τ_z by the orientation of glass and table", phase_table(*spin.phases) });
@@ -284,9 +319,7 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
     report.sections.push_back(contact_section(study, *contact.foot));
   if (!bands.empty())
     report.sections.push_back(error_band_section(bands));
-  for (const ReportSection &section : study_sections(study))
-    report.sections.push_back(section);
-  report.sections.push_back(file_section(files));
+  add_closing_sections(report, study, files);
   return report;
 }
 
@@ -298,12 +331,10 @@ Results run_results(const Study &study, const ContactReport &report, const SpinS
   Results results;
   results.files = files_of(report, spin);
   results.report = report_of(study, report, spin, bands, results.files);
-  results.console = {
-    { joined({ results.report.answer, lift_off_remark(report.load), narrow_contact_remark(study, report.foot),
-               waviness_remark(study, spin.phases) }) },
-    { "", truncation_table(spin.rows).with("", { "harmonics", "tau_at_rest", "omega_terminal",
-                                                 "relative_change", "bound", "load_minimum" }) }
-  };
+  results.console = { { joined({ results.report.answer, lift_off_remark(report.load),
+                                 narrow_contact_remark(study, report.foot),
+                                 waviness_remark(study, spin.phases) }) },
+                      { "", truncation_table(spin) } };
   results.findings = findings_of(study, report, spin, bands);
   if (report.foot)
     results.fields = report.foot->fields;

@@ -11,16 +11,6 @@ namespace stemware::pipeline
 namespace
 {
 
-std::optional<double> tau_of(const std::optional<RingState> &state)
-{
-  return state ? std::optional(state->friction.torque) : std::nullopt;
-}
-
-std::optional<double> moment_ratio_of(const std::optional<RingState> &state)
-{
-  return state ? std::optional(state->moment_ratio) : std::nullopt;
-}
-
 /// A row of friction_table(), as seen by the ring or by the pressure field.
 struct FrictionRow
 {
@@ -34,42 +24,6 @@ FrictionRow resolved(const std::string &name, const fem::ResolvedFriction &frict
 }
 
 } // namespace
-
-Table truncation_table(const std::vector<SpinRow> &rows)
-{
-  const auto with_nan =
-    quantity::relative_change.renamed(quantity::relative_change.name + ", nan where that is 0");
-  return { "The answer with the load cut off after some harmonics",
-           { column(quantity::harmonics, rows, &SpinRow::harmonics),
-             column(quantity::tau_at_rest, rows, [](const SpinRow &row) { return tau_of(row.at_rest); }),
-             column(quantity::omega_terminal, rows, &SpinRow::omega_terminal),
-             column(with_nan, rows, &SpinRow::relative_change),
-             column(quantity::bound, rows, &SpinRow::bound),
-             column(quantity::load_minimum, rows,
-                    [](const SpinRow &row)
-                    { return row.at_rest ? std::optional(row.at_rest->minimum) : std::nullopt; }) } };
-}
-
-Table closure_table(const std::vector<SpinRow> &rows)
-{
-  return {
-    "",
-    { column(quantity::closure, rows, [](const SpinRow &row) { return ring::to_string(row.closure); }),
-      column(quantity::tau_at_rest.with_digits(format::significant<6>), rows,
-             [](const SpinRow &row) { return tau_of(row.at_rest); }),
-      column(quantity::omega_terminal.with_digits(format::all_significant<6>), rows,
-             &SpinRow::omega_terminal),
-      column(
-        quantity::moment_ratio_at_rest.with_digits(format::significant<4>).headed("moment ratio at rest"),
-        rows, [](const SpinRow &row) { return moment_ratio_of(row.at_rest); }),
-      column(
-        quantity::moment_ratio_at_terminal.with_digits(format::significant<4>).headed("at the terminal spin"),
-        rows, [](const SpinRow &row) { return moment_ratio_of(row.at_terminal); }),
-      column(quantity::formal, rows, &SpinRow::pulls),
-      column(Quantity{ ".formal", "", "", "", "" }, rows,
-             [](const SpinRow &row) { return row.pulls() ? "formal" : ""; }) }
-  };
-}
 
 Table contact_table(const FootReport &foot)
 {
@@ -85,7 +39,7 @@ Table contact_table(const FootReport &foot)
     "",
     { single(quantity::body, foot.foot.body), single(quantity::friction_coupling, foot.friction_coupling),
       single(quantity::outcome, fem::to_string(solution.outcome)), single(quantity::mesh, mesh_summary),
-      single(quantity::cells, foot.foot.n_cells), single(quantity::unknowns, foot.foot.n_unknowns),
+      single(quantity::unknowns, foot.foot.n_unknowns),
       single(quantity::contact_nodes, foot.foot.n_contact_nodes),
       single(quantity::loaded_nodes, solution.n_loaded_nodes),
       single(quantity::nodes_across, solution.n_nodes_across),
@@ -114,7 +68,7 @@ Table friction_table(const Study &study, const ContactReport &report, const Spin
   }
   return {
     "Friction of the table on the glass",
-    { column(Quantity{ ".name", "", "", "", "" }, rows, &FrictionRow::name),
+    { column(Quantity("name", "", ""), rows, &FrictionRow::name),
       column(
         quantity::tau_z, rows, [](const FrictionRow &row) { return row.friction.torque; }, 1e-12 * torque),
       column(
@@ -169,9 +123,9 @@ Table torque_table(const TorqueCurve &curve)
                     column(quantity::force_x, curve.friction, &ring::Wrench::force_x),
                     column(quantity::force_y, curve.friction, &ring::Wrench::force_y) } };
   for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
-    table.columns.push_back(
-      column(quantity::tau_z.renamed("tau_z, harmonics up to " + std::to_string(curve.harmonics[i])),
-             curve.truncations[i]));
+    table.columns.push_back(column(
+      quantity::tau_z.with(&Quantity::name, "tau_z, harmonics up to " + std::to_string(curve.harmonics[i])),
+      curve.truncations[i]));
   return table;
 }
 

@@ -11,12 +11,6 @@
 namespace stemware::pipeline
 {
 
-/// Terminal spin and torque by the number of harmonics.
-Table truncation_table(const std::vector<SpinRow> &rows);
-
-/// A first-harmonic load under each moment balance.
-Table closure_table(const std::vector<SpinRow> &rows);
-
 /// Size of the finite-element system and residuals of the contact at rest: one row.
 Table contact_table(const FootReport &foot);
 

@@ -53,10 +53,9 @@ std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 Json quantity_summary(const SweepPlan &plan, const QuantityFindings &about)
 {
   const Table table = statistics_table(plan, { about });
-  Json summary = json_row(table.with("", { "unit", "values", "least", "least_case", "most", "most_case" }));
+  Json summary = json_row(table.with("", "unit values least least_case most most_case"));
   if (about.band)
-    summary["band"] =
-      json_row(table.with("", { "mean", "standard_deviation", "percentile_2.5", "percentile_97.5" }));
+    summary["band"] = json_row(table.with("", "mean standard_deviation percentile_2.5 percentile_97.5"));
   if (const auto &sensitivity = about.sensitivity)
   {
     Json entries = Json::object();
@@ -144,10 +143,10 @@ ReportSection sample_section(const SweepPlan &plan, const FinishedCases &cases, 
   for (const char *quantity : { "terminal spin", "harmonic effect" })
     if (const QuantityFindings *about = findings.about(quantity); about != nullptr && about->sensitivity)
       section.tables.push_back(sensitivity_table(plan, quantity, *about->sensitivity));
-  section.tables.push_back(statistics_table(plan, those(findings, [](const QuantityFindings &about)
-                                                        { return has_band(about) && is_for_people(about); }))
-                             .with("Bands of all samples", { ".title", "values", "mean", "standard_deviation",
-                                                             "percentile_2.5", "percentile_97.5" }));
+  section.tables.push_back(
+    statistics_table(plan, those(findings, [](const QuantityFindings &about)
+                                 { return has_band(about) && is_for_people(about); }))
+      .with("Bands of all samples", "title values mean standard_deviation percentile_2.5 percentile_97.5"));
   return section;
 }
 
@@ -157,7 +156,7 @@ ReportSection grid_section(const SweepPlan &plan, const FinishedCases &cases, co
            "",
            grid_plots(plan, cases),
            { statistics_table(plan, those(findings, is_for_people))
-               .with("Least and largest values", { ".title", "least", ".at_least", "most", ".at_most" }) } };
+               .with("Least and largest values", "title least at_least most at_most") } };
 }
 
 ReportSection failure_section(const SweepPlan &plan, const FinishedCases &cases)
@@ -185,8 +184,8 @@ std::vector<ResultFile> files_of(const SweepPlan &plan, const FinishedCases &cas
   if (plan.is_random())
     files.push_back({ "statistics.csv", "bands and sensitivities of every quantity",
                       statistics_table(plan, those(findings, has_band))
-                        .with("", { ".quantity", "unit", "values", "mean", "standard_deviation",
-                                    "percentile_2.5", "percentile_97.5", "r_squared", ".sensitivity" }) });
+                        .with("", "quantity unit values mean standard_deviation percentile_2.5 "
+                                  "percentile_97.5 r_squared sensitivity") });
   files.push_back({ "sweep.json", "how the cases came about", plan_as_json(plan).dump(2) + "\n" });
   files.push_back({ "summary.json", "all findings, for programs" });
   files.push_back({ "parameters.prm", "the base study" });
@@ -205,10 +204,10 @@ Table case_table(const SweepPlan &plan, const FinishedCases &cases)
   { return column(quantity, indices, [&cases, value](std::size_t i) { return value(cases.at(i)); }); };
   Table table = { "", { column(quantity::case_number, indices, [](std::size_t i) { return i + 1; }) } };
   for (std::size_t e = 0; e < plan.entries.size(); ++e)
-    table.columns.push_back(column({ "", plan.entries[e].path, plan.entries[e].unit, "", "" }, plan.cases,
+    table.columns.push_back(column(Quantity("", plan.entries[e].path, plan.entries[e].unit), plan.cases,
                                    [=](const std::vector<std::string> &values) { return values.at(e); }));
   for (std::size_t q = 0; q < sweep_quantities().size(); ++q)
-    table.columns.push_back(of_case({ "", sweep_quantities()[q].name, sweep_quantities()[q].unit, "", "" },
+    table.columns.push_back(of_case(Quantity("", sweep_quantities()[q].name, sweep_quantities()[q].unit),
                                     [=](const CaseResult &result)
                                     { return result.is_solved() ? result.values.at(q) : std::nullopt; }));
   table.columns.push_back(
@@ -239,7 +238,7 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
   Table table = {
     "",
     { column(quantity::quantity_name, quantities, [](const Row &row) { return row.quantity().name; }),
-      column(quantity::quantity_name.keyed(".title"), quantities, title),
+      column(quantity::quantity_name.with(&Quantity::key, "title"), quantities, title),
       column(quantity::unit, quantities, [](const Row &row) { return row.quantity().unit; }),
       column(quantity::values_found, quantities, &Row::n_values),
       column(quantity::least, quantities, &Row::least),
@@ -262,12 +261,12 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
       { return row.sensitivity ? std::optional((*row.sensitivity.*values).at(e)) : std::nullopt; };
     };
     const std::string &path = plan.entries[e].path;
-    table.columns.push_back(
-      column(quantity::regression.keyed(".sensitivity").renamed("regression on " + path), quantities,
-             share(&SampleSensitivity::regression)));
-    table.columns.push_back(
-      column(quantity::first_order.keyed(".sensitivity").renamed("first-order share of " + path), quantities,
-             share(&SampleSensitivity::first_order)));
+    table.columns.push_back(column(
+      quantity::regression.with(&Quantity::key, "sensitivity").with(&Quantity::name, "regression on " + path),
+      quantities, share(&SampleSensitivity::regression)));
+    table.columns.push_back(column(quantity::first_order.with(&Quantity::key, "sensitivity")
+                                     .with(&Quantity::name, "first-order share of " + path),
+                                   quantities, share(&SampleSensitivity::first_order)));
   }
   return table;
 }
@@ -283,18 +282,15 @@ Results sweep_results(const SweepPlan &plan, const FinishedCases &cases, const S
                                                             : grid_section(plan, cases, findings) } };
   if (findings.n_failed > 0)
     results.report.sections.push_back(failure_section(plan, cases));
-  for (const ReportSection &section : study_sections(plan.base))
-    results.report.sections.push_back(section);
-  results.report.sections.push_back(file_section(results.files));
+  add_closing_sections(results.report, plan.base, results.files);
   const std::vector<QuantityFindings> main = main_quantities(findings);
   const bool has_bands = std::any_of(main.begin(), main.end(), has_band);
-  results.console = { { results.report.answer,
-                        statistics_table(plan, main)
-                          .with("", has_bands
-                                      ? std::vector<std::string>{ ".title", "least", "mean", "most",
-                                                                  "standard_deviation", "percentile_2.5",
-                                                                  "percentile_97.5" }
-                                      : std::vector<std::string>{ ".title", "least", "most" }) } };
+  results.console = {
+    { results.report.answer,
+      statistics_table(plan, main)
+        .with("", has_bands ? "title least mean most standard_deviation percentile_2.5 percentile_97.5"
+                            : "title least most") }
+  };
   results.findings = findings_of(plan, findings);
   return results;
 }

@@ -6,8 +6,7 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
-
-#include <cmath>
+#include "fem/pipeline/output/spin_table.h"
 
 namespace stemware::pipeline
 {
@@ -17,62 +16,51 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// One number of a row's load at rest, or at its terminal spin; nothing where there is no such load.
-template <typename Value>
-auto of_state(std::optional<RingState> SpinRow::*state, Value value)
-{
-  return [=](const SpinRow &row) -> std::optional<double>
-  {
-    const std::optional<RingState> &present = row.*state;
-    return present ? std::optional<double>(std::invoke(value, *present)) : std::nullopt;
-  };
-}
-
-Json series_at_terminal(const SpinRow &row)
-{
-  if (!row.at_terminal)
-    return nullptr;
-  Json summary = series_summary(row.at_terminal->load);
-  summary["ring_radius"] = row.at_terminal->load.radius();
-  summary["moment_ratio"] = row.at_terminal->moment_ratio;
-  return summary;
-}
-
 /// The table that the answer is about.
 const TruncationTable &main_table(const TruncationStudy &study)
 {
   return study.self_consistent ? *study.self_consistent : study.frozen;
 }
 
-const std::vector<std::string> console_columns = { "harmonics",       "amplitude",         "omega_terminal",
-                                                   "relative_change", "spin_up_deviation", "bound",
-                                                   "tau_at_rest",     "torque[]",          ".least_load",
-                                                   ".pulls_with" };
-const std::vector<std::string> data_columns = { "harmonics",
-                                                "amplitude",
-                                                "tau_at_rest",
-                                                "omega_terminal",
-                                                "relative_change",
-                                                "spin_up_deviation",
-                                                "spin_up_deviation_at_end",
-                                                "bound",
-                                                ".ring_radius_at_terminal",
-                                                ".moment_ratio_at_terminal",
-                                                "load_minimum",
-                                                "load_minimum_at_terminal",
-                                                "pulling_share",
-                                                "pulling_share_at_terminal",
-                                                "pulls",
-                                                "torque[]" };
-const std::vector<std::string> spin_columns = { "harmonics",
-                                                "amplitude",
-                                                "omega_terminal",
-                                                "relative_change",
-                                                "spin_up_deviation",
-                                                "spin_up_deviation_at_end",
-                                                "bound" };
-const std::vector<std::string> load_columns = { "harmonics",   "tau_at_rest", "torque[]",
-                                                ".least_load", ".pulls_with", ".moment_ratio_at_terminal" };
+constexpr char json_columns[] = "harmonics amplitude tau_at_rest torque[] omega_terminal relative_change "
+                                "spin_up_deviation spin_up_deviation_at_end bound pulls load_minimum "
+                                "pulling_share load_minimum_at_terminal pulling_share_at_terminal "
+                                "load_at_terminal trouble";
+constexpr char data_columns[] =
+  "harmonics amplitude tau_at_rest omega_terminal relative_change "
+  "spin_up_deviation spin_up_deviation_at_end bound ring_radius_at_terminal "
+  "moment_ratio_at_terminal load_minimum load_minimum_at_terminal pulling_share "
+  "pulling_share_at_terminal pulls torque[]";
+constexpr char console_columns[] =
+  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound "
+  "tau_at_rest torque[] least_load pulls_with";
+constexpr char spin_columns[] = "harmonics amplitude omega_terminal relative_change spin_up_deviation "
+                                "spin_up_deviation_at_end bound";
+constexpr char load_columns[] =
+  "harmonics tau_at_rest torque[] least_load pulls_with moment_ratio_at_terminal";
+
+/// All numbers of one way of truncating by the number of harmonics.
+Table truncation_table(const TruncationTable &truncations, const std::vector<double> &omega)
+{
+  Table table = spin_table(truncations.rows, omega);
+  table["tau_at_rest"].digits = format::significant<6>;
+  table["tau_at_rest"].label = "tau at 0";
+  table["bound"].name += " of all harmonics";
+  table["bound"].console_digits = nullptr;
+  table["message"].key = "trouble";
+  return table;
+}
+
+/// omega(t) by the number of harmonics; truncations without a spin-up are left out.
+Table spin_up_table(const std::vector<double> &time, const TruncationTable &truncations)
+{
+  Table table = { "Spin-up from rest", { column(quantity::time, time) } };
+  for (const SpinRow &row : truncations.rows)
+    if (!row.spin_up.empty())
+      table.columns.push_back(
+        numbers("omega, harmonics up to " + std::to_string(row.harmonics), "rad/s", row.spin_up));
+  return table;
+}
 
 Findings findings_of(const LoadReport &load, const TruncationStudy &study)
 {
@@ -80,10 +68,12 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study)
   const TruncationTable &best = main_table(study);
   const auto change_of_first = [](const TruncationTable &table)
   { return json_number(table.rows.front().relative_change); };
+  const auto rows_of = [&](const TruncationTable &table)
+  { return json_table(truncation_table(table, study.omega).with("", json_columns)); };
   Findings findings;
   findings.summary = { { "load", load_summary(load) },
                        { "torque_at", study.omega },
-                       { "truncation", json_table(truncation_table(study.frozen, study.omega)) },
+                       { "truncation", rows_of(study.frozen) },
                        { "truncation_self_consistent",
                          balanced ? json_table(truncation_table(*study.self_consistent, study.omega))
                                   : Json(nullptr) },
@@ -233,68 +223,6 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Truncation
 
 } // namespace
 
-Table truncation_table(const TruncationTable &truncations, const std::vector<double> &omega)
-{
-  const auto scientific = &format::scientific_or_zero<2>;
-  const std::vector<SpinRow> &rows = truncations.rows;
-  const SpinRow &all = truncations.all();
-  const double torque_rounding = all.at_rest ? 1e-12 * std::abs(all.at_rest->friction.torque) : 0;
-  constexpr double change_rounding = 1e-11;
-  const double spin_rounding = change_rounding * std::abs(all.omega_terminal().value_or(0));
-  const auto torque = [](const RingState &state) { return state.friction.torque; };
-  const auto radius = [](const RingState &state) { return state.load.radius(); };
-  Table table = { "",
-                  { column(quantity::harmonics, rows, &SpinRow::harmonics),
-                    column(quantity::amplitude, rows, &SpinRow::amplitude),
-                    column(quantity::tau_at_rest.with_digits(format::significant<6>).labelled("tau at 0"),
-                           rows, of_state(&SpinRow::at_rest, torque), torque_rounding) } };
-  for (std::size_t i = 0; i < omega.size(); ++i)
-    table.columns.push_back(column(
-      quantity::torque_at(omega[i]), rows,
-      [=](const SpinRow &row) -> std::optional<double>
-      {
-        const double value = row.torques.at(i); // NaN: no balance
-        return std::isnan(value) ? std::nullopt : std::optional(value);
-      },
-      torque_rounding));
-  const Quantity bound =
-    quantity::bound.renamed(quantity::bound.name + " of all harmonics").with_digits(scientific);
-  const Quantity moment_ratio = quantity::moment_ratio_at_terminal.keyed(".moment_ratio_at_terminal");
-  const std::vector<Column> further = {
-    column(quantity::omega_terminal, rows, &SpinRow::omega_terminal),
-    column(quantity::relative_change, rows, &SpinRow::relative_change, change_rounding),
-    column(quantity::spin_up_deviation, rows, &SpinRow::largest_deviation, spin_rounding),
-    column(quantity::spin_up_deviation_at_end, rows, &SpinRow::final_deviation, spin_rounding),
-    column(bound, rows, &SpinRow::bound),
-    column(quantity::pulls, rows, &SpinRow::pulls),
-    column(quantity::load_minimum, rows, of_state(&SpinRow::at_rest, &RingState::minimum)),
-    column(quantity::pulling_share, rows, of_state(&SpinRow::at_rest, &RingState::pulling_share)),
-    column(quantity::load_minimum_at_terminal, rows, of_state(&SpinRow::at_terminal, &RingState::minimum)),
-    column(quantity::pulling_share_at_terminal, rows,
-           of_state(&SpinRow::at_terminal, &RingState::pulling_share)),
-    column({ "load_at_terminal", "", "", "", "" }, rows, series_at_terminal),
-    column({ "trouble", "", "", "", "" }, rows,
-           [](const SpinRow &row) { return row.reason.empty() ? std::nullopt : std::optional(row.reason); }),
-    column(quantity::ring_radius_at_terminal, rows, of_state(&SpinRow::at_terminal, radius)),
-    column(moment_ratio, rows, of_state(&SpinRow::at_terminal, &RingState::moment_ratio)),
-    column(quantity::least_load, rows, &SpinRow::least_load),
-    column(quantity::pulls_with, rows,
-           [](const SpinRow &row) { return row.pulls() ? std::optional(row.pulling_share()) : std::nullopt; })
-  };
-  table.columns.insert(table.columns.end(), further.begin(), further.end());
-  return table;
-}
-
-Table spin_up_table(const std::vector<double> &time, const TruncationTable &truncations)
-{
-  Table table = { "Spin-up from rest", { column(quantity::time, time) } };
-  for (const SpinRow &row : truncations.rows)
-    if (!row.spin_up.empty())
-      table.columns.push_back(column(
-        quantity::omega.renamed("omega, harmonics up to " + std::to_string(row.harmonics)), row.spin_up));
-  return table;
-}
-
 Results truncation_results(const Study &study, const LoadReport &load, const TruncationStudy &truncations)
 {
   Results results;
@@ -306,9 +234,7 @@ Results truncation_results(const Study &study, const LoadReport &load, const Tru
       { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
   report.sections.insert(report.sections.end(),
                          { load_section(load), frozen_section(truncations), balance_section(truncations) });
-  for (const ReportSection &section : study_sections(study))
-    report.sections.push_back(section);
-  report.sections.push_back(file_section(results.files));
+  add_closing_sections(report, study, results.files);
   results.console = console_of(report.answer, truncations);
   results.findings = findings_of(load, truncations);
   return results;

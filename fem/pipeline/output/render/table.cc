@@ -1,71 +1,38 @@
 #include "fem/pipeline/output/render/table.h"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
 {
 
-Quantity Quantity::keyed(const std::string &new_key) const
-{
-  Quantity result = *this;
-  result.key = new_key;
-  return result;
-}
-
-Quantity Quantity::with_digits(std::string (*new_digits)(double)) const
-{
-  Quantity result = *this;
-  result.digits = new_digits;
-  result.console_digits = nullptr;
-  return result;
-}
-
-Quantity Quantity::renamed(const std::string &new_name) const
-{
-  Quantity result = *this;
-  result.name = new_name;
-  return result;
-}
-
-Quantity Quantity::headed(const std::string &new_heading) const
-{
-  Quantity result = *this;
-  result.heading = new_heading;
-  return result;
-}
-
-Quantity Quantity::labelled(const std::string &new_label) const
-{
-  Quantity result = *this;
-  result.label = new_label;
-  return result;
-}
-
-Quantity Quantity::in_units(const std::string &new_unit) const
-{
-  Quantity result = *this;
-  result.unit = new_unit;
-  return result;
-}
-
-Table Table::with(const std::string &new_title, const std::vector<std::string> &keys) const
+Table Table::with(const std::string &new_title, const std::string &keys) const
 {
   Table view = { new_title, {} };
-  for (const std::string &key : keys)
+  std::istringstream words(keys);
+  for (std::string key; words >> key;)
   {
     const std::size_t n_before = view.columns.size();
     for (const Column &column : columns)
       if (column.quantity.key == key)
         view.columns.push_back(column);
     if (view.columns.size() == n_before)
-      throw std::out_of_range("The table has no column " + key);
+      throw std::out_of_range("the table has no column " + key);
   }
   return view;
 }
 
+Quantity &Table::operator[](const std::string &key)
+{
+  for (Column &column : columns)
+    if (column.quantity.key == key)
+      return column.quantity;
+  throw std::out_of_range("the table has no column " + key);
+}
+
 Column numbers(const std::string &name, const std::string &unit, const std::vector<double> &values)
 {
-  return column({ "", name, unit, "", "" }, values);
+  return column(Quantity("", name, unit), values);
 }
 
 Table words(const std::string &title, const std::vector<std::string> &headings,
@@ -73,7 +40,7 @@ Table words(const std::string &title, const std::vector<std::string> &headings,
 {
   Table table = { title, {} };
   for (std::size_t c = 0; c < headings.size(); ++c)
-    table.columns.push_back(column({ "", headings[c], "", headings[c], headings[c] }, rows,
+    table.columns.push_back(column(Quantity("", headings[c], "", headings[c], headings[c]), rows,
                                    [=](const std::vector<std::string> &row) { return row.at(c); }));
   return table;
 }

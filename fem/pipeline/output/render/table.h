@@ -20,24 +20,38 @@ namespace stemware::pipeline
 /// Everything about a column but its values: where and how it is named, its unit, its digits.
 struct Quantity
 {
-  /// In summary.json, and what the column is found by. Columns of one row whose keys are equal and end in []
-  /// make a list: "torque[]".
-  std::string key;
-  std::string name;    ///< in data files, without its unit: "terminal omega"
-  std::string unit;    ///< SI; "1" for pure numbers, empty for words
-  std::string heading; ///< in reports, without its unit: "terminal spin"
-  std::string label;   ///< on the console, without its unit; may have several lines: "change\nof spin"
-  std::string (*digits)(double) = format::significant<6>; ///< for people
-  std::string (*console_digits)(double) = nullptr;        ///< on the console, where those differ
+  using Digits = std::string (*)(double);
 
-  /// Variants for one table: another key, other digits for people, another name in data files, another
-  /// heading in reports, another label on the console, another unit (empty: none is shown).
-  Quantity keyed(const std::string &new_key) const;
-  Quantity with_digits(std::string (*new_digits)(double)) const;
-  Quantity renamed(const std::string &new_name) const;
-  Quantity headed(const std::string &new_heading) const;
-  Quantity labelled(const std::string &new_label) const;
-  Quantity in_units(const std::string &new_unit) const;
+  Quantity(const std::string &key, const std::string &name = "", const std::string &unit = "1",
+           const std::string &heading = "", const std::string &label = "",
+           Digits digits = format::significant<6>, Digits console_digits = nullptr)
+      : key(key)
+      , name(name)
+      , unit(unit)
+      , heading(heading)
+      , label(label)
+      , digits(digits)
+      , console_digits(console_digits)
+  {
+  }
+
+  std::string key;  ///< in summary.json, and what the column is found by; columns of one row whose keys are
+                    ///< equal and end in [] make a list: "torque[]"
+  std::string name; ///< in data files, without its unit: "terminal omega"
+  std::string unit; ///< SI; "1" for pure numbers, empty for words
+  std::string heading;   ///< in reports, without its unit: "terminal spin"
+  std::string label;     ///< on the console, without its unit; may have several lines: "change\nof spin"
+  Digits digits;         ///< for people
+  Digits console_digits; ///< on the console, where those differ; or null
+
+  /// A variant for one table: the quantity with another value of a @p member.
+  template <typename Member, typename Value>
+  Quantity with(Member Quantity::*member, const Value &value) const
+  {
+    Quantity variant = *this;
+    variant.*member = value;
+    return variant;
+  }
 };
 
 /// A value of a table; nothing where it does not exist. What does not exist is nan in data files, empty in
@@ -106,9 +120,12 @@ struct Table
 
   std::size_t n_rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
 
-  /// The columns with these keys in this order, under another title. Throws std::out_of_range for a key that
-  /// no column has.
-  Table with(const std::string &title, const std::vector<std::string> &keys) const;
+  /// The columns with these keys (parted by blanks) in this order, under another title. Throws
+  /// std::out_of_range for a key that no column has.
+  Table with(const std::string &title, const std::string &keys) const;
+
+  /// The quantity of the column with that key, to be made a variant for this table. Throws as with().
+  Quantity &operator[](const std::string &key);
 };
 
 /// A table of words for people, row by row. Cells that look like numbers are aligned as numbers are.
