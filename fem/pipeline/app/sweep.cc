@@ -41,7 +41,7 @@ struct SweepOptions : StudyOptions
 };
 
 /// What an interrupted sweep says: how many cases are kept, and how to go on.
-std::string farewell(const fs::path &folder, std::size_t n_cases)
+std::string interruption_message(const fs::path &folder, std::size_t n_cases)
 {
   std::vector<LogCounter> logs = SweepFolder::logs_in(folder, 0);
   const std::size_t n_kept = SweepFolder::count(logs).n_finished;
@@ -67,7 +67,7 @@ public:
               std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
             clean_up_on_interruption([folder = owned] { folder->remove_if_empty(); });
             say_on_interruption([folder = owned->path(), n_cases = plan.cases.size()]
-                                { return farewell(folder, n_cases); });
+                                { return interruption_message(folder, n_cases); });
             return owned->path().string();
           }))
   {
@@ -115,7 +115,8 @@ unsigned int n_threads_of(const SweepOptions &options)
   return n_ranks() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Every n_ranks()-th case, so that ranks share what is cheap and what is dear.
+/// Every n_ranks()-th case: neighbours on a grid take about equally long, so that each rank gets its share of
+/// the long ones.
 std::vector<std::size_t> share_of_this_rank(const std::vector<std::size_t> &indices)
 {
   std::vector<std::size_t> share;
@@ -178,15 +179,15 @@ void write_tables(const SweepPlan &plan, const FinishedCases &cases, const Sweep
 }
 
 /// The numbers for the last line of --json.
-Json key_figures(const SweepFindings &findings)
+Json key_numbers(const SweepFindings &findings)
 {
-  Json figures = { { "cases", findings.n_cases }, { "failed", findings.n_failed } };
+  Json numbers = { { "cases", findings.n_cases }, { "failed", findings.n_failed } };
   for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
                                        std::pair("harmonic_effect_percent", "harmonic effect") })
     if (const QuantityFindings *about = findings.about(quantity))
-      figures[key] =
+      numbers[key] =
         about->band ? Json{ about->band->lower, about->band->upper } : Json{ about->least, about->most };
-  return figures;
+  return numbers;
 }
 
 /// A sweep without a single answer has failed.
@@ -232,7 +233,7 @@ void sweep(const SweepOptions &options)
   folder.write([&](ResultsFolder &owned) { write_tables(plan, finished, found, owned.working_folder()); });
   if (is_first_rank())
     console() << '\n' << wrapped(sweep_answer(plan, found)) << "\n\n" << findings_table(found) << std::endl;
-  publish(options, plan.base, { findings_as_json(plan, found), key_figures(found) }, folder, stopwatch);
+  publish(options, plan.base, { findings_as_json(plan, found), key_numbers(found) }, folder, stopwatch);
   cases.remove();
   require_one_solved(finished, found);
 }

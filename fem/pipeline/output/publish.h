@@ -28,8 +28,9 @@ struct Findings
 };
 
 /// The end of every verb, when its tables and report are in the working folder: writes parameters.prm,
-/// summary.json ("schema", "program", "verb", "parameters", the findings, "files") and timings.json, gives
-/// the folder its final name, and says where the results are. With --json the last line of standard output is
+/// summary.json ("schema", "program", "verb", "parameters", the findings, "files"), timings.json and
+/// manifest.json, gives the folder its final name, and says where the results are. With --json the last line
+/// of standard output is
 /// {"verb", "results", "summary", "report" (null without a report.html), key figures}. Without a study there
 /// is neither parameters.prm nor "parameters".
 ///
