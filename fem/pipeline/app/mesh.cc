@@ -53,9 +53,9 @@ void check_options(const MeshOptions &options)
   }
 }
 
-MeshFindings read_mesh(const std::string &file, const std::optional<Study> &study, Triangulation &mesh)
+MeshFindings read_mesh(const std::string &file, Triangulation &mesh)
 {
-  const fem::MeshReport report = read_mesh_file(file, study, mesh);
+  const fem::MeshReport report = read_mesh_file(file, mesh);
   return { file, fem::check_mesh(mesh), report };
 }
 
@@ -113,9 +113,11 @@ void mesh(const MeshOptions &options)
 
   // 2. What it is like, and whether it can be used.
   Triangulation mesh;
-  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, study, mesh);
+  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check);
+  if (study && findings.report)
+    require_same_glass(*findings.report, file, *study);
   stopwatch.finish("mesh");
 
   // 3. The mesh in files, and the report.

@@ -65,7 +65,7 @@ void add_console_options(CLI::App &verb, StudyOptions &options)
   verb.add_flag("--quiet", options.quiet, "Print nothing unless something is wrong");
   verb.add_flag("--json", options.json,
                 "Print one JSON object on standard output, with paths and key figures;\n"
-                "the text for people goes to standard error");
+                "the other text goes to standard error");
 }
 
 Study begin_study(const StudyOptions &options, bool needs_mpi)

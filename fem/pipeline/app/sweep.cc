@@ -39,7 +39,7 @@ struct SweepOptions : StudyOptions
 };
 
 /// What an interrupted sweep says: how many cases are kept, and how to go on.
-std::string farewell(const fs::path &folder, std::size_t n_cases)
+std::string interruption_message(const fs::path &folder, std::size_t n_cases)
 {
   std::vector<LogCounter> logs = SweepFolder::logs_in(folder, 0);
   const std::size_t n_kept = SweepFolder::count(logs).n_finished;
@@ -65,7 +65,7 @@ public:
               std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
             clean_up_on_interruption([folder = owned] { folder->remove_if_empty(); });
             say_on_interruption([folder = owned->path(), n_cases = plan.cases.size()]
-                                { return farewell(folder, n_cases); });
+                                { return interruption_message(folder, n_cases); });
             return owned->path().string();
           }))
   {
@@ -113,7 +113,8 @@ unsigned int n_threads_of(const SweepOptions &options)
   return n_ranks() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Every n_ranks()-th case, so that ranks share what is cheap and what is dear.
+/// Every n_ranks()-th case: neighbours on a grid take about equally long, so that each rank gets its share of
+/// the long ones.
 std::vector<std::size_t> share_of_this_rank(const std::vector<std::size_t> &indices)
 {
   std::vector<std::size_t> share;

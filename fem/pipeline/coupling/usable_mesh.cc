@@ -11,29 +11,10 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
-{
-  const double radius = study.glass.profile.contact_radius;
-  require(std::abs(report.rim_radius - radius) <= 0.1 * radius,
-          fmt::format(
-            FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; give "
-                       "the radius of the mesh, and the mesh in metres."),
-            shortened_path(file), to_short_text(report.rim_radius), to_text(radius)));
-}
-
-} // namespace
-
-fem::MeshReport read_mesh_file(const std::string &file, const std::optional<Study> &study,
-                               dealii::Triangulation<3, 3> &mesh)
+fem::MeshReport read_mesh_file(const std::string &file, dealii::Triangulation<3, 3> &mesh)
 try
 {
-  const fem::MeshReport report = fem::read_foot_mesh(file, mesh);
-  if (study)
-    require_same_glass(report, file, *study);
-  return report;
+  return fem::read_foot_mesh(file, mesh);
 }
 catch (const std::invalid_argument &error)
 {
@@ -60,11 +41,23 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check)
             mesh, check.centre[0], check.centre[1]));
 }
 
+void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
+{
+  const double radius = study.glass.profile.contact_radius;
+  require(std::abs(report.rim_radius - radius) <= 0.1 * radius,
+          fmt::format(
+            FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; give "
+                       "the radius of the mesh, and the mesh in metres."),
+            shortened_path(file), to_short_text(report.rim_radius), to_text(radius)));
+}
+
 void require_usable_mesh(const Study &study)
 {
+  const std::string &file = study.contact.mesh_file;
   dealii::Triangulation<3> mesh;
-  read_mesh_file(study.contact.mesh_file, study, mesh);
-  require_usable(study.contact.mesh_file, fem::check_mesh(mesh));
+  const fem::MeshReport report = read_mesh_file(file, mesh);
+  require_usable(file, fem::check_mesh(mesh));
+  require_same_glass(report, file, study);
 }
 
 } // namespace stemware::pipeline

@@ -3,6 +3,7 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/manifest.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text_file.h"
@@ -64,7 +65,7 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
   std::sort(files.begin(), files.end());
   write_text_file(place / "summary.json", summary_text(options.verb, echo, findings.summary, files));
   stopwatch.finish("summary");
-  write_text_file(place / "timings.json", stopwatch.times().dump(2) + "\n");
+  write_text_file(place / "timings.json", sealed_text(stopwatch.times()));
   folder.publish();
 }
 

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 
 /// The end of every verb, collective over all ranks; @p results count on the first. Writes them into the working folder
 /// (write_results()), then parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files")
-/// and timings.json, gives the folder its final name, and prints the console's text and where the results are. With
+/// timings.json and manifest.json, gives the folder its final name, and prints the console's text and where the results are. With
 /// --json the last line of standard output is {"verb", "results", "summary", "report" (null without a report.html), key
 /// figures}. Without a study there is neither parameters.prm nor "parameters".
 ///

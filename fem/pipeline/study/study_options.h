@@ -14,7 +14,7 @@ struct StudyOptions
   std::string study_file;
   std::string output;                 ///< of --output; empty: the default place
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
-  bool quiet = false;                 ///< nothing for people but failures
+  bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 
   /// The folder of the results: --output, or results/<stem of the study> for `run` and

@@ -13,40 +13,40 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The file descriptor of the text for people, or a negative number for nowhere.
-int &people()
+/// The file descriptor of the text for users, or a negative number for nowhere.
+int &console_descriptor()
 {
   static int descriptor = STDOUT_FILENO;
   return descriptor;
 }
 
-std::streambuf *buffer_for_people()
+std::streambuf *console_buffer()
 {
-  if (!is_first_rank() || people() < 0)
+  if (!is_first_rank() || console_descriptor() < 0)
     return nullptr;
-  return people() == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
+  return console_descriptor() == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
 } // namespace
 
 void direct_console(bool quiet, bool json)
 {
-  people() = quiet ? -1 : json ? STDERR_FILENO : STDOUT_FILENO;
+  console_descriptor() = quiet ? -1 : json ? STDERR_FILENO : STDOUT_FILENO;
 }
 
 std::ostream &console()
 {
   // Asked each time: whether this is the first rank is known only once MPI runs.
   static std::ostream stream(nullptr);
-  if (stream.rdbuf() != buffer_for_people())
-    stream.rdbuf(buffer_for_people());
+  if (stream.rdbuf() != console_buffer())
+    stream.rdbuf(console_buffer());
   return stream;
 }
 
 bool console_is_terminal()
 {
   const char *kind = std::getenv("TERM");
-  return buffer_for_people() != nullptr && ::isatty(people()) == 1 && kind != nullptr &&
+  return console_buffer() != nullptr && ::isatty(console_descriptor()) == 1 && kind != nullptr &&
          std::string(kind) != "dumb";
 }
 

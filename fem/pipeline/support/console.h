@@ -5,11 +5,11 @@
 namespace stemware::pipeline
 {
 
-/// Where the text for people goes from now on: to standard output; with @p json, which keeps standard output
+/// Where the text for users goes from now on: to standard output; with @p json, which keeps standard output
 /// for programs, to standard error; with @p quiet nowhere.
 void direct_console(bool quiet, bool json);
 
-/// The stream for people, on the first rank; silent on the others. Plain text: no colours, no escape codes.
+/// The stream of that text, on the first rank; silent on the others. Plain text: no colours, no escape codes.
 /// For the thread that started the program only.
 std::ostream &console();
 

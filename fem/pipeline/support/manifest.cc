@@ -150,6 +150,11 @@ std::optional<std::string> why_not_replaceable(const fs::path &folder)
   return std::nullopt;
 }
 
+bool has_manifest(const fs::path &folder)
+{
+  return listed_files(folder).has_value();
+}
+
 void remove_listed_files(const fs::path &folder) noexcept
 try
 {

@@ -25,6 +25,9 @@ void write_manifest(const std::filesystem::path &folder);
 /// std::filesystem::filesystem_error.
 std::optional<std::string> why_not_replaceable(const std::filesystem::path &folder);
 
+/// Whether @p folder has a manifest of Stemware, whatever else is in it.
+bool has_manifest(const std::filesystem::path &folder);
+
 /// Removes the files that the manifest of @p folder lists and that are as it lists them, then the manifest,
 /// and the folders that are empty after that. Anything else stays.
 void remove_listed_files(const std::filesystem::path &folder) noexcept;

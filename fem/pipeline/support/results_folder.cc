@@ -1,10 +1,13 @@
 #include "fem/pipeline/support/results_folder.h"
 
+#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/manifest.h"
+#include "fem/pipeline/support/text.h"
 
 #include <fmt/format.h>
+#include <ostream>
 
 namespace stemware::pipeline
 {
@@ -39,17 +42,26 @@ bool begins_with(const std::string &text, const std::string &start)
 }
 
 /// Removes what killed processes have left of their work on @p target, where it is theirs beyond doubt: a
-/// folder that nobody works in, and that holds nothing but what its manifest lists. The older results that a
-/// process was about to replace stay where they are the only ones.
+/// folder that nobody works in, and that holds nothing but what its manifest lists. What may be a user's is
+/// named and left. The older results that a process was about to replace stay where they are the only ones.
 void remove_leftovers(const fs::path &target, const std::string &prefix)
 {
   for (const std::string &name : names_in(target.parent_path()))
   {
     const fs::path folder = target.parent_path() / name;
     const bool only_copy = folder.extension() == ".replaced" && !fs::exists(target);
-    if (begins_with(name, prefix) && !only_copy && is_plain_folder(folder) && FolderClaim(folder).held() &&
-        !fs::is_empty(folder) && !why_not_replaceable(folder))
+    if (!begins_with(name, prefix) || only_copy || !is_plain_folder(folder) || !FolderClaim(folder).held() ||
+        !has_manifest(folder))
+      continue;
+    if (!why_not_replaceable(folder))
       remove_listed_files(folder);
+    else
+      console() << wrapped(fmt::format(
+                             FMT_STRING("{} is left of a run that was killed, and may hold files of yours; "
+                                        "delete it if you do not need it."),
+                             folder.string()),
+                           "Remark    ")
+                << std::endl;
   }
 }
 

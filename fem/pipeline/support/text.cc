@@ -1,9 +1,8 @@
 #include "fem/pipeline/support/text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -81,7 +80,8 @@ std::string field(const std::string &text)
   return quoted + '"';
 }
 
-/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case being equal.
+/// Number of letters to insert, delete or change to get from one word to the other, upper and lower case
+/// being equal.
 std::size_t edit_distance(const std::string &from, const std::string &to)
 {
   const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };

@@ -30,7 +30,7 @@ struct Effect
   std::string value;
   std::string changed; ///< place in summary.json of what must change, or "/spin_up.dat" for that file; empty
                        ///< where the entry has no effect, as its help says
-  Values base = {};       ///< other entries, if they are not those of the quick study
+  Values base = {};    ///< other entries, if they are not those of the quick study
   std::string stays = {}; ///< place of a number that must not change
 };
 

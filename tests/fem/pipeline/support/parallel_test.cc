@@ -51,23 +51,26 @@ TEST(Parallel, PassesOnWhatIsThrownAndStops)
 TEST(Parallel, LoopsWithinDoNotMix)
 {
   // A thread that waits for its inner loop must not begin another outer call: it would find itself at work.
+  // With calls of unequal length on eight threads that would happen every twentieth time.
+  constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
-  std::atomic<unsigned int> n_mixed = 0, n_inner = 0;
-  const auto inner = [&](std::size_t)
+  std::atomic<std::size_t> n_mixed = 0, n_done = 0;
+  const auto outer = [&](std::size_t i)
   {
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-    ++n_inner;
-  };
-  const auto outer = [&](std::size_t)
-  {
-    n_mixed += at_work ? 1 : 0;
+    const bool was_at_work = at_work;
+    n_mixed += was_at_work ? 1 : 0;
     at_work = true;
-    tbb::parallel_for(std::size_t(0), std::size_t(16), inner, tbb::simple_partitioner());
-    at_work = false;
+    const auto inner = [&](std::size_t k)
+    {
+      std::this_thread::sleep_for(std::chrono::microseconds(50 + 97 * (i * i % 11) + 300 * (k % 3)));
+      ++n_done;
+    };
+    tbb::parallel_for(std::size_t(0), n_inner, inner, tbb::simple_partitioner());
+    at_work = was_at_work;
   };
-  parallel_for_each(40, 2, outer);
+  parallel_for_each(n_outer, 8, outer);
   EXPECT_EQ(n_mixed, 0u);
-  EXPECT_EQ(n_inner, 640u);
+  EXPECT_EQ(n_done, n_outer * n_inner);
 }
 
 } // namespace stemware::pipeline

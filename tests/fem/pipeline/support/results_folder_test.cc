@@ -272,7 +272,13 @@ TEST(ResultsFolder, RemovesNoLeftoverThatMayBeAUsers)
   scratch.write(".paper.partial-5", "years of work");
   fs::create_directory(scratch / ".paper.partial-6");
   const auto before = test::all_files(scratch.path()), over_there = test::all_files(elsewhere.path());
+  testing::internal::CaptureStdout();
   publish(scratch / "paper", "new");
+  // Those that are Stemware's in part are named.
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find(".paper.partial-1"), std::string::npos) << said;
+  EXPECT_NE(said.find(".paper.partial-2"), std::string::npos) << said;
+  EXPECT_EQ(said.find(".paper.partial-3"), std::string::npos) << said;
   publish(scratch / "paper", "newer");
   fs::remove_all(scratch / "paper");
   EXPECT_EQ(test::all_files(scratch.path()), before);
