@@ -20,22 +20,14 @@ namespace
 /// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
 constexpr unsigned int fewest_nodes_across = 4;
 
-/// Prescribed resultants (N, sum x f, sum y f).
-Eigen::Vector3d resultants(const ContactLoad &load)
+/// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the
+/// nodes.
+void require_possible(const LinearConditions &conditions)
 {
-  return { load.normal_force, -load.moment_y, load.moment_x };
-}
-
-void require_possible(const ContactLoad &load, const ContactSurface &surface)
-{
-  const Eigen::Vector3d target = resultants(load);
-  if (!(target.allFinite() && load.normal_force > 0))
-    throw std::invalid_argument(
-      "The normal force must be a finite number greater than 0 N and the moment finite.");
-  const Eigen::Vector2d centre = target.tail<2>() / load.normal_force;
+  const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
   if (centre.norm() == 0)
     return;
-  const double reach = (surface.node_position * centre.normalized()).maxCoeff();
+  const double reach = (conditions.weights().rightCols<2>() * centre.normalized()).maxCoeff();
   if (centre.norm() < reach)
     return;
   std::ostringstream message;
@@ -45,16 +37,16 @@ void require_possible(const ContactLoad &load, const ContactSurface &surface)
   throw ContactFailure(ContactOutcome::tipping, message.str());
 }
 
-/// The damped Newton iteration on the energy of one body and one table.
+/// The damped Newton iteration of one body and one table.
 class ContactNewton
 {
 public:
-  ContactNewton(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
+  ContactNewton(ElasticBody &body, TableLaw &law, const LinearConditions &conditions, double radius,
                 const ContactControl &control, const Eigen::Vector3d &motion)
       : body(body)
       , law(law)
       , control(control)
-      , target(resultants(load))
+      , conditions(conditions)
       , radius(radius)
       , modes(body.contact_surface().motion_modes())
       , motion(motion)
@@ -119,8 +111,8 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    result.force_residual = std::abs(excess(0)) / target(0);
-    result.moment_residual = excess.tail<2>().norm() / (target(0) * radius);
+    result.force_residual = std::abs(excess(0)) / conditions.normal_force();
+    result.moment_residual = excess.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
     return result;
   }
@@ -136,13 +128,14 @@ private:
   /// Evaluates the balance of the response's forces.
   void weigh()
   {
-    excess = modes.transpose() * response.forces - target;
+    excess = conditions.residual(response.forces);
     equilibrium = body.equilibrium_residual(response.forces);
   }
 
   double resultant_residual() const
   {
-    return Eigen::Vector3d(excess(0), excess(1) / radius, excess(2) / radius).norm() / target(0);
+    return Eigen::Vector3d(excess(0), excess(1) / radius, excess(2) / radius).norm() /
+           conditions.normal_force();
   }
 
   double residual() const { return std::max(resultant_residual(), equilibrium); }
@@ -183,7 +176,7 @@ private:
   void require_support() const
   {
     const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
-    const Eigen::Matrix3d support = scale * support_of(response.tangent, modes) * scale;
+    const Eigen::Matrix3d support = scale * support_of(response.tangent, modes, modes) * scale;
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
@@ -214,25 +207,56 @@ private:
       require_support();
     const ContactStep increment = solve();
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
+    const double fraction = conditions.are_resultants() ? step_to_least_energy(increment, direction)
+                                                        : step_to_less_residual(direction);
+    motion += fraction * increment.motion;
+    approach += fraction * direction;
+    report(increment, fraction, other_response.contact_set);
+  }
+
+  /// Takes the step of least energy along the increment; returns its length. Leaves the response at its end
+  /// in `response`, the one before it in `other_response`.
+  double step_to_least_energy(const ContactStep &increment, const Eigen::VectorXd &direction)
+  {
     law.respond(approach + direction, other_response);
     const double fraction = line_search(increment, direction, other_response.forces);
     body.accept(fraction);
-    motion += fraction * increment.motion;
-    approach += fraction * direction;
     // Most steps are taken whole: the response at their end is then the one that the line search has looked
     // at.
     if (fraction != 1)
-      law.respond(approach, other_response);
+      law.respond(approach + fraction * direction, other_response);
     response.swap(other_response);
     weigh();
-    report(increment, fraction, other_response.contact_set);
+    return fraction;
+  }
+
+  /// Takes the longest of the steps 1, 1/2, 1/4 ... that lowers the residual, the shortest of them where none
+  /// does; returns its length and leaves the responses as step_to_least_energy().
+  double step_to_less_residual(const Eigen::VectorXd &direction)
+  {
+    constexpr double shortest = 1. / 64;
+    const double residual_before = residual();
+    response.swap(other_response);
+    double fraction = 1;
+    body.accept(fraction);
+    for (;;)
+    {
+      law.respond(approach + fraction * direction, response);
+      weigh();
+      if (!std::isfinite(residual()))
+        throw_overflow();
+      if (residual() < residual_before || residual() <= control.tolerance || fraction <= shortest)
+        return fraction;
+      body.accept(-fraction / 2);
+      fraction /= 2;
+    }
   }
 
   ContactStep solve()
   {
     try
     {
-      return body.solve(response.tangent, response.forces, excess);
+      return body.solve(response.tangent, response.forces, conditions);
     }
     catch (const std::runtime_error &error)
     {
@@ -245,7 +269,7 @@ private:
   double line_search(const ContactStep &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
-    const double outer = target.dot(increment.motion);
+    const double outer = conditions.target().dot(increment.motion);
     const auto slope_under = [&](double fraction, const Eigen::VectorXd &forces) {
       return increment.energy_slope + fraction * increment.energy_curvature + outer - forces.dot(direction);
     };
@@ -258,9 +282,7 @@ private:
     const double start = slope_under(0, response.forces);
     const double end = slope_under(1, forces_at_end);
     if (!std::isfinite(start) || !std::isfinite(end))
-      throw ContactFailure(ContactOutcome::overflow,
-                           "the contact's energy is not a finite number; bring loads, lengths and moduli to "
-                           "usual orders of magnitude.");
+      throw_overflow();
     const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
     // Close to the solution the slopes are differences of large numbers: below their noise the full step is
     // the best there is.
@@ -271,6 +293,13 @@ private:
     const auto bracket =
       boost::math::tools::toms748_solve(slope, 0., 1., start, end, close_enough, max_evaluations);
     return (bracket.first + bracket.second) / 2;
+  }
+
+  [[noreturn]] static void throw_overflow()
+  {
+    throw ContactFailure(ContactOutcome::overflow,
+                         "the contact's energy is not a finite number; bring loads, lengths and moduli to "
+                         "usual orders of magnitude.");
   }
 
   void report(const ContactStep &increment, double fraction, const ContactSet &set_before)
@@ -296,7 +325,7 @@ private:
   ElasticBody &body;
   TableLaw &law;
   const ContactControl &control;
-  const Eigen::Vector3d target; ///< (N, sum x f, sum y f)
+  const LinearConditions &conditions;
   const double radius;
   const Eigen::MatrixX3d modes;
 
@@ -304,7 +333,7 @@ private:
   Eigen::VectorXd approach;
   LawResponse response;
   LawResponse other_response; ///< at the end of a step to come, or at the beginning of the last one
-  Eigen::Vector3d excess;     ///< resultants of the response's forces less `target`
+  Eigen::Vector3d excess;     ///< residual of the conditions on the response's forces
   double equilibrium = 0;     ///< the body's relative residual under the response's forces
   unsigned int n_steps = 0;
   unsigned int n_changed = 0;
@@ -314,8 +343,8 @@ private:
 
 /// Table motions under a foot that does not deform: pressed in so far that the whole zone carries, then
 /// released to balance.
-Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, const ContactLoad &load,
-                                  double radius)
+Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
+                                  const LinearConditions &conditions, double radius)
 {
   RigidFoot foot(surface);
   ContactControl control;
@@ -323,7 +352,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, 
   const double depth = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
   const double softness = 1e-6 * radius;
   const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + depth + softness), 0, 0);
-  ContactNewton newton(foot, law, load, radius, control, pressed_in);
+  ContactNewton newton(foot, law, conditions, radius, control, pressed_in);
   newton.converge();
   Eigen::Vector3d motion = newton.solution().motion;
   // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
@@ -347,19 +376,19 @@ void require_balance(const ContactSolution &solution, const ContactControl &cont
 
 } // namespace
 
-ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
-                              const ContactControl &control, const Eigen::Vector3d *start)
+ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
+                              double radius, const ContactControl &control, const Eigen::Vector3d *start)
 {
-  require_possible(load, body.contact_surface());
+  require_possible(conditions);
   Eigen::Vector3d motion;
   if (start)
     motion = *start;
   else
   {
     body.reset();
-    motion = rigid_foot_motion(body.contact_surface(), law, load, radius);
+    motion = rigid_foot_motion(body.contact_surface(), law, conditions, radius);
   }
-  ContactNewton newton(body, law, load, radius, control, motion);
+  ContactNewton newton(body, law, conditions, radius, control, motion);
   newton.converge_with_multipliers();
   const ContactSolution solution = newton.solution();
   require_balance(solution, control);

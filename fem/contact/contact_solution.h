@@ -50,7 +50,7 @@ struct ContactSolution
   unsigned int n_loaded_nodes = 0; ///< contact nodes under pressure
   unsigned int n_nodes_across = 0; ///< ContactSurface::n_nodes_across()
   double force_residual = 0;       ///< |sum f - N| / N
-  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R)
+  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or that of the conditions in its place
   double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/contact_surface.h"
+#include "fem/contact/linear_conditions.h"
 
 #include <Eigen/SparseCore>
 
@@ -33,12 +33,12 @@ public:
   /// B u: vertical displacement of the contact nodes, upward > 0 [m].
   virtual Eigen::VectorXd contact_displacement() const = 0;
 
-  /// Solves [K + B'TB, B'TQ; Q'TB, Q'TQ] [du; dq] = [B' forces - K u; resultant_excess], symmetric positive
-  /// definite while the loaded places are not on one line. @p tangent T as in LawResponse; @p
-  /// resultant_excess = Q' forces - prescribed (N, sum x f, sum y f). Throws std::runtime_error when the
-  /// linear solver does not converge or the system is singular.
+  /// Solves [K + B'TB, B'TQ; L'TB, L'TQ] [du; dq] = [B' forces - K u; L' forces - t], @p tangent T as in
+  /// LawResponse, L and t of @p conditions. Symmetric positive definite where L = Q, as long as the loaded
+  /// places are not on one line. Throws std::runtime_error when the linear solver does not converge or the
+  /// system is singular.
   virtual ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                            const Eigen::Vector3d &resultant_excess) = 0;
+                            const LinearConditions &conditions) = 0;
 
   /// Adds @p fraction of the last step to the state.
   virtual void accept(double fraction) = 0;

@@ -177,12 +177,12 @@ Eigen::VectorXd BodyOfRevolution::contact_displacement() const
 }
 
 bool BodyOfRevolution::is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
-                               const Eigen::Vector3d &resultant_excess) const
+                               const LinearConditions &conditions) const
 {
-  if (has_sliding())
+  if (has_sliding() || !conditions.are_resultants())
     return false;
   const double allowed = symmetry_tolerance * forces.lpNorm<1>();
-  double odd = std::abs(resultant_excess(2)) / compliance.radii(0);
+  double odd = std::abs(conditions.residual(forces)(2)) / compliance.radii(0);
   const Eigen::Map<const Eigen::MatrixXd> on_lines(forces.data(), compliance.n_nodes(), basis.n_lines());
   const Eigen::Index n_lines = basis.n_lines();
   for (Eigen::Index line = 1; 2 * line < n_lines; ++line)
@@ -202,13 +202,36 @@ ModeMatrix BodyOfRevolution::on_circles(const Eigen::MatrixXd &whole, const Line
   return part;
 }
 
+NewtonConditions BodyOfRevolution::in_modes(const LinearConditions &conditions,
+                                            const Eigen::SparseMatrix<double> &tangent,
+                                            const Eigen::VectorXd &forces, const LineTangents &tangents,
+                                            const std::vector<unsigned int> &modes) const
+{
+  NewtonConditions result;
+  result.residual = conditions.residual(forces);
+  if (conditions.are_resultants())
+    return result;
+  const Eigen::MatrixX3d change = tangent * conditions.weights(); // T L
+  const auto n_unknowns = static_cast<Eigen::Index>(tangents.circles.size() * modes.size());
+  result.rows.emplace(3, n_unknowns);
+  for (Eigen::Index i = 0; i < 3; ++i)
+  {
+    const Eigen::Map<const Eigen::MatrixXd> on_lines(change.col(i).data(), compliance.n_nodes(),
+                                                     basis.n_lines());
+    const ModeMatrix row = on_circles(basis.project(on_lines), tangents, modes);
+    result.rows->row(i) = row.reshaped().transpose();
+  }
+  result.corner = change.transpose() * surface.motion_modes();
+  return result;
+}
+
 ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                    const Eigen::Vector3d &resultant_excess)
+                                    const LinearConditions &conditions)
 {
   ForceModes unbalanced = imbalance(forces);
   const LineTangents tangents(tangent, compliance.n_nodes(), basis.n_lines(),
                               loaded_circles(unbalanced.normal));
-  const bool even = is_even(tangents, forces, resultant_excess);
+  const bool even = is_even(tangents, forces, conditions);
   // What is odd in an even state is rounding: the step takes it away.
   if (even)
     for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
@@ -223,7 +246,8 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
     tangential.normal.setZero();
     rhs += newton.stiffness_times(on_circles(displacement_modes(tangential), tangents, modes));
   }
-  const HarmonicNewton::Result result = newton.solve(rhs, resultant_excess);
+  const HarmonicNewton::Result result =
+    newton.solve(rhs, in_modes(conditions, tangent, forces, tangents, modes));
 
   increment = unbalanced;
   const auto relieve = [&](Eigen::MatrixXd &force, const ModeMatrix &relief)

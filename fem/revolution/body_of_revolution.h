@@ -4,6 +4,7 @@
 #include "fem/contact/sliding_traction.h"
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/fourier_basis.h"
+#include "fem/revolution/harmonic_newton.h"
 #include "fem/revolution/line_tangents.h"
 
 #include <functional>
@@ -49,7 +50,7 @@ public:
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override;
   ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const Eigen::Vector3d &resultant_excess) override;
+                    const LinearConditions &conditions) override;
   void accept(double fraction) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
@@ -70,7 +71,10 @@ private:
   Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole, const LineTangents &tangents,
                              const std::vector<unsigned int> &modes) const;
   bool is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
-               const Eigen::Vector3d &resultant_excess) const;
+               const LinearConditions &conditions) const;
+  NewtonConditions in_modes(const LinearConditions &conditions, const Eigen::SparseMatrix<double> &tangent,
+                            const Eigen::VectorXd &forces, const LineTangents &tangents,
+                            const std::vector<unsigned int> &modes) const;
   bool has_sliding() const { return slide_radial.size() > 0; }
   void make_lines();
 

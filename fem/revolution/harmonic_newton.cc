@@ -168,8 +168,16 @@ Eigen::MatrixXd HarmonicNewton::bordered_matrix(const Eigen::MatrixXd &motions) 
   return matrix;
 }
 
+void HarmonicNewton::set_conditions(const NewtonConditions &conditions, double length,
+                                    Eigen::MatrixXd &matrix)
+{
+  const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / length, 1 / length);
+  matrix.bottomLeftCorner(3, matrix.cols() - 3) = scale * *conditions.rows;
+  matrix.bottomRightCorner(3, 3) = scale * conditions.corner * scale;
+}
+
 HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &imbalance,
-                                             const Eigen::Vector3d &resultant_excess) const
+                                             const NewtonConditions &conditions) const
 {
   // Tilts count as heights at the rim, so that all unknowns are lengths.
   Eigen::MatrixXd motions = motion_modes();
@@ -179,10 +187,12 @@ HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &imbalance,
   motions.rightCols(n_motions - 1) /= length;
 
   Eigen::MatrixXd matrix = bordered_matrix(motions);
+  if (conditions.rows)
+    set_conditions(conditions, length, matrix);
   Eigen::VectorXd solution(n + n_motions);
-  solution << stacked(imbalance), resultant_excess.head(n_motions);
+  solution << stacked(imbalance), conditions.residual.head(n_motions);
   solution.tail(n_motions - 1) /= length;
-  if (has_sliding())
+  if (has_sliding() || conditions.rows)
     solution = matrix.partialPivLu().solve(solution).eval();
   else
   {

@@ -153,7 +153,7 @@ Eigen::VectorXd SolidBody::contact_displacement() const
 }
 
 ContactStep SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
-                             const Eigen::VectorXd &forces, const Eigen::Vector3d &resultant_excess)
+                             const Eigen::VectorXd &forces, const LinearConditions &conditions)
 {
   Implementation &body = *implementation;
   body.set_tangent(contact_tangent);
@@ -163,13 +163,23 @@ ContactStep SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
   const double length = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::Vector3d scale(1, 1 / length, 1 / length);
   modes = modes * scale.asDiagonal();
+  const auto spread = [&](const Eigen::MatrixX3d &nodal)
+  {
+    return std::array<TrilinosWrappers::MPI::Vector, 3>{ body.spread(nodal.col(0)), body.spread(nodal.col(1)),
+                                                         body.spread(nodal.col(2)) };
+  };
+  BorderedSystem system{ body.tangent, {}, {}, {} };
   const Eigen::MatrixX3d stiffened = contact_tangent * modes;
-  const Eigen::Matrix3d corner = modes.transpose() * stiffened;
-  const std::array<TrilinosWrappers::MPI::Vector, 3> border = { body.spread(stiffened.col(0)),
-                                                                body.spread(stiffened.col(1)),
-                                                                body.spread(stiffened.col(2)) };
-  const BorderedSystem system{ body.tangent, border, corner };
-  const BorderedVector rhs{ body.imbalance(forces), scale.asDiagonal() * resultant_excess };
+  system.border = spread(stiffened);
+  if (conditions.are_resultants())
+    system.corner = modes.transpose() * stiffened;
+  else
+  {
+    const Eigen::MatrixX3d weights = conditions.weights() * scale.asDiagonal();
+    system.condition_border = spread(contact_tangent * weights);
+    system.corner = weights.transpose() * stiffened;
+  }
+  const BorderedVector rhs{ body.imbalance(forces), scale.asDiagonal() * conditions.residual(forces) };
   BorderedVector increment;
   ContactStep step;
   step.linear_iterations = body.solver->solve(system, rhs, linear_reduction, increment);

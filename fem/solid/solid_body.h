@@ -50,7 +50,7 @@ public:
   const ContactSurface &contact_surface() const override;
   Eigen::VectorXd contact_displacement() const override;
   ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const Eigen::Vector3d &resultant_excess) override;
+                    const LinearConditions &conditions) override;
   void accept(double fraction) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;

@@ -44,7 +44,7 @@ public:
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
   ContactStep solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
-                    const Eigen::Vector3d &) override
+                    const LinearConditions &) override
   {
     ContactStep step;
     step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());

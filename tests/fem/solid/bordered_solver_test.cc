@@ -23,7 +23,8 @@ unsigned int multigrid_iterations(const FootResolution &resolution)
   const auto mat = make_law(WinklerInterface(1e10), surface);
   LawResponse response;
   mat->respond(Eigen::VectorXd::Constant(surface.n_nodes(), -1e-6), response);
-  return foot.body->solve(response.tangent, response.forces, Eigen::Vector3d(1, 0.001, 0)).linear_iterations;
+  const LinearConditions conditions = prescribed_resultants(surface, load_at(0.3));
+  return foot.body->solve(response.tangent, response.forces, conditions).linear_iterations;
 }
 } // namespace
 
