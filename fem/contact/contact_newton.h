@@ -12,11 +12,10 @@ namespace stemware::fem
 struct ContactIteration
 {
   unsigned int number = 0;
-  unsigned int n_loaded = 0;  ///< size of the contact set
+  unsigned int n_loaded = 0;  ///< size of the active set
   unsigned int n_changed = 0; ///< how many of its members differ from the iteration before
-  double residual =
-    0; ///< relative imbalance: of the body's forces and of the resultants, whichever is larger
-  double step_fraction = 0; ///< share of the Newton step that was taken
+  double residual = 0; ///< relative residual: of the body's forces and of the resultants, whichever is larger
+  double step_length = 0; ///< share of the Newton step that was taken
   unsigned int linear_iterations = 0;
 };
 
@@ -46,7 +45,7 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
 
 /// solve_contact() under the prescribed resultants @p load. Throws std::invalid_argument unless N > 0 and all
 /// is finite.
-inline ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
+inline ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const Resultants &load, double radius,
                                      const ContactControl &control = {},
                                      const Eigen::Vector3d *start = nullptr)
 {

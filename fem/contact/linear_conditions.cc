@@ -20,7 +20,7 @@ LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX
   symmetric = L == surface.motion_modes();
 }
 
-LinearConditions prescribed_resultants(const ContactSurface &surface, const ContactLoad &load)
+LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load)
 {
   return LinearConditions(surface, surface.motion_modes(),
                           { load.normal_force, -load.moment_y, load.moment_x });

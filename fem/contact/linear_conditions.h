@@ -6,7 +6,7 @@ namespace stemware::fem
 {
 
 /// Resultants of the normal contact forces about the ring's centre on the table.
-struct ContactLoad
+struct Resultants
 {
   double normal_force = 0; ///< N = sum f [N], > 0
   double moment_x = 0;     ///< M_Nx =  sum y f [N m]
@@ -42,6 +42,6 @@ private:
 
 /// The conditions (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless N > 0 and all is
 /// finite.
-LinearConditions prescribed_resultants(const ContactSurface &surface, const ContactLoad &load);
+LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load);
 
 } // namespace stemware::fem

@@ -29,12 +29,12 @@ Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eig
   return support;
 }
 
-ContactStep RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                             const LinearConditions &conditions)
+NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                 const LinearConditions &conditions)
 {
   const Eigen::Matrix3d stiffness = support_of(tangent, conditions.weights(), modes);
   const Eigen::Vector3d residual = conditions.residual(forces);
-  ContactStep step;
+  NewtonIncrement step;
   step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
   bool is_regular = false;
   if (conditions.are_resultants())

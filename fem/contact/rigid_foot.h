@@ -25,9 +25,9 @@ public:
 
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
-  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const LinearConditions &conditions) override;
-  void accept(double) override {}
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                        const LinearConditions &conditions) override;
+  void update(double) override {}
   void reset() override {}
   double equilibrium_residual(const Eigen::VectorXd &) const override { return 0; }
   unsigned int n_unknowns() const override { return 3; }

@@ -67,7 +67,7 @@ void BodyOfRevolution::make_lines()
           const double radius = nodes(0) + length * (piece + sample / 2.);
           line.shape.row(sample) = lagrange_values(nodes, radius);
           line.position.row(sample) = radius * outward;
-          line.breadth.row(sample) = radius * width * across;
+          line.transverse_tangent.row(sample) = radius * width * across;
         }
         line.samples_are_nodes = degree == 2;
         if (line.samples_are_nodes)
@@ -139,12 +139,12 @@ const ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) cons
   if (has_sliding())
   {
     projection.radial = basis.project(on_lines.cwiseProduct(slide_radial));
-    projection.azimuthal = basis.project_on_partners(on_lines.cwiseProduct(slide_azimuthal));
+    projection.azimuthal = basis.project_on_conjugates(on_lines.cwiseProduct(slide_azimuthal));
   }
   return projection;
 }
 
-ForceModes BodyOfRevolution::imbalance(const Eigen::VectorXd &forces) const
+ForceModes BodyOfRevolution::residual(const Eigen::VectorXd &forces) const
 {
   ForceModes result = modes_of(forces);
   result.normal -= state.normal;
@@ -225,10 +225,10 @@ NewtonConditions BodyOfRevolution::in_modes(const LinearConditions &conditions,
   return result;
 }
 
-ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                    const LinearConditions &conditions)
+NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent,
+                                        const Eigen::VectorXd &forces, const LinearConditions &conditions)
 {
-  ForceModes unbalanced = imbalance(forces);
+  ForceModes unbalanced = residual(forces);
   const LineTangents tangents(tangent, compliance.n_nodes(), basis.n_lines(),
                               loaded_circles(unbalanced.normal));
   const bool even = is_even(tangents, forces, conditions);
@@ -250,21 +250,21 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
     newton.solve(rhs, in_modes(conditions, tangent, forces, tangents, modes));
 
   increment = unbalanced;
-  const auto relieve = [&](Eigen::MatrixXd &force, const ModeMatrix &relief)
+  const auto subtract = [&](Eigen::MatrixXd &force, const ModeMatrix &decrement)
   {
     for (std::size_t k = 0; k < modes.size(); ++k)
       for (std::size_t p = 0; p < tangents.circles.size(); ++p)
         force(tangents.circles[p], modes[k]) -=
-          relief(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k));
+          decrement(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k));
   };
-  relieve(increment.normal, result.normal_relief);
+  subtract(increment.normal, result.normal_decrement);
   if (has_sliding())
   {
-    relieve(increment.radial, result.radial_relief);
-    relieve(increment.azimuthal, result.azimuthal_relief);
+    subtract(increment.radial, result.radial_decrement);
+    subtract(increment.azimuthal, result.azimuthal_decrement);
   }
   const Eigen::MatrixXd displacement = displacement_modes(increment);
-  ContactStep step;
+  NewtonIncrement step;
   step.displacement = basis.evaluate(displacement).reshaped();
   step.motion = result.motion;
   step.energy_slope = displacement.cwiseProduct(state.normal).sum();
@@ -272,13 +272,13 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
   return step;
 }
 
-void BodyOfRevolution::accept(double fraction)
+void BodyOfRevolution::update(double step_length)
 {
-  state.normal += fraction * increment.normal;
+  state.normal += step_length * increment.normal;
   if (has_sliding())
   {
-    state.radial += fraction * increment.radial;
-    state.azimuthal += fraction * increment.azimuthal;
+    state.radial += step_length * increment.radial;
+    state.azimuthal += step_length * increment.azimuthal;
   }
 }
 

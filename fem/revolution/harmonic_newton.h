@@ -28,7 +28,7 @@ struct NewtonConditions
 /// Newton's linear system of a body of revolution, dense in the modes of its loaded circles.
 ///
 /// With the body's stiffness S (block diagonal, the inverse of the compliance on the loaded circles), the
-/// law's tangent T and the table motions Q in modes, [S + T, TQ; L'T, L'TQ] [du; dq] = [imbalance; L'f - t],
+/// law's tangent T and the table motions Q in modes, [S + T, TQ; L'T, L'TQ] [du; dq] = [residual; L'f - t],
 /// symmetric positive definite where L = Q. Sliding friction adds S C_t T_t to the first row, where T_t is
 /// the tangent of the tangential forces and C_t their compliance; the matrix is then unsymmetric.
 class HarmonicNewton
@@ -47,22 +47,22 @@ public:
 
   struct Result
   {
-    Eigen::Vector3d motion;   ///< dq
-    ModeMatrix normal_relief; ///< T (du + Q dq): what the normal forces lose on the loaded circles
-    ModeMatrix radial_relief; ///< the same of the tangential forces; empty without friction
-    ModeMatrix azimuthal_relief;
+    Eigen::Vector3d motion;      ///< dq
+    ModeMatrix normal_decrement; ///< T (du + Q dq): what the normal forces lose on the loaded circles
+    ModeMatrix radial_decrement; ///< the same of the tangential forces; empty without friction
+    ModeMatrix azimuthal_decrement;
   };
 
-  /// @p imbalance of the normal forces with S times the displacement by unbalanced tangential forces already
+  /// @p residual of the normal forces with S times the displacement by unbalanced tangential forces already
   /// added. Throws std::runtime_error when the matrix is singular.
-  Result solve(const ModeMatrix &imbalance, const NewtonConditions &conditions) const;
+  Result solve(const ModeMatrix &residual, const NewtonConditions &conditions) const;
 
   /// S times displacement modes.
   ModeMatrix stiffness_times(const ModeMatrix &displacement) const;
 
 private:
   Eigen::Index size() const { return static_cast<Eigen::Index>(n_circles * used_modes.size()); }
-  Eigen::MatrixXd assemble(const FourierProducts &products, bool with_partner) const;
+  Eigen::MatrixXd assemble(const FourierProducts &products, bool with_conjugate) const;
   Eigen::MatrixXd motion_modes() const;
   Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole) const;
   /// S C_t T_t: the rows of used mode k.

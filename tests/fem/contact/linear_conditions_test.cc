@@ -50,7 +50,7 @@ ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
   for (unsigned int i = 0; i < 60; ++i)
   {
     const Eigen::Vector3d before = solution.motion;
-    solution = solve_contact(body, law, ContactLoad{ weight, target(1), -target(0) }, 0.03, {},
+    solution = solve_contact(body, law, Resultants{ weight, target(1), -target(0) }, 0.03, {},
                              i > 0 ? &before : nullptr);
     const Eigen::Vector2d next = prescribed - arm * friction.transpose() * solution.forces;
     if ((next - target).norm() < 1e-12 * weight * 0.03)
@@ -73,7 +73,7 @@ void expect_fixed_point(ElasticBody &body, TableLaw &law)
   EXPECT_LE(solution.n_iterations, 12u);
   // The friction's moment is not small: without it the contact would be another one.
   const ContactSolution without =
-    solve_contact(body, law, ContactLoad{ weight, prescribed(1), -prescribed(0) }, 0.03);
+    solve_contact(body, law, Resultants{ weight, prescribed(1), -prescribed(0) }, 0.03);
   EXPECT_GT((solution.forces - without.forces).norm(), 0.1 * expected.forces.norm());
 }
 
