@@ -20,22 +20,14 @@ namespace
 /// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
 constexpr unsigned int fewest_nodes_across = 4;
 
-/// Prescribed resultants (N, sum x f, sum y f).
-Eigen::Vector3d resultants(const ContactLoad &load)
+/// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the
+/// nodes.
+void require_possible(const LinearConditions &conditions)
 {
-  return { load.normal_force, -load.moment_y, load.moment_x };
-}
-
-void require_possible(const ContactLoad &load, const ContactSurface &surface)
-{
-  const Eigen::Vector3d target = resultants(load);
-  if (!(target.allFinite() && load.normal_force > 0))
-    throw std::invalid_argument(
-      "The normal force must be a finite number greater than 0 N and the moment finite.");
-  const Eigen::Vector2d centre = target.tail<2>() / load.normal_force;
+  const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
   if (centre.norm() == 0)
     return;
-  const double reach = (surface.node_position * centre.normalized()).maxCoeff();
+  const double reach = (conditions.weights().rightCols<2>() * centre.normalized()).maxCoeff();
   if (centre.norm() < reach)
     return;
   std::ostringstream message;
@@ -45,60 +37,60 @@ void require_possible(const ContactLoad &load, const ContactSurface &surface)
   throw ContactFailure(ContactOutcome::tipping, message.str());
 }
 
-/// The damped Newton iteration on the energy of one body and one table.
+/// The damped Newton iteration of one body and one table.
 class ContactNewton
 {
 public:
-  ContactNewton(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
+  ContactNewton(ElasticBody &body, TableLaw &law, const LinearConditions &conditions, double radius,
                 const ContactControl &control, const Eigen::Vector3d &motion)
       : body(body)
       , law(law)
       , control(control)
-      , target(resultants(load))
+      , conditions(conditions)
       , radius(radius)
       , modes(body.contact_surface().motion_modes())
       , motion(motion)
   {
-    approach = body.contact_displacement() + modes * motion;
-    respond();
+    normal_displacement = body.contact_displacement() + modes * motion;
+    evaluate();
   }
 
   /// Newton steps until the law's linear branch and the balance of forces are both found.
   void converge()
   {
     bool balanced_before = false;
-    double imbalance_before = std::numeric_limits<double>::infinity();
-    double least_imbalance = std::numeric_limits<double>::infinity();
+    double residual_before = std::numeric_limits<double>::infinity();
+    double least_residual = std::numeric_limits<double>::infinity();
     unsigned int n_idle = 0;
-    std::map<ContactSet, double> visited;
+    std::map<ActiveSet, double> visited;
     for (;;)
     {
-      const double imbalance = residual();
-      n_idle = imbalance > 0.5 * least_imbalance ? n_idle + 1 : 0;
-      least_imbalance = std::min(least_imbalance, imbalance);
-      const bool balanced = is_balanced() || rests_at_rounding(imbalance, imbalance_before, n_idle);
+      const double present_residual = residual();
+      n_idle = present_residual > 0.5 * least_residual ? n_idle + 1 : 0;
+      least_residual = std::min(least_residual, present_residual);
+      const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
       // A set that still flips between two balanced iterates flips at places whose force is zero to within
       // the tolerance.
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before))
         return;
-      require_new_set(visited, imbalance);
+      require_new_set(visited, present_residual);
       balanced_before = balanced;
-      imbalance_before = imbalance;
+      residual_before = present_residual;
       step();
     }
   }
 
   /// Converges, then lets the law correct its multipliers, until they rest.
-  void converge_with_multipliers()
+  void converge_outer_iteration()
   {
     for (;;)
     {
       converge();
-      const double violation = law.update_multipliers(approach);
+      const double violation = law.augmented_lagrangian_update(normal_displacement);
       if (violation == 0)
         return;
-      respond();
-      // Not the approach itself: on a flat land it tends to zero together with the violation.
+      evaluate();
+      // Not the normal displacement itself: on a flat land it tends to zero together with the violation.
       const double moved = std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
                                     (modes * motion).lpNorm<Eigen::Infinity>());
       if (violation <= control.tolerance * moved)
@@ -109,8 +101,8 @@ public:
   ContactSolution solution() const
   {
     ContactSolution result;
-    result.forces = response.forces;
-    result.approach = approach;
+    result.forces = contact.forces;
+    result.normal_displacement = normal_displacement;
     result.motion = motion;
     result.n_iterations = n_steps;
     result.n_linear_iterations = n_linear_iterations;
@@ -119,30 +111,33 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    result.force_residual = std::abs(excess(0)) / target(0);
-    result.moment_residual = excess.tail<2>().norm() / (target(0) * radius);
+    result.force_residual = std::abs(condition_residual(0)) / conditions.normal_force();
+    result.moment_residual = condition_residual.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
     return result;
   }
 
 private:
-  /// Evaluates the law and the balance at the present approach.
-  void respond()
+  /// Evaluates the law and the balance at the present normal displacement.
+  void evaluate()
   {
-    law.respond(approach, response);
-    weigh();
+    law.evaluate(normal_displacement, contact);
+    compute_residual();
   }
 
-  /// Evaluates the balance of the response's forces.
-  void weigh()
+  /// Evaluates the balance of the contact forces.
+  void compute_residual()
   {
-    excess = modes.transpose() * response.forces - target;
-    equilibrium = body.equilibrium_residual(response.forces);
+    condition_residual = conditions.residual(contact.forces);
+    equilibrium = body.equilibrium_residual(contact.forces);
   }
 
   double resultant_residual() const
   {
-    return Eigen::Vector3d(excess(0), excess(1) / radius, excess(2) / radius).norm() / target(0);
+    return Eigen::Vector3d(condition_residual(0), condition_residual(1) / radius,
+                           condition_residual(2) / radius)
+             .norm() /
+           conditions.normal_force();
   }
 
   double residual() const { return std::max(resultant_residual(), equilibrium); }
@@ -152,30 +147,30 @@ private:
     return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Whether a whole step has changed neither the contact set nor an imbalance that the final check lets
+  /// Whether a whole step has changed neither the active set nor a residual that the final check lets
   /// pass, or @p n_idle steps in a row have not improved on it: the stiff penalties of a rigid table leave
   /// more rounding than the tolerance may allow, and places without force may flip in it.
-  bool rests_at_rounding(double imbalance, double imbalance_before, unsigned int n_idle) const
+  bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;
-    const bool at_rest = n_changed == 0 && last_fraction == 1 && imbalance > 0.5 * imbalance_before;
+    const bool at_rest = n_changed == 0 && last_step_length == 1 && present_residual > 0.5 * residual_before;
     return n_steps > 0 && (at_rest || n_idle >= patience) &&
            resultant_residual() <= control.resultant_tolerance &&
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  void require_new_set(std::map<ContactSet, double> &visited, double imbalance) const
+  void require_new_set(std::map<ActiveSet, double> &visited, double present_residual) const
   {
-    const auto [visit, is_new] = visited.emplace(response.contact_set, imbalance);
+    const auto [visit, is_new] = visited.emplace(contact.active_set, present_residual);
     // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
-    if (is_new || imbalance < 0.5 * visit->second || last_fraction < 1)
+    if (is_new || present_residual < 0.5 * visit->second || last_step_length < 1)
     {
-      visit->second = imbalance;
+      visit->second = present_residual;
       return;
     }
     std::ostringstream message;
     message << "after " << n_steps << " steps the same " << n_loaded()
-            << " loaded places came back with a relative imbalance of " << imbalance << " (allowed "
+            << " loaded places came back with a relative residual of " << present_residual << " (allowed "
             << control.equilibrium_tolerance << "); refine the mesh or loosen the tolerance.";
     throw ContactFailure(ContactOutcome::repeated_set, message.str());
   }
@@ -183,7 +178,7 @@ private:
   void require_support() const
   {
     const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
-    const Eigen::Matrix3d support = scale * support_of(response.tangent, modes) * scale;
+    const Eigen::Matrix3d support = scale * support_of(contact.tangent, modes, modes) * scale;
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
@@ -196,8 +191,7 @@ private:
 
   unsigned int n_loaded() const
   {
-    return static_cast<unsigned int>(
-      std::count(response.contact_set.begin(), response.contact_set.end(), true));
+    return static_cast<unsigned int>(std::count(contact.active_set.begin(), contact.active_set.end(), true));
   }
 
   void step()
@@ -205,34 +199,65 @@ private:
     if (n_steps >= control.max_steps)
     {
       std::ostringstream message;
-      message << control.max_steps << " Newton steps left a relative imbalance of " << residual()
+      message << control.max_steps << " Newton steps left a relative residual of " << residual()
               << " (allowed " << control.equilibrium_tolerance
               << "; refine the land or reduce the load's moment).";
       throw ContactFailure(ContactOutcome::too_many_steps, message.str());
     }
     if (n_steps == 0 || n_changed > 0) // other places than those found to support it
       require_support();
-    const ContactStep increment = solve();
+    const NewtonIncrement increment = solve();
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
-    law.respond(approach + direction, other_response);
-    const double fraction = line_search(increment, direction, other_response.forces);
-    body.accept(fraction);
-    motion += fraction * increment.motion;
-    approach += fraction * direction;
-    // Most steps are taken whole: the response at their end is then the one that the line search has looked
-    // at.
-    if (fraction != 1)
-      law.respond(approach, other_response);
-    response.swap(other_response);
-    weigh();
-    report(increment, fraction, other_response.contact_set);
+    const double step_length = conditions.are_resultants() ? step_to_least_energy(increment, direction)
+                                                           : step_to_less_residual(direction);
+    motion += step_length * increment.motion;
+    normal_displacement += step_length * direction;
+    report(increment, step_length, other_contact.active_set);
   }
 
-  ContactStep solve()
+  /// Takes the step of least energy along the increment; returns its length. Leaves the contact forces at its
+  /// end in `contact`, the one before it in `other_contact`.
+  double step_to_least_energy(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
+  {
+    law.evaluate(normal_displacement + direction, other_contact);
+    const double step_length = line_search(increment, direction, other_contact.forces);
+    body.update(step_length);
+    // Most steps are taken whole: the contact forces at their end are then those that the line search
+    // has looked at.
+    if (step_length != 1)
+      law.evaluate(normal_displacement + step_length * direction, other_contact);
+    contact.swap(other_contact);
+    compute_residual();
+    return step_length;
+  }
+
+  /// Takes the longest of the steps 1, 1/2, 1/4 ... that lowers the residual, the shortest of them where none
+  /// does; returns its length and leaves the contact forces as step_to_least_energy().
+  double step_to_less_residual(const Eigen::VectorXd &direction)
+  {
+    constexpr double shortest = 1. / 64;
+    const double residual_before = residual();
+    contact.swap(other_contact);
+    double step_length = 1;
+    body.update(step_length);
+    for (;;)
+    {
+      law.evaluate(normal_displacement + step_length * direction, contact);
+      compute_residual();
+      if (!std::isfinite(residual()))
+        throw_overflow();
+      if (residual() < residual_before || residual() <= control.tolerance || step_length <= shortest)
+        return step_length;
+      body.update(-step_length / 2);
+      step_length /= 2;
+    }
+  }
+
+  NewtonIncrement solve()
   {
     try
     {
-      return body.solve(response.tangent, response.forces, excess);
+      return body.solve(contact.tangent, contact.forces, conditions);
     }
     catch (const std::runtime_error &error)
     {
@@ -242,25 +267,24 @@ private:
 
   /// Share of the increment to take: all of it unless the energy rises again towards its end, then where it
   /// is stationary.
-  double line_search(const ContactStep &increment, const Eigen::VectorXd &direction,
+  double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
-    const double outer = target.dot(increment.motion);
-    const auto slope_under = [&](double fraction, const Eigen::VectorXd &forces) {
-      return increment.energy_slope + fraction * increment.energy_curvature + outer - forces.dot(direction);
+    const double outer = conditions.target().dot(increment.motion);
+    const auto slope_under = [&](double step_length, const Eigen::VectorXd &forces) {
+      return increment.energy_slope + step_length * increment.energy_curvature + outer -
+             forces.dot(direction);
     };
-    LawResponse between;
-    const auto slope = [&](double fraction)
+    ContactForces between;
+    const auto slope = [&](double step_length)
     {
-      law.respond(approach + fraction * direction, between);
-      return slope_under(fraction, between.forces);
+      law.evaluate(normal_displacement + step_length * direction, between);
+      return slope_under(step_length, between.forces);
     };
-    const double start = slope_under(0, response.forces);
+    const double start = slope_under(0, contact.forces);
     const double end = slope_under(1, forces_at_end);
     if (!std::isfinite(start) || !std::isfinite(end))
-      throw ContactFailure(ContactOutcome::overflow,
-                           "the contact's energy is not a finite number; bring loads, lengths and moduli to "
-                           "usual orders of magnitude.");
+      throw_overflow();
     const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
     // Close to the solution the slopes are differences of large numbers: below their noise the full step is
     // the best there is.
@@ -273,13 +297,20 @@ private:
     return (bracket.first + bracket.second) / 2;
   }
 
-  void report(const ContactStep &increment, double fraction, const ContactSet &set_before)
+  [[noreturn]] static void throw_overflow()
+  {
+    throw ContactFailure(ContactOutcome::overflow,
+                         "the contact's energy is not a finite number; bring loads, lengths and moduli to "
+                         "usual orders of magnitude.");
+  }
+
+  void report(const NewtonIncrement &increment, double step_length, const ActiveSet &set_before)
   {
     ++n_steps;
     n_changed = 0;
     for (std::size_t i = 0; i < set_before.size(); ++i)
-      n_changed += set_before[i] != response.contact_set[i];
-    last_fraction = fraction;
+      n_changed += set_before[i] != contact.active_set[i];
+    last_step_length = step_length;
     n_linear_iterations += increment.linear_iterations;
     if (!control.progress)
       return;
@@ -288,7 +319,7 @@ private:
     iteration.n_loaded = n_loaded();
     iteration.n_changed = n_changed;
     iteration.residual = residual();
-    iteration.step_fraction = fraction;
+    iteration.step_length = step_length;
     iteration.linear_iterations = increment.linear_iterations;
     control.progress(iteration);
   }
@@ -296,26 +327,26 @@ private:
   ElasticBody &body;
   TableLaw &law;
   const ContactControl &control;
-  const Eigen::Vector3d target; ///< (N, sum x f, sum y f)
+  const LinearConditions &conditions;
   const double radius;
   const Eigen::MatrixX3d modes;
 
   Eigen::Vector3d motion;
-  Eigen::VectorXd approach;
-  LawResponse response;
-  LawResponse other_response; ///< at the end of a step to come, or at the beginning of the last one
-  Eigen::Vector3d excess;     ///< resultants of the response's forces less `target`
-  double equilibrium = 0;     ///< the body's relative residual under the response's forces
+  Eigen::VectorXd normal_displacement;
+  ContactForces contact;
+  ContactForces other_contact;        ///< at the end of a step to come, or at the beginning of the last one
+  Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
+  double equilibrium = 0;             ///< the body's relative residual under the contact forces
   unsigned int n_steps = 0;
   unsigned int n_changed = 0;
   unsigned int n_linear_iterations = 0;
-  double last_fraction = 1;
+  double last_step_length = 1;
 };
 
 /// Table motions under a foot that does not deform: pressed in so far that the whole zone carries, then
 /// released to balance.
-Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, const ContactLoad &load,
-                                  double radius)
+Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
+                                  const LinearConditions &conditions, double radius)
 {
   RigidFoot foot(surface);
   ContactControl control;
@@ -323,7 +354,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law, 
   const double depth = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
   const double softness = 1e-6 * radius;
   const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + depth + softness), 0, 0);
-  ContactNewton newton(foot, law, load, radius, control, pressed_in);
+  ContactNewton newton(foot, law, conditions, radius, control, pressed_in);
   newton.converge();
   Eigen::Vector3d motion = newton.solution().motion;
   // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
@@ -347,20 +378,20 @@ void require_balance(const ContactSolution &solution, const ContactControl &cont
 
 } // namespace
 
-ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const ContactLoad &load, double radius,
-                              const ContactControl &control, const Eigen::Vector3d *start)
+ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
+                              double radius, const ContactControl &control, const Eigen::Vector3d *start)
 {
-  require_possible(load, body.contact_surface());
+  require_possible(conditions);
   Eigen::Vector3d motion;
   if (start)
     motion = *start;
   else
   {
     body.reset();
-    motion = rigid_foot_motion(body.contact_surface(), law, load, radius);
+    motion = rigid_foot_motion(body.contact_surface(), law, conditions, radius);
   }
-  ContactNewton newton(body, law, load, radius, control, motion);
-  newton.converge_with_multipliers();
+  ContactNewton newton(body, law, conditions, radius, control, motion);
+  newton.converge_outer_iteration();
   const ContactSolution solution = newton.solution();
   require_balance(solution, control);
   return solution;

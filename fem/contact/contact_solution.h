@@ -15,7 +15,7 @@ enum class ContactOutcome
   narrow_contact, ///< converged, but fewer than four nodes carry load side by side: the pressure across the
                   ///< rim is not resolved
   tipping,        ///< no distribution of pushing forces on the contact zone has these resultants
-  repeated_set,   ///< the contact set came back without the residual falling
+  repeated_set,   ///< the active set came back without the residual falling
   singular_set,   ///< the loaded places no longer support the foot (fewer than three, or on one line)
   too_many_steps, ///< the allowed number of Newton steps was not enough
   unbalanced,     ///< the resultants of the normal forces miss the prescribed ones
@@ -43,14 +43,14 @@ struct ContactSolution
 {
   ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact
   Eigen::VectorXd forces;                             ///< upward forces on the foot at the contact nodes [N]
-  Eigen::VectorXd approach;                           ///< u_z + Q q at the contact nodes [m]
+  Eigen::VectorXd normal_displacement;                ///< u_z + Q q at the contact nodes [m]
   Eigen::Vector3d motion = Eigen::Vector3d::Zero();   ///< q0 [m], q1, q2 [rad] of the table
   unsigned int n_iterations = 0;
   unsigned int n_linear_iterations = 0;
   unsigned int n_loaded_nodes = 0; ///< contact nodes under pressure
   unsigned int n_nodes_across = 0; ///< ContactSurface::n_nodes_across()
   double force_residual = 0;       ///< |sum f - N| / N
-  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R)
+  double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or that of the conditions in its place
   double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
 };
 

@@ -21,7 +21,7 @@ struct ContactLine
   bool samples_are_nodes = false; ///< three nodes, and shape is the identity: no product is needed
   Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
   Eigen::Matrix<double, 3, 2>
-    breadth;                ///< vector across the line at the samples, quadrature weight included [m]
+    transverse_tangent;     ///< vector across the line at the samples, quadrature weight included [m]
   Eigen::Vector3d gap;      ///< distance of the undeformed surface from the plane z = 0 [m]
   double azimuth = 0;       ///< theta of the middle sample [rad]
   double azimuth_width = 0; ///< breadth of the line as an angle [rad]

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/contact_surface.h"
+#include "fem/contact/linear_conditions.h"
 
 #include <Eigen/SparseCore>
 
@@ -8,7 +8,7 @@ namespace stemware::fem
 {
 
 /// Newton increment of a body and of the table under it.
-struct ContactStep
+struct NewtonIncrement
 {
   Eigen::VectorXd displacement; ///< change of u_z at the contact nodes [m]
   Eigen::Vector3d motion;       ///< change of the table motions q0 [m], q1, q2 [rad]
@@ -33,15 +33,15 @@ public:
   /// B u: vertical displacement of the contact nodes, upward > 0 [m].
   virtual Eigen::VectorXd contact_displacement() const = 0;
 
-  /// Solves [K + B'TB, B'TQ; Q'TB, Q'TQ] [du; dq] = [B' forces - K u; resultant_excess], symmetric positive
-  /// definite while the loaded places are not on one line. @p tangent T as in LawResponse; @p
-  /// resultant_excess = Q' forces - prescribed (N, sum x f, sum y f). Throws std::runtime_error when the
-  /// linear solver does not converge or the system is singular.
-  virtual ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                            const Eigen::Vector3d &resultant_excess) = 0;
+  /// Solves [K + B'TB, B'TQ; L'TB, L'TQ] [du; dq] = [B' forces - K u; L' forces - t], @p tangent T as in
+  /// ContactForces, L and t of @p conditions. Symmetric positive definite where L = Q, as long as the loaded
+  /// places are not on one line. Throws std::runtime_error when the linear solver does not converge or the
+  /// system is singular.
+  virtual NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                const LinearConditions &conditions) = 0;
 
-  /// Adds @p fraction of the last step to the state.
-  virtual void accept(double fraction) = 0;
+  /// Adds @p step_length of the last step to the state.
+  virtual void update(double step_length) = 0;
 
   /// Forgets the state: u = 0.
   virtual void reset() = 0;

@@ -9,7 +9,7 @@ void require_latest(const ElasticBody &body, const ContactState &state)
 {
   const ContactSolution &solution = state.solution;
   const Eigen::VectorXd displacement =
-    solution.approach - body.contact_surface().motion_modes() * solution.motion;
+    solution.normal_displacement - body.contact_surface().motion_modes() * solution.motion;
   const Eigen::VectorXd difference = body.contact_displacement() - displacement;
   if (!(difference.lpNorm<Eigen::Infinity>() <= 1e-6 * displacement.lpNorm<Eigen::Infinity>()))
     throw std::logic_error("The foot has been pressed again since this contact was solved, so its fields are "

@@ -20,7 +20,7 @@ struct Slip
   /// omega / v [1/m], counter-clockwise > 0: the direction of the friction tractions.
   double spin_per_speed = 0;
   /// Where the marks of glass and table stand; only a foot or a table that is out of flat knows them.
-  FootPhase orientation;
+  FootOrientation orientation;
 };
 
 /// One solved contact: plain data that stays what it is when the foot is pressed again.
@@ -80,22 +80,22 @@ public:
   /// Solves the contact under the resultants @p load at @p slip, from the solution before where there is one.
   /// @p progress is called after each Newton step, which the state's history keeps too, where a solve takes
   /// long (a solid foot; not a body of revolution); may be empty. Throws ContactFailure.
-  virtual ContactState solve(const ContactLoad &load, const Slip &slip = {},
+  virtual ContactState solve(const Resultants &load, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
   /// The pressure of any state of this foot as forces where they lie, slip frame.
   virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
 
   /// The pressure p(r, theta) of any state of this foot, slip frame.
-  virtual Footprint footprint(const ContactState &state) = 0;
+  virtual PressureMap pressure_map(const ContactState &state) = 0;
 
   /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank
   /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
 };
 
-/// Throws std::logic_error unless the displacement of @p body is that of @p state, u_z + Q q = approach to
-/// rounding.
+/// Throws std::logic_error unless the displacement of @p body is that of @p state, u_z + Q q = normal
+/// displacement to rounding.
 void require_latest(const ElasticBody &body, const ContactState &state);
 
 } // namespace stemware::fem

@@ -16,19 +16,19 @@ public:
   {
   }
 
-  void respond(const Eigen::VectorXd &approach, LawResponse &response) const override
+  void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const override
   {
-    response.forces = forces(approach);
-    response.contact_set.resize(surface.n_nodes());
+    contact.forces = forces(normal_displacement);
+    contact.active_set.resize(surface.n_nodes());
     std::vector<Eigen::Triplet<double>> entries;
     for (unsigned int i = 0; i < surface.n_nodes(); ++i)
     {
-      response.contact_set[i] = response.forces(i) > 0;
-      if (response.forces(i) > 0)
+      contact.active_set[i] = contact.forces(i) > 0;
+      if (contact.forces(i) > 0)
         entries.emplace_back(i, i, stiffness(i));
     }
-    response.tangent.resize(surface.n_nodes(), surface.n_nodes());
-    response.tangent.setFromTriplets(entries.begin(), entries.end());
+    contact.tangent.resize(surface.n_nodes(), surface.n_nodes());
+    contact.tangent.setFromTriplets(entries.begin(), entries.end());
   }
 
   TableLoad load(const ContactSolution &solution) const override
@@ -42,9 +42,9 @@ public:
     return result;
   }
 
-  Footprint footprint(const ContactSolution &solution) const override
+  PressureMap pressure_map(const ContactSolution &solution) const override
   {
-    return footprint_of_nodes(surface, nodal_pressure(solution));
+    return pressure_map_of_nodes(surface, nodal_pressure(solution));
   }
 
   Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override
@@ -52,9 +52,9 @@ public:
     return solution.forces.cwiseQuotient(surface.node_area);
   }
 
-  double update_multipliers(const Eigen::VectorXd &approach) override
+  double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
-    const Eigen::VectorXd updated = forces(approach);
+    const Eigen::VectorXd updated = forces(normal_displacement);
     // f - multiplier is stiffness * penetration where loaded, and what the node should have let go of where
     // not.
     const double violation = ((updated - multipliers).array() / stiffness.array()).abs().maxCoeff();
@@ -63,9 +63,9 @@ public:
   }
 
 private:
-  Eigen::VectorXd forces(const Eigen::VectorXd &approach) const
+  Eigen::VectorXd forces(const Eigen::VectorXd &normal_displacement) const
   {
-    return (multipliers - stiffness.cwiseProduct(surface.node_gap + approach)).cwiseMax(0.);
+    return (multipliers - stiffness.cwiseProduct(surface.node_gap + normal_displacement)).cwiseMax(0.);
   }
 
   const ContactSurface &surface;

@@ -55,7 +55,7 @@ void for_each_point(const ContactLine &line, const LineSegment &segment, const V
     point.shape = line_shape(xi);
     const Eigen::Vector3d slope(xi - 0.5, -2 * xi, xi + 0.5);
     const Eigen::RowVector2d along = slope.transpose() * line.position;
-    const Eigen::RowVector2d across = point.shape.transpose() * line.breadth;
+    const Eigen::RowVector2d across = point.shape.transpose() * line.transverse_tangent;
     point.area = std::abs(along(0) * across(1) - along(1) * across(0)) * half_length * weights[q];
     point.position = point.shape.transpose() * line.position;
     visit(point);

@@ -25,16 +25,16 @@ public:
   {
   }
 
-  void respond(const Eigen::VectorXd &approach, LawResponse &response) const override
+  void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const override
   {
-    response.forces.setZero(surface.n_nodes());
-    pattern.set_zero(response.tangent);
-    response.contact_set.resize(surface.lines.size());
+    contact.forces.setZero(surface.n_nodes());
+    pattern.set_zero(contact.tangent);
+    contact.active_set.resize(surface.lines.size());
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
-      const std::size_t image = mirror_image(l, approach);
+      const std::size_t image = mirror_image(l, normal_displacement);
       if (image >= l) // else the two are done
-        add_line(l, image, approach, response);
+        add_line(l, image, normal_displacement, contact);
     }
   }
 
@@ -45,7 +45,7 @@ public:
     line_forces.reserve(surface.lines.size());
     for (const ContactLine &line : surface.lines)
     {
-      const Eigen::Vector3d depth = penetration(line, solution.approach);
+      const Eigen::Vector3d depth = penetration(line, solution.normal_displacement);
       double line_force = 0;
       law.integrate(line, depth,
                     [&](const LinePoint &point)
@@ -60,38 +60,38 @@ public:
     return result;
   }
 
-  Footprint footprint(const ContactSolution &solution) const override
+  PressureMap pressure_map(const ContactSolution &solution) const override
   {
-    return footprint_of_lines(surface, solution.approach,
-                              [this](double depth) { return law.pressure(depth); });
+    return pressure_map_of_lines(surface, solution.normal_displacement,
+                                 [this](double depth) { return law.pressure(depth); });
   }
 
   Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override
   {
-    return (-(surface.node_gap + solution.approach))
+    return (-(surface.node_gap + solution.normal_displacement))
       .unaryExpr([this](double depth) { return law.pressure(depth); });
   }
 
   std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
 
 private:
-  static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &approach)
+  static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
   {
     Eigen::Vector3d depth = -line.gap;
     if (line.samples_are_nodes)
     {
       for (unsigned int i = 0; i < 3; ++i)
-        depth(i) -= approach(line.nodes[i]);
+        depth(i) -= normal_displacement(line.nodes[i]);
       return depth;
     }
     for (unsigned int i = 0; i < line.nodes.size(); ++i)
-      depth -= line.shape.col(i) * approach(line.nodes[i]);
+      depth -= line.shape.col(i) * normal_displacement(line.nodes[i]);
     return depth;
   }
 
-  /// The line that has the geometry, gap and approach of line @p l mirrored at y = 0, to the last bit; @p l
-  /// itself if there is none.
-  std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &approach) const
+  /// The line that has the geometry, gap and normal displacement of line @p l mirrored at y = 0, to the last
+  /// bit; @p l itself if there is none.
+  std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const
   {
     if (surface.mirrored_lines.empty())
       return l;
@@ -100,17 +100,17 @@ private:
     const ContactLine &mirrored = surface.lines[image];
     bool alike = line.gap == mirrored.gap;
     for (std::size_t i = 0; alike && i < line.nodes.size(); ++i)
-      alike = approach(line.nodes[i]) == approach(mirrored.nodes[i]);
+      alike = normal_displacement(line.nodes[i]) == normal_displacement(mirrored.nodes[i]);
     return alike ? image : l;
   }
 
   /// Adds the forces and the tangent of line @p l to its nodes, and to those of its @p image if that is
   /// another one.
-  void add_line(std::size_t l, std::size_t image, const Eigen::VectorXd &approach,
-                LawResponse &response) const
+  void add_line(std::size_t l, std::size_t image, const Eigen::VectorXd &normal_displacement,
+                ContactForces &contact) const
   {
     const ContactLine &line = surface.lines[l];
-    const Eigen::Vector3d depth = penetration(line, approach);
+    const Eigen::Vector3d depth = penetration(line, normal_displacement);
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
     bool loaded = false;
@@ -124,9 +124,9 @@ private:
                       law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
                   });
     for (const std::size_t place : { l, image })
-      response.contact_set[place] = loaded;
+      contact.active_set[place] = loaded;
     if (loaded)
-      pattern.add(l, image, force, tangent, response.forces, response.tangent);
+      pattern.add(l, image, force, tangent, contact.forces, contact.tangent);
   }
 
   const ContactSurface &surface;

@@ -26,29 +26,29 @@ double wrapped(double azimuth)
   return std::max(0., (turns - std::floor(turns)) * boost::math::double_constants::two_pi);
 }
 
-void sort_by_azimuth(Footprint &footprint)
+void sort_by_azimuth(PressureMap &pressure_map)
 {
-  std::stable_sort(footprint.cuts.begin(), footprint.cuts.end(),
+  std::stable_sort(pressure_map.cuts.begin(), pressure_map.cuts.end(),
                    [](const auto &one, const auto &other)
                    { return one.front().azimuth < other.front().azimuth; });
 }
 
 /// A contact line with the pressure along it.
-class PressedLine
+class LoadedLine
 {
 public:
-  PressedLine(const ContactLine &line, const Eigen::VectorXd &approach,
-              const std::function<double(double)> &pressure)
+  LoadedLine(const ContactLine &line, const Eigen::VectorXd &normal_displacement,
+             const std::function<double(double)> &pressure)
       : line(line)
       , penetration(-line.gap)
       , pressure(pressure)
   {
     for (unsigned int i = 0; i < line.nodes.size(); ++i)
-      penetration -= line.shape.col(i) * approach(line.nodes[i]);
+      penetration -= line.shape.col(i) * normal_displacement(line.nodes[i]);
   }
 
   /// At a local coordinate in [-1, 1].
-  FootprintPoint at(double xi) const
+  PressurePoint at(double xi) const
   {
     const Eigen::Vector3d shape = line_shape(xi);
     const Eigen::RowVector2d position = shape.transpose() * line.position;
@@ -72,12 +72,12 @@ struct RadialRange
   double upper = 0;
 };
 
-RadialRange loaded_range(const std::vector<PressedLine> &lines)
+RadialRange loaded_range(const std::vector<LoadedLine> &lines)
 {
   constexpr unsigned int n_samples = 16;
-  std::vector<FootprintPoint> points;
+  std::vector<PressurePoint> points;
   double largest = 0;
-  for (const PressedLine &line : lines)
+  for (const LoadedLine &line : lines)
     for (unsigned int i = 0; i <= n_samples; ++i)
     {
       points.push_back(line.at(2. * i / n_samples - 1));
@@ -85,7 +85,7 @@ RadialRange loaded_range(const std::vector<PressedLine> &lines)
     }
   RadialRange range = { 1e300, 0 };
   RadialRange zone = range;
-  for (const FootprintPoint &point : points)
+  for (const PressurePoint &point : points)
   {
     zone = { std::min(zone.lower, point.radius), std::max(zone.upper, point.radius) };
     if (point.pressure >= least_share * largest)
@@ -96,15 +96,15 @@ RadialRange loaded_range(const std::vector<PressedLine> &lines)
 }
 
 /// The cut at one azimuth, through the lines that lie on it.
-std::vector<FootprintPoint> cut_through(const std::vector<const PressedLine *> &lines, double azimuth,
-                                        const RadialRange &range)
+std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &lines, double azimuth,
+                                       const RadialRange &range)
 {
-  std::vector<FootprintPoint> cut;
+  std::vector<PressurePoint> cut;
   for (unsigned int i = 0; i < n_points_across; ++i)
   {
     const double radius = range.lower + (range.upper - range.lower) * i / (n_points_across - 1);
     double pressure = 0;
-    for (const PressedLine *line : lines)
+    for (const LoadedLine *line : lines)
     {
       const double xi = 2 * (radius - line->begin()) / (line->end() - line->begin()) - 1;
       if (std::abs(xi) <= 1 + 1e-9)
@@ -136,30 +136,30 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
 
 } // namespace
 
-Footprint Footprint::turned(double angle) const
+PressureMap PressureMap::turned(double angle) const
 {
-  Footprint result = *this;
+  PressureMap result = *this;
   for (auto &cut : result.cuts)
-    for (FootprintPoint &point : cut)
+    for (PressurePoint &point : cut)
       point.azimuth = wrapped(point.azimuth + angle);
   sort_by_azimuth(result);
   return result;
 }
 
-Footprint footprint_of_lines(const ContactSurface &surface, const Eigen::VectorXd &approach,
-                             const std::function<double(double)> &pressure)
+PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::VectorXd &normal_displacement,
+                                  const std::function<double(double)> &pressure)
 {
-  std::vector<PressedLine> lines;
+  std::vector<LoadedLine> lines;
   for (const ContactLine &line : surface.lines)
-    lines.emplace_back(line, approach, pressure);
-  Footprint footprint;
-  footprint.is_grid = surface.lines_are_radial;
+    lines.emplace_back(line, normal_displacement, pressure);
+  PressureMap pressure_map;
+  pressure_map.is_grid = surface.lines_are_radial;
   if (!surface.lines_are_radial)
   {
-    for (const PressedLine &line : lines)
-      footprint.cuts.push_back({ line.at(-1), line.at(-0.5), line.at(0), line.at(0.5), line.at(1) });
-    sort_by_azimuth(footprint);
-    return footprint;
+    for (const LoadedLine &line : lines)
+      pressure_map.cuts.push_back({ line.at(-1), line.at(-0.5), line.at(0), line.at(0.5), line.at(1) });
+    sort_by_azimuth(pressure_map);
+    return pressure_map;
   }
   const RadialRange range = loaded_range(lines);
   std::vector<double> azimuths;
@@ -167,15 +167,15 @@ Footprint footprint_of_lines(const ContactSurface &surface, const Eigen::VectorX
     azimuths.push_back(line.azimuth);
   for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
   {
-    std::vector<const PressedLine *> on_cut;
+    std::vector<const LoadedLine *> on_cut;
     for (const std::size_t i : group)
       on_cut.push_back(&lines[i]);
-    footprint.cuts.push_back(cut_through(on_cut, wrapped(azimuths[group.front()]), range));
+    pressure_map.cuts.push_back(cut_through(on_cut, wrapped(azimuths[group.front()]), range));
   }
-  return footprint;
+  return pressure_map;
 }
 
-Footprint footprint_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &pressure)
+PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &pressure)
 {
   const double least = least_share * pressure.maxCoeff();
   RadialRange range = { 1e300, 0 };
@@ -189,11 +189,11 @@ Footprint footprint_of_nodes(const ContactSurface &surface, const Eigen::VectorX
   }
   // A contact on a single circle still needs neighbours to be seen.
   const double margin = std::max(0.25 * (range.upper - range.lower), 1e-4 * range.upper);
-  Footprint footprint;
-  footprint.is_grid = true;
+  PressureMap pressure_map;
+  pressure_map.is_grid = true;
   for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
   {
-    std::vector<FootprintPoint> cut;
+    std::vector<PressurePoint> cut;
     for (const std::size_t i : group)
     {
       const double radius = surface.node_position.row(static_cast<Eigen::Index>(i)).norm();
@@ -201,14 +201,13 @@ Footprint footprint_of_nodes(const ContactSurface &surface, const Eigen::VectorX
         cut.push_back({ radius, wrapped(azimuths[group.front()]), pressure(static_cast<Eigen::Index>(i)) });
     }
     std::sort(cut.begin(), cut.end(),
-              [](const FootprintPoint &one, const FootprintPoint &other)
-              { return one.radius < other.radius; });
+              [](const PressurePoint &one, const PressurePoint &other) { return one.radius < other.radius; });
     if (!cut.empty())
-      footprint.cuts.push_back(std::move(cut));
+      pressure_map.cuts.push_back(std::move(cut));
   }
-  for (const auto &cut : footprint.cuts)
-    footprint.is_grid = footprint.is_grid && cut.size() == footprint.cuts.front().size();
-  return footprint;
+  for (const auto &cut : pressure_map.cuts)
+    pressure_map.is_grid = pressure_map.is_grid && cut.size() == pressure_map.cuts.front().size();
+  return pressure_map;
 }
 
 } // namespace stemware::fem

@@ -1,13 +1,15 @@
 #include "fem/contact/rigid_foot.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <stdexcept>
 
 namespace stemware::fem
 {
 
-Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &modes)
+Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
+                           const Eigen::MatrixX3d &modes)
 {
   Eigen::Matrix3d support = Eigen::Matrix3d::Zero();
   for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
@@ -22,22 +24,34 @@ Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eig
         resisted += entry.value() * modes.row(entry.row());
       }
     if (loaded)
-      support += modes.row(column).transpose() * resisted;
+      support += weights.row(column).transpose() * resisted;
   }
   return support;
 }
 
-ContactStep RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd & /*forces*/,
-                             const Eigen::Vector3d &resultant_excess)
+NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                 const LinearConditions &conditions)
 {
-  const Eigen::Matrix3d stiffness = support_of(tangent, modes);
-  const Eigen::LDLT<Eigen::Matrix3d> factors(stiffness);
-  if (factors.info() != Eigen::Success || !factors.isPositive())
+  const Eigen::Matrix3d stiffness = support_of(tangent, conditions.weights(), modes);
+  const Eigen::Vector3d residual = conditions.residual(forces);
+  NewtonIncrement step;
+  step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
+  bool is_regular = false;
+  if (conditions.are_resultants())
+  {
+    const Eigen::LDLT<Eigen::Matrix3d> factors(stiffness);
+    is_regular = factors.info() == Eigen::Success && factors.isPositive();
+    step.motion = factors.solve(residual);
+  }
+  else
+  {
+    const Eigen::FullPivLU<Eigen::Matrix3d> factors(stiffness);
+    is_regular = factors.isInvertible();
+    step.motion = factors.solve(residual);
+  }
+  if (!is_regular)
     throw std::runtime_error(
       "The table's tangent does not support a rigid foot: the loaded places lie on one line.");
-  ContactStep step;
-  step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
-  step.motion = factors.solve(resultant_excess);
   return step;
 }
 

@@ -5,9 +5,11 @@
 namespace stemware::fem
 {
 
-/// What a table of the given tangent puts up against the motions of a foot that does not deform: Q' T Q, @p
-/// modes Q as ContactSurface::motion_modes().
-Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &modes);
+/// How fast the conditions L'f on the forces of a table with the given @p tangent T change with its motions Q
+/// under a foot that does not deform: L'TQ, @p modes Q as ContactSurface::motion_modes(). With L = Q the
+/// stiffness of the table against the three motions.
+Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
+                           const Eigen::MatrixX3d &modes);
 
 /// The limit of a very stiff foot: a body that does not deform, so that only the table moves. Start of every
 /// elastic solve, and an oracle.
@@ -23,9 +25,9 @@ public:
 
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
-  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const Eigen::Vector3d &resultant_excess) override;
-  void accept(double) override {}
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                        const LinearConditions &conditions) override;
+  void update(double) override {}
   void reset() override {}
   double equilibrium_residual(const Eigen::VectorXd &) const override { return 0; }
   unsigned int n_unknowns() const override { return 3; }

@@ -15,22 +15,22 @@ namespace stemware::fem
 
 /// Which places of the contact surface carry load; two equal sets mean that the law has stayed on the same
 /// linear branch.
-using ContactSet = std::vector<bool>;
+using ActiveSet = std::vector<bool>;
 
-/// Nodal forces of a table law, and how they change.
-struct LawResponse
+/// Nodal forces of a table law, their derivative, and the active set.
+struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
   Eigen::SparseMatrix<double>
     tangent; ///< d forces / d penetration, symmetric positive semidefinite [N/m], [n_nodes, n_nodes]
-  ContactSet contact_set;
+  ActiveSet active_set;
 
   /// Exchanges the contents without copying the tangent.
-  void swap(LawResponse &other)
+  void swap(ContactForces &other)
   {
     forces.swap(other.forces);
     tangent.swap(other.tangent);
-    contact_set.swap(other.contact_set);
+    active_set.swap(other.active_set);
   }
 };
 
@@ -45,25 +45,27 @@ struct TableLoad
   std::vector<AzimuthLoad> density;
 };
 
-/// How the table answers a given approach of the contact surface (docs/method.md, "The table").
+/// Contact forces as a function of the normal displacement of the contact surface (docs/method.md, "The
+/// table").
 ///
-/// `approach` is u_z + q0 + q1 x + q2 y at the contact nodes [m]; gap + approach is the distance left, -(gap
-/// + approach) the penetration. Forces are derivatives of a convex potential, so that equilibrium minimises
-/// an energy and a damped Newton method finds it from anywhere.
+/// `normal_displacement` is that relative to the table, u_z + q0 + q1 x + q2 y at the contact nodes [m]; its
+/// sum with the gap is the distance left, minus that sum the penetration. Forces are derivatives of a convex
+/// potential, so that equilibrium minimises an energy and a damped Newton method finds it from anywhere.
 class TableLaw
 {
 public:
   virtual ~TableLaw() = default;
 
-  /// Forces, tangent and contact set at an approach of shape [n_nodes]. @p response is empty or was filled by
-  /// this law before: its memory is used again.
-  virtual void respond(const Eigen::VectorXd &approach, LawResponse &response) const = 0;
+  /// Forces, tangent and active set at a normal displacement of shape [n_nodes]. @p contact is empty or was
+  /// filled by this law before: its memory is used again.
+  virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
-  /// What the table carries in a solution on this surface, whichever it was: forces and approach say all.
+  /// What the table carries in a solution on this surface, whichever it was: forces and normal displacement
+  /// say all.
   virtual TableLoad load(const ContactSolution &solution) const = 0;
 
   /// Where the foot presses in a solution, for plots.
-  virtual Footprint footprint(const ContactSolution &solution) const = 0;
+  virtual PressureMap pressure_map(const ContactSolution &solution) const = 0;
 
   /// Pressure at the contact nodes in a solution [Pa], for plots. Shape [n_nodes].
   virtual Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const = 0;
@@ -73,7 +75,7 @@ public:
 
   /// Tells a law with multipliers (rigid table) that Newton's method has converged; returns the largest
   /// violation of the contact conditions that it has left [m]. Laws without multipliers have none: 0.
-  virtual double update_multipliers(const Eigen::VectorXd & /*approach*/) { return 0; }
+  virtual double augmented_lagrangian_update(const Eigen::VectorXd & /*normal_displacement*/) { return 0; }
 };
 
 } // namespace stemware::fem

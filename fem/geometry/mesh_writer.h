@@ -21,7 +21,7 @@ void move_to_crown(const GlassProfile &profile, dealii::Triangulation<3, 3> &tri
 /// ids for the stem cut and the contact zone.
 void write_msh(const dealii::Triangulation<3, 3> &triangulation, std::ostream &stream);
 
-/// Writes a mesh for ParaView: cells with straight edges; for each its scaled Jacobian (mesh_check.h) and
+/// Writes a mesh for ParaView: cells with straight edges; for each its scaled Jacobian (mesh_quality.h) and
 /// the largest of its boundary ids.
 void write_mesh_vtu(const dealii::Triangulation<3, 3> &triangulation, std::ostream &stream);
 

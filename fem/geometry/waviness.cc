@@ -19,7 +19,7 @@ double sum(const std::vector<GapHarmonic> &harmonics, double radius_ratio, doubl
 }
 } // namespace
 
-double RimImperfection::gap(double radius_ratio, double theta, const FootPhase &phase) const
+double RimImperfection::gap(double radius_ratio, double theta, const FootOrientation &phase) const
 {
   return sum(glass, radius_ratio, theta - phase.glass) + sum(table, radius_ratio, theta - phase.table);
 }

@@ -18,7 +18,7 @@ struct GapHarmonic
 /// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
 /// theta = chi + glass, one of the table at theta = chi + table [rad]. Counter-clockwise orbit: glass = psi -
 /// phi - pi/2, table = -phi - pi/2; clockwise: + pi/2.
-struct FootPhase
+struct FootOrientation
 {
   double glass = 0;
   double table = 0;
@@ -34,7 +34,7 @@ struct RimImperfection
   bool empty() const { return glass.empty() && table.empty(); }
   /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
   /// frame [m].
-  double gap(double radius_ratio, double theta, const FootPhase &phase) const;
+  double gap(double radius_ratio, double theta, const FootOrientation &phase) const;
   /// Throws std::invalid_argument unless all amplitudes are finite.
   void validate() const;
 };

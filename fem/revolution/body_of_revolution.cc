@@ -67,7 +67,7 @@ void BodyOfRevolution::make_lines()
           const double radius = nodes(0) + length * (piece + sample / 2.);
           line.shape.row(sample) = lagrange_values(nodes, radius);
           line.position.row(sample) = radius * outward;
-          line.breadth.row(sample) = radius * width * across;
+          line.transverse_tangent.row(sample) = radius * width * across;
         }
         line.samples_are_nodes = degree == 2;
         if (line.samples_are_nodes)
@@ -139,12 +139,12 @@ const ForceModes &BodyOfRevolution::modes_of(const Eigen::VectorXd &forces) cons
   if (has_sliding())
   {
     projection.radial = basis.project(on_lines.cwiseProduct(slide_radial));
-    projection.azimuthal = basis.project_on_partners(on_lines.cwiseProduct(slide_azimuthal));
+    projection.azimuthal = basis.project_on_conjugates(on_lines.cwiseProduct(slide_azimuthal));
   }
   return projection;
 }
 
-ForceModes BodyOfRevolution::imbalance(const Eigen::VectorXd &forces) const
+ForceModes BodyOfRevolution::residual(const Eigen::VectorXd &forces) const
 {
   ForceModes result = modes_of(forces);
   result.normal -= state.normal;
@@ -177,12 +177,12 @@ Eigen::VectorXd BodyOfRevolution::contact_displacement() const
 }
 
 bool BodyOfRevolution::is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
-                               const Eigen::Vector3d &resultant_excess) const
+                               const LinearConditions &conditions) const
 {
-  if (has_sliding())
+  if (has_sliding() || !conditions.are_resultants())
     return false;
   const double allowed = symmetry_tolerance * forces.lpNorm<1>();
-  double odd = std::abs(resultant_excess(2)) / compliance.radii(0);
+  double odd = std::abs(conditions.residual(forces)(2)) / compliance.radii(0);
   const Eigen::Map<const Eigen::MatrixXd> on_lines(forces.data(), compliance.n_nodes(), basis.n_lines());
   const Eigen::Index n_lines = basis.n_lines();
   for (Eigen::Index line = 1; 2 * line < n_lines; ++line)
@@ -202,13 +202,36 @@ ModeMatrix BodyOfRevolution::on_circles(const Eigen::MatrixXd &whole, const Line
   return part;
 }
 
-ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                    const Eigen::Vector3d &resultant_excess)
+NewtonConditions BodyOfRevolution::in_modes(const LinearConditions &conditions,
+                                            const Eigen::SparseMatrix<double> &tangent,
+                                            const Eigen::VectorXd &forces, const LineTangents &tangents,
+                                            const std::vector<unsigned int> &modes) const
 {
-  ForceModes unbalanced = imbalance(forces);
+  NewtonConditions result;
+  result.residual = conditions.residual(forces);
+  if (conditions.are_resultants())
+    return result;
+  const Eigen::MatrixX3d change = tangent * conditions.weights(); // T L
+  const auto n_unknowns = static_cast<Eigen::Index>(tangents.circles.size() * modes.size());
+  result.rows.emplace(3, n_unknowns);
+  for (Eigen::Index i = 0; i < 3; ++i)
+  {
+    const Eigen::Map<const Eigen::MatrixXd> on_lines(change.col(i).data(), compliance.n_nodes(),
+                                                     basis.n_lines());
+    const ModeMatrix row = on_circles(basis.project(on_lines), tangents, modes);
+    result.rows->row(i) = row.reshaped().transpose();
+  }
+  result.corner = change.transpose() * surface.motion_modes();
+  return result;
+}
+
+NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent,
+                                        const Eigen::VectorXd &forces, const LinearConditions &conditions)
+{
+  ForceModes unbalanced = residual(forces);
   const LineTangents tangents(tangent, compliance.n_nodes(), basis.n_lines(),
                               loaded_circles(unbalanced.normal));
-  const bool even = is_even(tangents, forces, resultant_excess);
+  const bool even = is_even(tangents, forces, conditions);
   // What is odd in an even state is rounding: the step takes it away.
   if (even)
     for (unsigned int mode = 2; mode < basis.n_modes(); mode += 2)
@@ -223,24 +246,25 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
     tangential.normal.setZero();
     rhs += newton.stiffness_times(on_circles(displacement_modes(tangential), tangents, modes));
   }
-  const HarmonicNewton::Result result = newton.solve(rhs, resultant_excess);
+  const HarmonicNewton::Result result =
+    newton.solve(rhs, in_modes(conditions, tangent, forces, tangents, modes));
 
   increment = unbalanced;
-  const auto relieve = [&](Eigen::MatrixXd &force, const ModeMatrix &relief)
+  const auto subtract = [&](Eigen::MatrixXd &force, const ModeMatrix &decrement)
   {
     for (std::size_t k = 0; k < modes.size(); ++k)
       for (std::size_t p = 0; p < tangents.circles.size(); ++p)
         force(tangents.circles[p], modes[k]) -=
-          relief(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k));
+          decrement(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(k));
   };
-  relieve(increment.normal, result.normal_relief);
+  subtract(increment.normal, result.normal_decrement);
   if (has_sliding())
   {
-    relieve(increment.radial, result.radial_relief);
-    relieve(increment.azimuthal, result.azimuthal_relief);
+    subtract(increment.radial, result.radial_decrement);
+    subtract(increment.azimuthal, result.azimuthal_decrement);
   }
   const Eigen::MatrixXd displacement = displacement_modes(increment);
-  ContactStep step;
+  NewtonIncrement step;
   step.displacement = basis.evaluate(displacement).reshaped();
   step.motion = result.motion;
   step.energy_slope = displacement.cwiseProduct(state.normal).sum();
@@ -248,13 +272,13 @@ ContactStep BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent, 
   return step;
 }
 
-void BodyOfRevolution::accept(double fraction)
+void BodyOfRevolution::update(double step_length)
 {
-  state.normal += fraction * increment.normal;
+  state.normal += step_length * increment.normal;
   if (has_sliding())
   {
-    state.radial += fraction * increment.radial;
-    state.azimuthal += fraction * increment.azimuthal;
+    state.radial += step_length * increment.radial;
+    state.azimuthal += step_length * increment.azimuthal;
   }
 }
 

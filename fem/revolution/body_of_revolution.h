@@ -4,6 +4,7 @@
 #include "fem/contact/sliding_traction.h"
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/fourier_basis.h"
+#include "fem/revolution/harmonic_newton.h"
 #include "fem/revolution/line_tangents.h"
 
 #include <functional>
@@ -18,7 +19,7 @@ struct ForceModes
 {
   Eigen::MatrixXd normal;
   Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
-  Eigen::MatrixXd azimuthal; ///< against the partners of the modes
+  Eigen::MatrixXd azimuthal; ///< against the conjugates of the modes
 };
 
 /// Elastic foot that is a body of revolution, displacement harmonics as unknowns (docs/method/revolution.md).
@@ -48,9 +49,9 @@ public:
 
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override;
-  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const Eigen::Vector3d &resultant_excess) override;
-  void accept(double fraction) override;
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                        const LinearConditions &conditions) override;
+  void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
   unsigned int n_unknowns() const override;
@@ -65,12 +66,15 @@ public:
 
 private:
   const ForceModes &modes_of(const Eigen::VectorXd &forces) const;
-  ForceModes imbalance(const Eigen::VectorXd &forces) const;
+  ForceModes residual(const Eigen::VectorXd &forces) const;
   Eigen::MatrixXd displacement_modes(const ForceModes &forces) const;
   Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole, const LineTangents &tangents,
                              const std::vector<unsigned int> &modes) const;
   bool is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
-               const Eigen::Vector3d &resultant_excess) const;
+               const LinearConditions &conditions) const;
+  NewtonConditions in_modes(const LinearConditions &conditions, const Eigen::SparseMatrix<double> &tangent,
+                            const Eigen::VectorXd &forces, const LineTangents &tangents,
+                            const std::vector<unsigned int> &modes) const;
   bool has_sliding() const { return slide_radial.size() > 0; }
   void make_lines();
 

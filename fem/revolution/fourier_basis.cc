@@ -60,7 +60,7 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
     sines[k] = k == mirror ? 0 : std::sin(angle);
   }
   mode_values.resize(n_lines, n_modes());
-  partner_values.resize(n_lines, n_modes());
+  conjugate_values.resize(n_lines, n_modes());
   cosine_values.resize(n_lines, 2 * n + 1);
   sine_values.resize(n_lines, 2 * n + 1);
   for (unsigned int j = 0; j < n_lines; ++j)
@@ -70,7 +70,7 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
       const double even = cosine(harmonic(mode), j);
       const double odd = sine(harmonic(mode), j);
       mode_values(j, mode) = is_sine(mode) ? odd : even;
-      partner_values(j, mode) = is_sine(mode) ? -even : odd;
+      conjugate_values(j, mode) = is_sine(mode) ? -even : odd;
     }
     for (unsigned int p = 0; p <= 2 * n; ++p)
     {
@@ -103,7 +103,7 @@ Eigen::MatrixXd FourierBasis::project(const Eigen::Ref<const Eigen::MatrixXd> &s
   return amplitudes;
 }
 
-Eigen::MatrixXd FourierBasis::project_on_partners(const Eigen::Ref<const Eigen::MatrixXd> &samples) const
+Eigen::MatrixXd FourierBasis::project_on_conjugates(const Eigen::Ref<const Eigen::MatrixXd> &samples) const
 {
   const Eigen::MatrixXd on_modes = project(samples);
   Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(samples.rows(), n_modes());
@@ -147,7 +147,7 @@ FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::MatrixX
     odd = mirrored.odd * basis.sine_table().topRows(n_half);
 }
 
-FourierProducts::OfPair FourierProducts::with_partner(unsigned int row_mode, unsigned int column_mode) const
+FourierProducts::OfPair FourierProducts::with_conjugate(unsigned int row_mode, unsigned int column_mode) const
 {
   const bool row_is_sine = FourierBasis::is_sine(row_mode);
   OfPair result = pair(FourierBasis::harmonic(row_mode), !row_is_sine, column_mode);

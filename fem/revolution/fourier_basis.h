@@ -37,17 +37,17 @@ public:
   /// Sums over the lines of samples times each mode, sum_j samples(i, j) mode(theta_j): shape [n_rows,
   /// n_lines] to [n_rows, n_modes]. Samples that are even to the last bit have no sine modes to the last bit.
   Eigen::MatrixXd project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
-  /// The same with the partners of the modes.
-  Eigen::MatrixXd project_on_partners(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
+  /// The same with the conjugates of the modes.
+  Eigen::MatrixXd project_on_conjugates(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
   /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
   /// n_lines]. Without sine modes the values are even to the last bit.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
 
   /// Values of the modes on the lines, shape [n_lines, n_modes].
   const Eigen::MatrixXd &values() const { return mode_values; }
-  /// The partner -(1/n) d/dtheta of every mode, sin for cos and -cos for sin (0 for mode 0): the azimuthal
+  /// The conjugate -(1/n) d/dtheta of every mode, sin for cos and -cos for sin (0 for mode 0): the azimuthal
   /// component that goes with it.
-  const Eigen::MatrixXd &partners() const { return partner_values; }
+  const Eigen::MatrixXd &conjugates() const { return conjugate_values; }
   /// cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table` likewise.
   const Eigen::MatrixXd &cosine_table() const { return cosine_values; }
   const Eigen::MatrixXd &sine_table() const { return sine_values; }
@@ -61,7 +61,7 @@ private:
   std::vector<double> cosines; ///< cos(2 pi k / n_lines)
   std::vector<double> sines;
   Eigen::MatrixXd mode_values;
-  Eigen::MatrixXd partner_values;
+  Eigen::MatrixXd conjugate_values;
   Eigen::MatrixXd cosine_values;
   Eigen::MatrixXd sine_values;
 };
@@ -99,8 +99,8 @@ public:
   {
     return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
-  /// The same with the partner of the row's mode.
-  OfPair with_partner(unsigned int row_mode, unsigned int column_mode) const;
+  /// The same with the conjugate of the row's mode.
+  OfPair with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:
   OfPair pair(unsigned int row, bool row_is_sine, unsigned int column_mode) const;

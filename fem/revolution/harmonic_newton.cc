@@ -51,18 +51,18 @@ HarmonicNewton::HarmonicNewton(const FourierBasis &basis, const ContactComplianc
   normal_tangent = assemble(FourierProducts(basis, tangents.values, !even), false);
 }
 
-Eigen::MatrixXd HarmonicNewton::assemble(const FourierProducts &products, bool with_partner) const
+Eigen::MatrixXd HarmonicNewton::assemble(const FourierProducts &products, bool with_conjugate) const
 {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
   for (std::size_t column = 0; column < used_modes.size(); ++column)
     for (std::size_t row = 0; row < used_modes.size(); ++row)
     {
-      const FourierProducts::OfPair sums = with_partner
-                                             ? products.with_partner(used_modes[row], used_modes[column])
+      const FourierProducts::OfPair sums = with_conjugate
+                                             ? products.with_conjugate(used_modes[row], used_modes[column])
                                              : products(used_modes[row], used_modes[column]);
-      for (std::size_t c = 0; c < tangents.couples.size(); ++c)
+      for (std::size_t c = 0; c < tangents.coupled_pairs.size(); ++c)
       {
-        const auto [p, q] = tangents.couples[c];
+        const auto [p, q] = tangents.coupled_pairs[c];
         const double value = sums(static_cast<Eigen::Index>(c));
         matrix(row * n_circles + p, column * n_circles + q) = value;
         matrix(row * n_circles + q, column * n_circles + p) = value;
@@ -73,23 +73,23 @@ Eigen::MatrixXd HarmonicNewton::assemble(const FourierProducts &products, bool w
 
 void HarmonicNewton::add_sliding(const Eigen::MatrixXd &radial, const Eigen::MatrixXd &azimuthal)
 {
-  // The force of circle p takes the direction of friction there, so that a couple p, q is no longer
+  // The force of circle p takes the direction of friction there, so that a coupled pair p, q is no longer
   // symmetric.
-  const auto tangent_of = [&](const Eigen::MatrixXd &traction, bool with_partner)
+  const auto tangent_of = [&](const Eigen::MatrixXd &traction, bool with_conjugate)
   {
     Eigen::MatrixXd upper = tangents.values;
     Eigen::MatrixXd lower = tangents.values;
-    for (std::size_t c = 0; c < tangents.couples.size(); ++c)
+    for (std::size_t c = 0; c < tangents.coupled_pairs.size(); ++c)
     {
       const auto row = static_cast<Eigen::Index>(c);
-      const auto [p, q] = tangents.couples[c];
+      const auto [p, q] = tangents.coupled_pairs[c];
       upper.row(row).array() *= traction.row(tangents.circles[p]).array();
       lower.row(row).array() *= traction.row(tangents.circles[q]).array();
     }
-    // A component even in theta meets the modes themselves, an odd one their partners: products with sines
+    // A component even in theta meets the modes themselves, an odd one their conjugates: products with sines
     // either way.
-    const Eigen::MatrixXd above = assemble(FourierProducts(basis, upper, true), with_partner);
-    const Eigen::MatrixXd below = assemble(FourierProducts(basis, lower, true), with_partner);
+    const Eigen::MatrixXd above = assemble(FourierProducts(basis, upper, true), with_conjugate);
+    const Eigen::MatrixXd below = assemble(FourierProducts(basis, lower, true), with_conjugate);
     Eigen::MatrixXd matrix = above;
     for (Eigen::Index column = 0; column < size(); ++column)
       for (Eigen::Index row = 0; row < size(); ++row)
@@ -168,8 +168,16 @@ Eigen::MatrixXd HarmonicNewton::bordered_matrix(const Eigen::MatrixXd &motions) 
   return matrix;
 }
 
-HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &imbalance,
-                                             const Eigen::Vector3d &resultant_excess) const
+void HarmonicNewton::set_conditions(const NewtonConditions &conditions, double length,
+                                    Eigen::MatrixXd &matrix)
+{
+  const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / length, 1 / length);
+  matrix.bottomLeftCorner(3, matrix.cols() - 3) = scale * *conditions.rows;
+  matrix.bottomRightCorner(3, 3) = scale * conditions.corner * scale;
+}
+
+HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &residual,
+                                             const NewtonConditions &conditions) const
 {
   // Tilts count as heights at the rim, so that all unknowns are lengths.
   Eigen::MatrixXd motions = motion_modes();
@@ -179,10 +187,12 @@ HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &imbalance,
   motions.rightCols(n_motions - 1) /= length;
 
   Eigen::MatrixXd matrix = bordered_matrix(motions);
+  if (conditions.rows)
+    set_conditions(conditions, length, matrix);
   Eigen::VectorXd solution(n + n_motions);
-  solution << stacked(imbalance), resultant_excess.head(n_motions);
+  solution << stacked(residual), conditions.residual.head(n_motions);
   solution.tail(n_motions - 1) /= length;
-  if (has_sliding())
+  if (has_sliding() || conditions.rows)
     solution = matrix.partialPivLu().solve(solution).eval();
   else
   {
@@ -197,15 +207,15 @@ HarmonicNewton::Result HarmonicNewton::solve(const ModeMatrix &imbalance,
       "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
 
   Result result;
-  const Eigen::VectorXd approach = solution.head(n) + motions * solution.tail(n_motions);
+  const Eigen::VectorXd normal_displacement = solution.head(n) + motions * solution.tail(n_motions);
   result.motion.setZero();
   result.motion.head(n_motions) = solution.tail(n_motions);
   result.motion.tail<2>() /= length;
-  result.normal_relief = unstacked(normal_tangent * approach, n_circles);
+  result.normal_decrement = unstacked(normal_tangent * normal_displacement, n_circles);
   if (has_sliding())
   {
-    result.radial_relief = unstacked(radial_tangent * approach, n_circles);
-    result.azimuthal_relief = unstacked(azimuthal_tangent * approach, n_circles);
+    result.radial_decrement = unstacked(radial_tangent * normal_displacement, n_circles);
+    result.azimuthal_decrement = unstacked(azimuthal_tangent * normal_displacement, n_circles);
   }
   return result;
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace stemware::fem
 {
 
@@ -13,12 +15,22 @@ namespace stemware::fem
 /// n_used_modes].
 using ModeMatrix = Eigen::MatrixXd;
 
+/// The three conditions L'f = t on the forces as Newton's system takes them.
+struct NewtonConditions
+{
+  Eigen::Vector3d residual; ///< L'f - t
+  /// L'T in modes, shape [3, n_circles * n_used_modes], circle running fastest; none where L = Q, so that it
+  /// follows from the tangent.
+  std::optional<Eigen::MatrixXd> rows;
+  Eigen::Matrix3d corner = Eigen::Matrix3d::Zero(); ///< L'TQ, read where there are rows
+};
+
 /// Newton's linear system of a body of revolution, dense in the modes of its loaded circles.
 ///
 /// With the body's stiffness S (block diagonal, the inverse of the compliance on the loaded circles), the
-/// law's tangent T and the table motions Q in modes, [S + T, TQ; Q'T, Q'TQ] [du; dq] = [imbalance;
-/// resultant_excess], symmetric positive definite. Sliding friction adds S C_t T_t to the first row, where
-/// T_t is the tangent of the tangential forces and C_t their compliance; the matrix is then unsymmetric.
+/// law's tangent T and the table motions Q in modes, [S + T, TQ; L'T, L'TQ] [du; dq] = [residual; L'f - t],
+/// symmetric positive definite where L = Q. Sliding friction adds S C_t T_t to the first row, where T_t is
+/// the tangent of the tangential forces and C_t their compliance; the matrix is then unsymmetric.
 class HarmonicNewton
 {
 public:
@@ -35,27 +47,30 @@ public:
 
   struct Result
   {
-    Eigen::Vector3d motion;   ///< dq
-    ModeMatrix normal_relief; ///< T (du + Q dq): what the normal forces lose on the loaded circles
-    ModeMatrix radial_relief; ///< the same of the tangential forces; empty without friction
-    ModeMatrix azimuthal_relief;
+    Eigen::Vector3d motion;      ///< dq
+    ModeMatrix normal_decrement; ///< T (du + Q dq): what the normal forces lose on the loaded circles
+    ModeMatrix radial_decrement; ///< the same of the tangential forces; empty without friction
+    ModeMatrix azimuthal_decrement;
   };
 
-  /// @p imbalance of the normal forces with S times the displacement by unbalanced tangential forces already
+  /// @p residual of the normal forces with S times the displacement by unbalanced tangential forces already
   /// added. Throws std::runtime_error when the matrix is singular.
-  Result solve(const ModeMatrix &imbalance, const Eigen::Vector3d &resultant_excess) const;
+  Result solve(const ModeMatrix &residual, const NewtonConditions &conditions) const;
 
   /// S times displacement modes.
   ModeMatrix stiffness_times(const ModeMatrix &displacement) const;
 
 private:
   Eigen::Index size() const { return static_cast<Eigen::Index>(n_circles * used_modes.size()); }
-  Eigen::MatrixXd assemble(const FourierProducts &products, bool with_partner) const;
+  Eigen::MatrixXd assemble(const FourierProducts &products, bool with_conjugate) const;
   Eigen::MatrixXd motion_modes() const;
   Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole) const;
   /// S C_t T_t: the rows of used mode k.
   Eigen::MatrixXd sliding_response(unsigned int k) const;
   Eigen::MatrixXd bordered_matrix(const Eigen::MatrixXd &motions) const;
+  /// Replaces the last rows of a bordered_matrix(), made for L = Q, by those of @p conditions; tilts and
+  /// their conditions count per @p length.
+  static void set_conditions(const NewtonConditions &conditions, double length, Eigen::MatrixXd &matrix);
   bool has_sliding() const { return radial_tangent.size() > 0; }
 
   const FourierBasis &basis;

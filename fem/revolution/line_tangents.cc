@@ -6,7 +6,7 @@ namespace stemware::fem
 LineTangents::LineTangents(const Eigen::SparseMatrix<double> &tangent, unsigned int n_radii,
                            unsigned int n_lines, const std::vector<bool> &needed)
 {
-  // One row per couple that occurs anywhere, found while reading; -1 where none has been seen.
+  // One row per coupled pair that occurs anywhere, found while reading; -1 where none has been seen.
   std::vector<int> row_of(n_radii * n_radii, -1);
   std::vector<std::pair<unsigned int, unsigned int>> found;
   Eigen::MatrixXd read = Eigen::MatrixXd::Zero(5 * n_radii, n_lines);
@@ -40,7 +40,7 @@ LineTangents::LineTangents(const Eigen::SparseMatrix<double> &tangent, unsigned 
       circles.push_back(i);
     }
   for (const auto &[row, column] : found)
-    couples.emplace_back(position[row], position[column]);
+    coupled_pairs.emplace_back(position[row], position[column]);
   values = read.topRows(static_cast<Eigen::Index>(found.size()));
 }
 

@@ -19,8 +19,8 @@ struct LineTangents
 
   std::vector<unsigned int> circles; ///< contact circles that carry load, ascending
   std::vector<std::pair<unsigned int, unsigned int>>
-    couples;              ///< positions p <= q in `circles` that act on each other
-  Eigen::MatrixXd values; ///< tangent of each couple on each line [N/m], [n_couples, n_lines]
+    coupled_pairs;        ///< positions p <= q in `circles` that act on each other
+  Eigen::MatrixXd values; ///< tangent of each coupled pair on each line [N/m], [n_pairs, n_lines]
 
   /// Whether line j and its mirror image -j agree to @p tolerance of the largest value.
   bool is_even(double tolerance) const;

@@ -85,7 +85,7 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
   Amplitudes result;
   result.points = fe_values.get_quadrature_points();
   result.in_phase = Eigen::MatrixXd::Zero(6 * n_points, n_modes());
-  result.partner = Eigen::MatrixXd::Zero(3 * n_points, n_modes());
+  result.conjugate = Eigen::MatrixXd::Zero(3 * n_points, n_modes());
   std::vector<MeridianSpace::Dof> dofs(fe_values.dofs_per_cell);
   cell->get_dof_indices(dofs);
   const double lambda = material.lame_lambda();
@@ -115,7 +115,7 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
       result.in_phase.block<6, 1>(6 * q, mode) << at.value[0], at.value[2], volume + 2 * shear * strain_rr,
         volume + 2 * shear * strain_tt, volume + 2 * shear * strain_zz,
         shear * (at.gradient[0][1] + at.gradient[2][0]);
-      result.partner.block<3, 1>(3 * q, mode) << at.value[1],
+      result.conjugate.block<3, 1>(3 * q, mode) << at.value[1],
         shear * (at.gradient[1][0] - over_radius(n, 1, 0)),
         shear * (at.gradient[1][1] - over_radius(0, 0, n));
     }

@@ -19,15 +19,15 @@ public:
   MeridianField(const MeridianSpace &space, const ElasticMaterial &material, const ForceModes &forces);
 
   /// Amplitudes of all modes at points of one cell, cylindrical components. A field at azimuth theta is the
-  /// sum over the modes of amplitude times mode (rows `in_phase`) or times the mode's partner (rows
-  /// `partner`), FourierBasis::values() and partners().
+  /// sum over the modes of amplitude times mode (rows `in_phase`) or times the mode's conjugate (rows
+  /// `conjugate`), FourierBasis::values() and conjugates().
   struct Amplitudes
   {
     std::vector<dealii::Point<2>> points; ///< (r, z) [m]
     /// Rows 6 p ... 6 p + 5 of point p: u_r, u_z [m], stresses rr, theta theta, zz, rz [Pa].
     Eigen::MatrixXd in_phase;
     /// Rows 3 p ... 3 p + 2 of point p: u_theta [m], stresses r theta, theta z [Pa].
-    Eigen::MatrixXd partner;
+    Eigen::MatrixXd conjugate;
   };
 
   /// At points of the unit cell, mapped to @p cell. On the axis the limits r -> 0 are taken.

@@ -140,7 +140,7 @@ FootCapabilities RevolutionFoot::capabilities() const
   return capabilities;
 }
 
-void RevolutionFoot::turn_to(const FootPhase &orientation)
+void RevolutionFoot::set_orientation(const FootOrientation &orientation)
 {
   if (setup.imperfection.empty())
     return;
@@ -148,7 +148,7 @@ void RevolutionFoot::turn_to(const FootPhase &orientation)
   body.set_gap([this](double r, double theta) { return gap(r, theta); });
 }
 
-ContactSolution RevolutionFoot::solve_from_before(const ContactLoad &load)
+ContactSolution RevolutionFoot::solve_from_before(const Resultants &load)
 {
   const double radius = setup.profile.contact_radius;
   const ContactControl control = control_of(setup);
@@ -167,19 +167,19 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactLoad &load)
   return solve_contact(body, *law, load, radius, control);
 }
 
-ContactState RevolutionFoot::solve(const ContactLoad &load, const Slip &slip,
+ContactState RevolutionFoot::solve(const Resultants &load, const Slip &slip,
                                    const std::function<void(const ContactIteration &)> &)
 {
   ContactState state;
   state.slip = slip;
-  ContactLoad turned_load = load;
+  Resultants turned_load = load;
   if (is_isotropic())
   {
     // Solved with the load's maximum on the x axis, where the sine modes drop out.
     state.direction = std::atan2(load.moment_x, -load.moment_y);
     turned_load = { load.normal_force, 0, -std::hypot(load.moment_x, load.moment_y) };
   }
-  turn_to(slip.orientation);
+  set_orientation(slip.orientation);
   if (setup.friction_coefficient > 0)
     body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
   state.solution = solve_from_before(turned_load);
@@ -192,7 +192,7 @@ ContactState RevolutionFoot::solve(const ContactLoad &load, const Slip &slip,
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  turn_to(state.slip.orientation);
+  set_orientation(state.slip.orientation);
   const double cosine = std::cos(state.direction);
   const double sine = std::sin(state.direction);
   std::vector<PointForce> points = law->load(state.solution).points;
@@ -201,16 +201,16 @@ std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
   return points;
 }
 
-Footprint RevolutionFoot::footprint(const ContactState &state)
+PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
-  turn_to(state.slip.orientation);
-  return law->footprint(state.solution).turned(state.direction);
+  set_orientation(state.slip.orientation);
+  return law->pressure_map(state.solution).turned(state.direction);
 }
 
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
 {
   require_latest(body, state);
-  turn_to(state.slip.orientation);
+  set_orientation(state.slip.orientation);
   dealii::Triangulation<2> triangulation;
   make_meridian_mesh(setup.profile, setup.resolution, triangulation);
   const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);

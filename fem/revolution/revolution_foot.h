@@ -56,10 +56,10 @@ public:
   FootDescription description() const override;
   /// Isotropic without imperfection and without friction that deforms the foot.
   FootCapabilities capabilities() const override;
-  ContactState solve(const ContactLoad &load, const Slip &slip = {},
+  ContactState solve(const Resultants &load, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
-  Footprint footprint(const ContactState &state) override;
+  PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
 
   const BodyOfRevolution &elastic_body() const { return body; }
@@ -67,13 +67,13 @@ public:
 private:
   bool is_isotropic() const;
   double gap(double radius, double azimuth) const;
-  void turn_to(const FootPhase &orientation);
+  void set_orientation(const FootOrientation &orientation);
   std::unique_ptr<TableLaw> make_law() const;
-  ContactSolution solve_from_before(const ContactLoad &load);
+  ContactSolution solve_from_before(const Resultants &load);
 
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance;
-  FootPhase phase; ///< that the body's gap stands at
+  FootOrientation phase; ///< that the body's gap stands at
   BodyOfRevolution body;
   std::unique_ptr<TableLaw> law;
   std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before

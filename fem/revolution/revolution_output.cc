@@ -226,7 +226,7 @@ private:
     const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, grid.points());
     const std::vector<Point<2>> &nodes = amplitudes.points;
     const Eigen::MatrixXd in_phase = amplitudes.in_phase * basis.values().transpose();
-    const Eigen::MatrixXd partner = amplitudes.partner * basis.partners().transpose();
+    const Eigen::MatrixXd conjugate = amplitudes.conjugate * basis.conjugates().transpose();
     CellData data(basis.n_lines());
     for (unsigned int line = 0; line < basis.n_lines(); ++line)
     {
@@ -234,7 +234,7 @@ private:
       for (unsigned int node = 0; node < nodes.size(); ++node)
         data[line].col(node) =
           in_slip_frame(nodes[node], basis.azimuth(line) + pose.direction,
-                        in_phase.block<6, 1>(6 * node, line), partner.block<3, 1>(3 * node, line));
+                        in_phase.block<6, 1>(6 * node, line), conjugate.block<3, 1>(3 * node, line));
     }
     if (is_contact(cell))
       add_pressure(contact_face(cell), grid, nodes, data);
@@ -257,19 +257,19 @@ private:
   /// glass.
   Eigen::Matrix<double, n_rows, 1> in_slip_frame(const Point<2> &at, double azimuth,
                                                  const Eigen::Matrix<double, 6, 1> &in_phase,
-                                                 const Eigen::Vector3d &partner) const
+                                                 const Eigen::Vector3d &conjugate) const
   {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // columns e_r, e_theta, e_z
     axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(azimuth).toRotationMatrix();
     const Eigen::Vector3d point = axes * Eigen::Vector3d(at[0], 0, at[1]);
     const Eigen::Vector2d tilt = Eigen::Rotation2Dd(pose.direction) * pose.motion.tail<2>();
-    Eigen::Vector3d displacement = axes * Eigen::Vector3d(in_phase(0), partner(0), in_phase(1));
+    Eigen::Vector3d displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
     displacement.head<2>() -= tilt * point(2);
     displacement(2) += pose.motion(0) + tilt.dot(point.head<2>());
     Eigen::Matrix3d stress;
-    stress << in_phase(2), partner(1), in_phase(5), //
-      partner(1), in_phase(3), partner(2),          //
-      in_phase(5), partner(2), in_phase(4);
+    stress << in_phase(2), conjugate(1), in_phase(5), //
+      conjugate(1), in_phase(3), conjugate(2),        //
+      in_phase(5), conjugate(2), in_phase(4);
     stress = (axes * stress * axes.transpose()).eval();
 
     Eigen::Matrix<double, n_rows, 1> rows;

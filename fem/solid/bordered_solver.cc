@@ -242,12 +242,9 @@ void BorderedSolver::build_preconditioner(const BorderedSystem &system)
   inverse_schur = ((schur + schur.transpose()) / 2).inverse();
 }
 
-unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
-                                   BorderedVector &solution)
+unsigned int BorderedSolver::solve_symmetric(const BorderedSystem &system, const BorderedVector &rhs,
+                                             double reduction, BorderedVector &solution) const
 {
-  const bool fresh = !preconditioner;
-  if (fresh)
-    build_preconditioner(system);
   const BlockVector block_rhs = to_block(rhs);
   BlockVector block_solution = to_block(rhs);
   block_solution = 0;
@@ -256,6 +253,46 @@ unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedV
     block_rhs, reduction, block_solution);
   solution.body = block_solution.block(0);
   solution.motion = motion_of(block_solution);
+  return n_iterations;
+}
+
+unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &system,
+                                                       const BorderedVector &rhs, double reduction,
+                                                       BorderedVector &solution) const
+{
+  // x = A^-1 (r - G q) with (C - H' A^-1 G) q = s - H' A^-1 r.
+  Eigen::Matrix3d schur = system.corner;
+  std::array<VectorType, 3> eliminated;
+  unsigned int n_iterations = 0;
+  const auto eliminate = [&](const VectorType &column, VectorType &result)
+  {
+    result.reinit(column);
+    n_iterations = std::max(n_iterations, solve_body(system.matrix, column, reduction, result));
+  };
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    eliminate(system.border[i], eliminated[i]);
+    schur.col(i) -= products(*system.condition_border, eliminated[i]);
+  }
+  eliminate(rhs.body, solution.body);
+  const Eigen::FullPivLU<Eigen::Matrix3d> factors(schur);
+  if (!factors.isInvertible())
+    throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
+  solution.motion = factors.solve(rhs.motion - products(*system.condition_border, solution.body));
+  for (unsigned int i = 0; i < 3; ++i)
+    solution.body.add(-solution.motion(i), eliminated[i]);
+  return n_iterations;
+}
+
+unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
+                                   BorderedVector &solution)
+{
+  const bool fresh = !preconditioner;
+  if (fresh)
+    build_preconditioner(system);
+  const unsigned int n_iterations = system.condition_border
+                                      ? solve_by_schur_complement(system, rhs, reduction, solution)
+                                      : solve_symmetric(system, rhs, reduction, solution);
   if (n_iterations > preconditioner->patience() && !fresh)
     preconditioner.reset();
   return n_iterations;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace stemware::fem
 {
@@ -47,12 +48,15 @@ std::unique_ptr<TangentPreconditioner> factorize(const dealii::TrilinosWrappers:
 std::unique_ptr<TangentPreconditioner> make_multigrid(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                                                       const RigidBodyModes &modes, bool quadratic);
 
-/// A tangent stiffness bordered by the table motions: [A, G; G', C], symmetric positive definite.
+/// A tangent stiffness bordered by the table motions and the conditions on the forces: [A, G; H', C], A
+/// symmetric positive definite, and the whole of it too where H = G.
 struct BorderedSystem
 {
-  const dealii::TrilinosWrappers::SparseMatrix &matrix;               ///< A
-  const std::array<dealii::TrilinosWrappers::MPI::Vector, 3> &border; ///< columns of G
-  const Eigen::Matrix3d &corner;                                      ///< C
+  const dealii::TrilinosWrappers::SparseMatrix &matrix;        ///< A
+  std::array<dealii::TrilinosWrappers::MPI::Vector, 3> border; ///< columns of G
+  /// Columns of H; none where H = G.
+  std::optional<std::array<dealii::TrilinosWrappers::MPI::Vector, 3>> condition_border;
+  Eigen::Matrix3d corner; ///< C
 };
 
 /// A right-hand side or solution of a BorderedSystem.
@@ -75,13 +79,17 @@ public:
   {
   }
 
-  /// Solves to a residual of @p reduction times that of zero; returns the number of iterations.
-  /// Throws std::runtime_error when 2000 iterations do not do.
+  /// Solves to a residual of @p reduction times that of zero, by the Schur complement where the system is
+  /// unsymmetric; returns the number of iterations. Throws std::runtime_error when 2000 iterations do not do.
   unsigned int solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
                      BorderedVector &solution);
 
 private:
   void build_preconditioner(const BorderedSystem &system);
+  unsigned int solve_symmetric(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
+                               BorderedVector &solution) const;
+  unsigned int solve_by_schur_complement(const BorderedSystem &system, const BorderedVector &rhs,
+                                         double reduction, BorderedVector &solution) const;
   unsigned int solve_body(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                           const dealii::TrilinosWrappers::MPI::Vector &rhs, double reduction,
                           dealii::TrilinosWrappers::MPI::Vector &solution) const;

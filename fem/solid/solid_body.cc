@@ -87,7 +87,7 @@ BorderedSolver::MakePreconditioner SolidBody::Implementation::preconditioner_mak
   };
 }
 
-TrilinosWrappers::MPI::Vector SolidBody::Implementation::spread(const Eigen::VectorXd &nodal) const
+TrilinosWrappers::MPI::Vector SolidBody::Implementation::scatter(const Eigen::VectorXd &nodal) const
 {
   TrilinosWrappers::MPI::Vector vector(locally_owned, communicator);
   for (unsigned int i = 0; i < zone.node_dofs.size(); ++i)
@@ -120,11 +120,11 @@ void SolidBody::Implementation::set_tangent(const Eigen::SparseMatrix<double> &c
   tangent.compress(VectorOperation::add);
 }
 
-TrilinosWrappers::MPI::Vector SolidBody::Implementation::imbalance(const Eigen::VectorXd &forces) const
+TrilinosWrappers::MPI::Vector SolidBody::Implementation::residual(const Eigen::VectorXd &forces) const
 {
   TrilinosWrappers::MPI::Vector elastic(locally_owned, communicator);
   stiffness.vmult(elastic, displacement);
-  TrilinosWrappers::MPI::Vector result = spread(forces);
+  TrilinosWrappers::MPI::Vector result = scatter(forces);
   result -= elastic;
   return result;
 }
@@ -152,8 +152,8 @@ Eigen::VectorXd SolidBody::contact_displacement() const
   return implementation->restrict(implementation->displacement);
 }
 
-ContactStep SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
-                             const Eigen::VectorXd &forces, const Eigen::Vector3d &resultant_excess)
+NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
+                                 const Eigen::VectorXd &forces, const LinearConditions &conditions)
 {
   Implementation &body = *implementation;
   body.set_tangent(contact_tangent);
@@ -163,15 +163,26 @@ ContactStep SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
   const double length = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::Vector3d scale(1, 1 / length, 1 / length);
   modes = modes * scale.asDiagonal();
+  const auto scatter = [&](const Eigen::MatrixX3d &nodal)
+  {
+    return std::array<TrilinosWrappers::MPI::Vector, 3>{ body.scatter(nodal.col(0)),
+                                                         body.scatter(nodal.col(1)),
+                                                         body.scatter(nodal.col(2)) };
+  };
+  BorderedSystem system{ body.tangent, {}, {}, {} };
   const Eigen::MatrixX3d stiffened = contact_tangent * modes;
-  const Eigen::Matrix3d corner = modes.transpose() * stiffened;
-  const std::array<TrilinosWrappers::MPI::Vector, 3> border = { body.spread(stiffened.col(0)),
-                                                                body.spread(stiffened.col(1)),
-                                                                body.spread(stiffened.col(2)) };
-  const BorderedSystem system{ body.tangent, border, corner };
-  const BorderedVector rhs{ body.imbalance(forces), scale.asDiagonal() * resultant_excess };
+  system.border = scatter(stiffened);
+  if (conditions.are_resultants())
+    system.corner = modes.transpose() * stiffened;
+  else
+  {
+    const Eigen::MatrixX3d weights = conditions.weights() * scale.asDiagonal();
+    system.condition_border = scatter(contact_tangent * weights);
+    system.corner = weights.transpose() * stiffened;
+  }
+  const BorderedVector rhs{ body.residual(forces), scale.asDiagonal() * conditions.residual(forces) };
   BorderedVector increment;
-  ContactStep step;
+  NewtonIncrement step;
   step.linear_iterations = body.solver->solve(system, rhs, linear_reduction, increment);
 
   body.increment = increment.body;
@@ -184,9 +195,9 @@ ContactStep SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
   return step;
 }
 
-void SolidBody::accept(double fraction)
+void SolidBody::update(double step_length)
 {
-  implementation->displacement.add(fraction, implementation->increment);
+  implementation->displacement.add(step_length, implementation->increment);
 }
 
 void SolidBody::reset()
@@ -196,7 +207,7 @@ void SolidBody::reset()
 
 double SolidBody::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  return implementation->imbalance(forces).l2_norm() / forces.norm();
+  return implementation->residual(forces).l2_norm() / forces.norm();
 }
 
 unsigned int SolidBody::n_unknowns() const

@@ -49,9 +49,9 @@ public:
 
   const ContactSurface &contact_surface() const override;
   Eigen::VectorXd contact_displacement() const override;
-  ContactStep solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                    const Eigen::Vector3d &resultant_excess) override;
-  void accept(double fraction) override;
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                        const LinearConditions &conditions) override;
+  void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
   unsigned int n_unknowns() const override;

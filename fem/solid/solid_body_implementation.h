@@ -22,13 +22,13 @@ struct SolidBody::Implementation
   BorderedSolver::MakePreconditioner preconditioner_maker(LinearSolver kind) const;
 
   /// B' applied to values at the contact nodes.
-  dealii::TrilinosWrappers::MPI::Vector spread(const Eigen::VectorXd &nodal) const;
+  dealii::TrilinosWrappers::MPI::Vector scatter(const Eigen::VectorXd &nodal) const;
   /// B applied to a vector of dofs; the same on all ranks.
   Eigen::VectorXd restrict(const dealii::TrilinosWrappers::MPI::Vector &vector) const;
   /// tangent = K + B' T B.
   void set_tangent(const Eigen::SparseMatrix<double> &contact_tangent);
   /// B' forces - K u.
-  dealii::TrilinosWrappers::MPI::Vector imbalance(const Eigen::VectorXd &forces) const;
+  dealii::TrilinosWrappers::MPI::Vector residual(const Eigen::VectorXd &forces) const;
 
   const MPI_Comm communicator;
   const dealii::MappingQ<3> mapping;

@@ -140,13 +140,14 @@ ContactLine make_line(const SampledFace &face, double eta, double weight,
       across += slope(t) * face.positions[s][t];
     }
     line.position.row(s) << position[0], position[1];
-    line.breadth.row(s) << weight * across[0], weight * across[1];
+    line.transverse_tangent.row(s) << weight * across[0], weight * across[1];
     line.gap(s) = position[2] + gap(position[0], position[1]);
   }
   const Eigen::RowVector2d middle = line.position.row(1);
-  const Eigen::RowVector2d breadth = line.breadth.row(1);
+  const Eigen::RowVector2d transverse_tangent = line.transverse_tangent.row(1);
   line.azimuth = std::atan2(middle(1), middle(0));
-  line.azimuth_width = std::abs(middle(0) * breadth(1) - middle(1) * breadth(0)) / middle.squaredNorm();
+  line.azimuth_width =
+    std::abs(middle(0) * transverse_tangent(1) - middle(1) * transverse_tangent(0)) / middle.squaredNorm();
   return line;
 }
 
@@ -162,7 +163,7 @@ PackedLine pack(const ContactLine &line)
   const auto append = [&](const auto &matrix)
   { packed.insert(packed.end(), matrix.data(), matrix.data() + matrix.size()); };
   append(line.position);
-  append(line.breadth);
+  append(line.transverse_tangent);
   append(line.gap);
   append(line.shape);
   packed.insert(packed.end(), line.nodes.begin(), line.nodes.end());
@@ -183,7 +184,7 @@ ContactLine unpack(const PackedLine &packed)
   };
   line.shape.resize(3, n_nodes);
   take(line.position);
-  take(line.breadth);
+  take(line.transverse_tangent);
   take(line.gap);
   take(line.shape);
   line.nodes.assign(next, next + n_nodes);

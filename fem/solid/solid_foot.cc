@@ -82,7 +82,7 @@ FootCapabilities SolidFoot::capabilities() const
   return capabilities;
 }
 
-ContactState SolidFoot::solve(const ContactLoad &load, const Slip &slip,
+ContactState SolidFoot::solve(const Resultants &load, const Slip &slip,
                               const std::function<void(const ContactIteration &)> &progress)
 {
   ContactState state;
@@ -105,9 +105,9 @@ std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
   return law->load(state.solution).points;
 }
 
-Footprint SolidFoot::footprint(const ContactState &state)
+PressureMap SolidFoot::pressure_map(const ContactState &state)
 {
-  return law->footprint(state.solution);
+  return law->pressure_map(state.solution);
 }
 
 std::vector<FieldFile> SolidFoot::fields(const ContactState &state)

@@ -46,10 +46,10 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  ContactState solve(const ContactLoad &load, const Slip &slip = {},
+  ContactState solve(const Resultants &load, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
-  Footprint footprint(const ContactState &state) override;
+  PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
 
 private:

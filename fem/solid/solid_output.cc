@@ -120,7 +120,7 @@ std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::Vect
   TrilinosWrappers::MPI::Vector displacement(body.locally_owned, body.locally_relevant, body.communicator);
   displacement = body.displacement;
   TrilinosWrappers::MPI::Vector pressure(body.locally_owned, body.locally_relevant, body.communicator);
-  pressure = body.spread(nodal_pressure);
+  pressure = body.scatter(nodal_pressure);
 
   const RestoredMotion restored(motion);
   const Stress stress(body.material);

@@ -25,7 +25,7 @@ namespace ring = stemware::ring;
 
 constexpr double weight = 2.943; // N
 
-ContactLoad load_at(double m)
+Resultants load_at(double m)
 {
   return { weight, 0, -m * weight * 0.015 };
 }

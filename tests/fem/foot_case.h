@@ -31,16 +31,16 @@ struct FootCase
       options);
   }
 
-  LoadHarmonics press(TableLaw &law, const ContactLoad &load, unsigned int n_harmonics = 8)
+  LoadHarmonics solve(TableLaw &law, const Resultants &load, unsigned int n_harmonics = 8)
   {
     solution = solve_contact(*body, law, load, radius);
     return extract_load(law, solution, n_harmonics);
   }
 
-  LoadHarmonics press_on_mat(double modulus, const ContactLoad &load, unsigned int n_harmonics = 8)
+  LoadHarmonics solve_on_winkler(double modulus, const Resultants &load, unsigned int n_harmonics = 8)
   {
     const auto mat = make_law(WinklerInterface(modulus), body->contact_surface());
-    return press(*mat, load, n_harmonics);
+    return solve(*mat, load, n_harmonics);
   }
 
   dealii::parallel::distributed::Triangulation<3> triangulation;

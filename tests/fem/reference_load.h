@@ -16,7 +16,7 @@ using namespace stemware::fem;
 constexpr double weight = 2.943;
 
 /// Resultants of a load with moment ratio @p m (of N R / 2) whose maximum lies at azimuth @p direction.
-inline ContactLoad load_at(double m, double direction = 0, double radius = 0.03)
+inline Resultants load_at(double m, double direction = 0, double radius = 0.03)
 {
   const double moment = m * weight * radius / 2;
   return { weight, moment * std::sin(direction), -moment * std::cos(direction) };

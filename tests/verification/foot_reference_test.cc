@@ -25,7 +25,7 @@ void compare_with_reference(const std::string &foot, const GlassProfile &profile
     {
       const double modulus = std::stod(mat.substr(2));
       const double m = std::stod(moment.substr(2));
-      const LoadHarmonics load = revolution.press_on_mat(modulus, load_at(m));
+      const LoadHarmonics load = revolution.solve_on_winkler(modulus, load_at(m));
       const auto ratios = expected.at("a_over_a0").get<std::vector<double>>();
       const auto band = expected.at("band").get<std::vector<double>>();
       for (unsigned int n = 1; n <= 8; ++n)

@@ -10,11 +10,11 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-LoadHarmonics press_sliding(RevolutionCase &foot, double modulus, double friction, const ContactLoad &load,
+LoadHarmonics press_sliding(RevolutionCase &foot, double modulus, double friction, const Resultants &load,
                             double spin = 0)
 {
   foot.body.set_sliding(SlidingTraction{ friction, spin });
-  return foot.press_on_mat(modulus, load);
+  return foot.solve_on_winkler(modulus, load);
 }
 
 /// int N_i N_j r dr over the land by three-point Gauss quadrature on each quadratic element.
@@ -111,7 +111,7 @@ TEST_F(FrictionCoupling, YawMakesBothSinesAndCosines)
 
 TEST_F(FrictionCoupling, WithoutFrictionNothingChanges)
 {
-  const LoadHarmonics plain = foot.press_on_mat(1e10, load_at(1.2));
+  const LoadHarmonics plain = foot.solve_on_winkler(1e10, load_at(1.2));
   const LoadHarmonics none = press_sliding(foot, 1e10, 0, load_at(1.2));
   for (unsigned int n = 0; n <= 8; ++n)
     EXPECT_EQ(plain.a[0][n], none.a[0][n]);

@@ -86,11 +86,12 @@ private:
       matrix.diagonal().head(n).array() += self_influence - x.array().log() - 1;
       matrix.topRightCorner(n, 2) = -motions;
       matrix.bottomLeftCorner(2, n) = motions.transpose() / n_lines;
-      Eigen::VectorXd excess(n + 2);
-      excess << influence(lines, lines) * x +
-                  x.cwiseProduct(Eigen::VectorXd(self_influence - x.array().log())) - motions * motion,
+      Eigen::VectorXd condition_residual(n + 2);
+      condition_residual << influence(lines, lines) * x +
+                              x.cwiseProduct(Eigen::VectorXd(self_influence - x.array().log())) -
+                              motions * motion,
         motions.transpose() * x / n_lines - Eigen::Vector2d(1, moment_ratio / 2);
-      const Eigen::VectorXd correction = -matrix.partialPivLu().solve(excess);
+      const Eigen::VectorXd correction = -matrix.partialPivLu().solve(condition_residual);
       load(lines) = (x + correction.head(n)).cwiseMax(0.);
       motion += correction.tail<2>();
     }
@@ -122,7 +123,7 @@ LoadHarmonics press_ring(double moment_ratio, unsigned int land_cells)
   RevolutionCase contact(ring, compute_compliance(triangulation, material, { 2, n_harmonics }), n_lines);
   const auto rigid =
     HardInterface().make(contact.body.contact_surface(), 5 * modulus / (ring.land_width / land_cells));
-  return contact.press(*rigid, load_at(moment_ratio));
+  return contact.solve(*rigid, load_at(moment_ratio));
 }
 
 } // namespace

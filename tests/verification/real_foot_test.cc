@@ -33,10 +33,10 @@ double observed_order(const GlassProfile &profile)
   const auto press = [&](unsigned int refinements, unsigned int degree)
   {
     RevolutionCase foot(profile, foot_compliance(profile, graded_cells(refinements), { degree, 8 }));
-    return foot.press_on_mat(1e10, load_at(1.2));
+    return foot.solve_on_winkler(1e10, load_at(1.2));
   };
-  const LoadHarmonics finest = press(1, 3);
-  return std::log2(difference(press(0, 2), finest, 4) / difference(press(1, 2), finest, 4));
+  const LoadHarmonics finest = solve(1, 3);
+  return std::log2(difference(solve(0, 2), finest, 4) / difference(solve(1, 2), finest, 4));
 }
 
 /// Thickness of a plate over the radius [m].
@@ -105,15 +105,15 @@ TEST(RealFoot, SolidBodyAgrees)
   GlassProfile profile = flat_profile();
   profile.shape = GlassShape::foot;
   RevolutionCase revolution(profile, foot_compliance(profile, equal_cells(1)));
-  const ContactLoad load = load_at(1.3);
-  const LoadHarmonics expected = revolution.press_on_mat(1e10, load);
+  const Resultants load = load_at(1.3);
+  const LoadHarmonics expected = revolution.solve_on_winkler(1e10, load);
   SolidOptions linear;
   linear.degree = 1;
   double before = 0;
   for (const unsigned int n : { 12u, 24u, 48u })
   {
     FootCase solid(profile, { n, n / 6, n / 12 }, linear);
-    const LoadHarmonics answer = solid.press_on_mat(1e10, load);
+    const LoadHarmonics answer = solid.solve_on_winkler(1e10, load);
     EXPECT_NEAR(answer.a[0][0] / expected.a[0][0], 1, 1e-10);
     EXPECT_NEAR(answer.moment_y / expected.moment_y, 1, 1e-9);
     const double now = difference(answer, expected, 6);
@@ -124,7 +124,7 @@ TEST(RealFoot, SolidBodyAgrees)
     before = now;
   }
   FootCase quadratic(profile, { 24, 4, 2 });
-  EXPECT_LT(difference(quadratic.press_on_mat(1e10, load), expected, 6), 1e-4);
+  EXPECT_LT(difference(quadratic.solve_on_winkler(1e10, load), expected, 6), 1e-4);
 }
 
 TEST(RealFoot, WithoutReliefIsTheStepWithoutLand)
@@ -143,9 +143,9 @@ TEST(RealFoot, WithoutReliefIsTheStepWithoutLand)
     const auto press = [](const GlassProfile &profile)
     {
       RevolutionCase glass(profile, foot_compliance(profile, equal_cells(1), { 2, 8 }));
-      return glass.press_on_mat(1e10, load_at(1.3));
+      return glass.solve_on_winkler(1e10, load_at(1.3));
     };
-    const double now = difference(press(step), press(foot), 8);
+    const double now = difference(solve(step), solve(foot), 8);
     EXPECT_LT(now, height);
     if (before > 0)
     {

@@ -20,7 +20,7 @@ struct RigidRing
 
 void expect_harmonics(FootCase &foot, double modulus, const RigidRing &expected)
 {
-  const LoadHarmonics load = foot.press_on_mat(modulus, load_at(expected.moment_ratio));
+  const LoadHarmonics load = foot.solve_on_winkler(modulus, load_at(expected.moment_ratio));
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a_over_a0[n - 2], 3e-3)
       << "m = " << expected.moment_ratio << ", n = " << n;

@@ -24,15 +24,15 @@ TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
 {
   const GlassProfile profile = flat_profile();
   RevolutionCase revolution(profile, foot_compliance(profile, equal_cells(1)));
-  const ContactLoad load = load_at(1.3);
-  const LoadHarmonics expected = revolution.press_on_mat(1e10, load);
+  const Resultants load = load_at(1.3);
+  const LoadHarmonics expected = revolution.solve_on_winkler(1e10, load);
   SolidOptions linear;
   linear.degree = 1;
   double before = 0;
   for (const unsigned int n : { 12u, 24u, 48u })
   {
     FootCase solid(profile, { n, n / 6, n / 12 }, linear);
-    const double now = difference_of_bodies(solid.press_on_mat(1e10, load), expected);
+    const double now = difference_of_bodies(solid.solve_on_winkler(1e10, load), expected);
     if (before > 0)
     {
       EXPECT_LT(now, before / 2) << n << " cells round the rim";
@@ -40,5 +40,5 @@ TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
     before = now;
   }
   FootCase quadratic(profile, { 24, 4, 2 });
-  EXPECT_LT(difference_of_bodies(quadratic.press_on_mat(1e10, load), expected), 1e-3);
+  EXPECT_LT(difference_of_bodies(quadratic.solve_on_winkler(1e10, load), expected), 1e-3);
 }

@@ -91,7 +91,7 @@ Study with_closure(Study study, ring::Closure closure)
 /// The contact of the foot at rest under the study's moment balance.
 LoadReport load_at_rest(const Study &study, const ElasticFoot &foot)
 {
-  const fem::ContactLoad demand = study.required_resultants();
+  const fem::Resultants demand = study.required_resultants();
   return report_of(foot.solve(demand.normal_force, { demand.moment_x, demand.moment_y }), foot.radius());
 }
 

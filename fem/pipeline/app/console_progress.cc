@@ -79,7 +79,7 @@ void note_load_source(const Study &study, Progress &progress)
     progress.note("Load", study.load.file);
     return;
   }
-  const fem::ContactLoad demand = study.required_resultants();
+  const fem::Resultants demand = study.required_resultants();
   const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
   const double crest = std::atan2(demand.moment_x, -demand.moment_y) / boost::math::double_constants::degree;
   const std::string origin =

@@ -24,7 +24,7 @@ fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, co
   if (!load.follows_spin())
     return at_rest;
   const ring::RingStack balanced = load.at(omega);
-  const fem::FootPhase &marks = at_rest.slip.orientation;
+  const fem::FootOrientation &marks = at_rest.slip.orientation;
   return foot.solve(balanced.normal_force(), balanced.moment(),
                     { omega / motion.orbit_speed, { marks.glass, marks.table } });
 }
@@ -38,7 +38,7 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   report.foot = foot.body().description();
   report.friction_coupling = study.friction_deforms_foot() ? "elastic" : "none";
   report.at_rest = at_rest;
-  report.footprint = foot.body().footprint(at_rest);
+  report.footprint = foot.body().pressure_map(at_rest);
   report.friction_at_rest = friction_of(foot, at_rest, motion, 0);
   report.friction_at_terminal =
     friction_of(foot, state_at(foot, load, motion, omega_terminal), motion, omega_terminal);
@@ -46,7 +46,7 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   if (foot.n_solutions() > 1)
   {
     const fem::LoadHarmonics &rest = at_rest.load;
-    const fem::FootPhase &marks = at_rest.slip.orientation;
+    const fem::FootOrientation &marks = at_rest.slip.orientation;
     report.fields = foot.body().fields(
       foot.solve(rest.normal_force, { rest.moment_x, rest.moment_y }, { 0, { marks.glass, marks.table } }));
   }

@@ -27,7 +27,7 @@ fem::ContactState ElasticFoot::solve(double normal_force, const Eigen::Vector2d 
                      [&progress](const fem::ContactIteration &step)
                      {
                        progress.iteration({ step.number, step.n_loaded, step.n_changed, step.residual,
-                                            step.step_fraction, step.linear_iterations });
+                                            step.step_length, step.linear_iterations });
                      });
 }
 

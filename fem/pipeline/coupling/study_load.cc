@@ -91,7 +91,7 @@ public:
     const auto known = loads.find(place);
     if (known != loads.end())
       return known->second;
-    const fem::ContactLoad demand = study.required_resultants();
+    const fem::Resultants demand = study.required_resultants();
     const fem::ContactState state =
       foot->solve(demand.normal_force, { demand.moment_x, demand.moment_y }, { 0, orientation });
     MomentBalance moments = moment_balance(study);
@@ -150,7 +150,7 @@ BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot>
     throw BadInput(
       "Load/Coupling = response needs a load that depends on the moment ratio alone, but this foot is "
       "not the same in all directions; use Load/Coupling = exact.");
-  const fem::ContactLoad demand = study.required_resultants();
+  const fem::Resultants demand = study.required_resultants();
   const MomentBalance moments = moment_balance(study);
   const auto state = std::make_shared<const fem::ContactState>(foot->solve(
     demand.normal_force, { demand.moment_x, demand.moment_y }, { 0, moments.orientation }, progress));
@@ -166,7 +166,7 @@ BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot>
 /// A first harmonic that carries the given moment of a static study.
 BalancedLoad given_first_harmonic(const Study &study)
 {
-  const fem::ContactLoad demand = study.required_resultants();
+  const fem::Resultants demand = study.required_resultants();
   return constant_load(report_of(ring::RingStack::first_harmonic(
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }

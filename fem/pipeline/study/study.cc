@@ -31,10 +31,10 @@ bool Study::friction_deforms_foot() const
   return abilities(contact.body).friction_can_deform && table.is_hard();
 }
 
-fem::ContactLoad Study::required_resultants() const
+fem::Resultants Study::required_resultants() const
 {
   const double radius = glass.profile.contact_radius;
-  fem::ContactLoad required;
+  fem::Resultants required;
   required.normal_force = motion.orbit.normal_force();
   if (load.is_static())
   {
@@ -58,7 +58,7 @@ fem::ContactLoad Study::required_resultants() const
   return required;
 }
 
-double moment_ratio(const fem::ContactLoad &load, double contact_radius)
+double moment_ratio(const fem::Resultants &load, double contact_radius)
 {
   return std::hypot(load.moment_x, load.moment_y) / (load.normal_force * contact_radius / 2);
 }

@@ -149,11 +149,11 @@ struct Study
   /// What the table's pressure has to balance at omega = 0, where the friction is exactly (-mu N, 0): N = m g
   /// with the closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin,
   /// -cos)(direction of the load's maximum) [N, N m]. Throws BadInput when the foot would tip, m >= 2.
-  fem::ContactLoad required_resultants() const;
+  fem::Resultants required_resultants() const;
 };
 
 /// m = |M_N| / (N R / 2).
-double moment_ratio(const fem::ContactLoad &load, double contact_radius);
+double moment_ratio(const fem::Resultants &load, double contact_radius);
 
 /// A sentence without subject for the console where the table is hard, so that friction matters for the
 /// pressure: whether friction deforms the foot. Empty elsewhere.

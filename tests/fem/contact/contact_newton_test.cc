@@ -19,7 +19,7 @@ SolidOptions linear_elements()
 
 const FootResolution coarse{ 12, 4, 1 };
 
-ContactOutcome outcome_of(FootCase &foot, const ContactLoad &load, const ContactControl &control)
+ContactOutcome outcome_of(FootCase &foot, const Resultants &load, const ContactControl &control)
 {
   const auto mat = make_law(WinklerInterface(1e11), foot.body->contact_surface());
   try
@@ -43,15 +43,15 @@ public:
   }
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
-  ContactStep solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
-                    const Eigen::Vector3d &) override
+  NewtonIncrement solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
+                        const LinearConditions &) override
   {
-    ContactStep step;
+    NewtonIncrement step;
     step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
     step.motion.setZero();
     return step;
   }
-  void accept(double) override {}
+  void update(double) override {}
   void reset() override {}
   double equilibrium_residual(const Eigen::VectorXd &) const override { return 0.5; }
   unsigned int n_unknowns() const override { return 0; }
@@ -96,13 +96,13 @@ TEST(ContactDriver, NamesARepeatedSet)
 TEST(ContactDriver, SaysWhenContactIsNarrow)
 {
   FootCase crowned(GlassProfile(), coarse);
-  crowned.press_on_mat(1e11,
-                       load_at(0.3)); // 0.2 mm of contact, nodes 0.5 mm apart, one of them in the middle
+  crowned.solve_on_winkler(1e11,
+                           load_at(0.3)); // 0.2 mm of contact, nodes 0.5 mm apart, one of them in the middle
   EXPECT_EQ(crowned.solution.outcome, ContactOutcome::narrow_contact);
   EXPECT_EQ(crowned.solution.n_nodes_across, 1u);
   EXPECT_EQ(crowned.solution.n_loaded_nodes, 2 * coarse.azimuthal_cells);
   FootCase flat(flat_profile(), coarse);
-  flat.press_on_mat(1e11, load_at(0.3));
+  flat.solve_on_winkler(1e11, load_at(0.3));
   EXPECT_EQ(flat.solution.outcome, ContactOutcome::converged);
   EXPECT_EQ(flat.solution.n_nodes_across, 9u);
 }
@@ -131,7 +131,7 @@ TEST(ContactDriver, EveryConvergedRunBalances)
   for (const double modulus : { 1e8, 1e10, 1e12 })
     for (const double m : { 0., 0.7, 1.4, 1.95 })
     {
-      foot.press_on_mat(modulus, load_at(m, 2.1));
+      foot.solve_on_winkler(modulus, load_at(m, 2.1));
       EXPECT_LT(foot.solution.force_residual, 1e-9) << modulus << ", " << m;
       EXPECT_LT(foot.solution.moment_residual, 1e-9) << modulus << ", " << m;
       EXPECT_LT(foot.solution.equilibrium_residual, 1e-8) << modulus << ", " << m;
@@ -157,8 +157,8 @@ TEST(ContactDriver, RigidTableIsComplementary)
   const ContactSurface &surface = foot.body->contact_surface();
   const auto table = HardInterface().make(surface, 70e9 / foot.body->contact_cell_size());
   const ContactSolution solution = solve_contact(*foot.body, *table, load_at(1.3), 0.03);
-  const Eigen::VectorXd gap = surface.node_gap + solution.approach;
-  const double scale = solution.approach.cwiseAbs().maxCoeff();
+  const Eigen::VectorXd gap = surface.node_gap + solution.normal_displacement;
+  const double scale = solution.normal_displacement.cwiseAbs().maxCoeff();
   EXPECT_GE(solution.forces.minCoeff(), 0);
   EXPECT_GE(gap.minCoeff(), -1e-9 * scale);
   EXPECT_LT(solution.forces.cwiseProduct(gap).cwiseAbs().maxCoeff(), 1e-9 * weight * scale);
@@ -169,9 +169,9 @@ TEST(ContactDriver, StiffMatTendsToTheRigidTable)
   FootCase foot(flat_profile(), coarse, linear_elements());
   const auto table =
     HardInterface().make(foot.body->contact_surface(), 70e9 / foot.body->contact_cell_size());
-  const LoadHarmonics rigid = foot.press(*table, load_at(0.9), 3);
-  const LoadHarmonics softer = foot.press_on_mat(1e13, load_at(0.9), 3);
-  const LoadHarmonics stiffer = foot.press_on_mat(1e15, load_at(0.9), 3);
+  const LoadHarmonics rigid = foot.solve(*table, load_at(0.9), 3);
+  const LoadHarmonics softer = foot.solve_on_winkler(1e13, load_at(0.9), 3);
+  const LoadHarmonics stiffer = foot.solve_on_winkler(1e15, load_at(0.9), 3);
   const auto distance = [&](const LoadHarmonics &load)
   { return std::abs(load.a[0][2] - rigid.a[0][2]) / rigid.a[0][0]; };
   EXPECT_LT(distance(stiffer), 0.5 * distance(softer));

@@ -18,7 +18,7 @@ ContactLine radial_line(double azimuth)
   {
     const double radius = 0.028 + 0.002 * s;
     line.position.row(s) << radius * std::cos(azimuth), radius * std::sin(azimuth);
-    line.breadth.row(s) << -radius * width * std::sin(azimuth), radius * width * std::cos(azimuth);
+    line.transverse_tangent.row(s) << -radius * width * std::sin(azimuth), radius * width * std::cos(azimuth);
   }
   return line;
 }

@@ -30,7 +30,7 @@ struct RigidRing
   {
   }
 
-  LoadHarmonics press(TableLaw &law, double m)
+  LoadHarmonics solve(TableLaw &law, double m)
   {
     return extract_load(law, solve_contact(foot, law, load_at(m), 0.03), 8);
   }
@@ -72,7 +72,7 @@ TEST(RoughInterface, RigidRingHasBesselHarmonics)
     for (const double m : { 0.2, 0.8, 1.5 })
     {
       const auto law = make_law(interface, ring.revolution.body.contact_surface());
-      const LoadHarmonics load = ring.press(*law, m);
+      const LoadHarmonics load = ring.solve(*law, m);
       const auto ratio = [](unsigned int n, double x)
       { return 2 * boost::math::cyl_bessel_i(n, x) / boost::math::cyl_bessel_i(0, x); };
       const double x = invert([&](double y) { return ratio(1, y); }, load.a[0][1] / load.a[0][0], 0, 50);
@@ -91,8 +91,8 @@ TEST(RoughInterface, PressureScaleIsAnOffset)
   const auto hard = make_law(RoughInterface(1e12, 1e-6), foot.body.contact_surface());
   for (const double m : { 0.5, 1.2 })
   {
-    const LoadHarmonics one = foot.press(*soft, load_at(m));
-    const LoadHarmonics other = foot.press(*hard, load_at(m));
+    const LoadHarmonics one = foot.solve(*soft, load_at(m));
+    const LoadHarmonics other = foot.solve(*hard, load_at(m));
     for (unsigned int n = 1; n <= 8; ++n)
       EXPECT_NEAR(one.a[0][n] / one.a[0][0], other.a[0][n] / other.a[0][0], 1e-8) << "n = " << n;
   }
@@ -111,12 +111,12 @@ TEST(RigidLimit, FlatRingOnAMat)
   // PHYSICS: lambda = A max(0, cos theta - cos theta_c); m <= 1 leaves no higher harmonic.
   RigidRing ring(thin_ring(0), 1024);
   const auto mat = make_law(WinklerInterface(1e10), ring.revolution.body.contact_surface());
-  const LoadHarmonics full = ring.press(*mat, 0.8);
+  const LoadHarmonics full = ring.solve(*mat, 0.8);
   for (unsigned int n = 2; n <= 8; ++n)
     EXPECT_NEAR(full.a[0][n] / full.a[0][0], 0, 1e-12);
   for (const double m : { 1.2, 1.5, 1.8 })
   {
-    const LoadHarmonics load = ring.press(*mat, m);
+    const LoadHarmonics load = ring.solve(*mat, m);
     // The angle is that of the closed form at this m: 135.478172, 98.562754, 59.006155 degrees.
     const double c = invert([](double x) { return -lifted_ratio(1, x); }, -m, 1e-3, M_PI);
     for (unsigned int n = 2; n <= 8; ++n)
@@ -145,7 +145,7 @@ TEST(RigidLimit, CrownedRingOnAMat)
   };
   for (const Row &row : rows)
   {
-    const LoadHarmonics load = ring.press(*mat, row.m);
+    const LoadHarmonics load = ring.solve(*mat, row.m);
     for (unsigned int n = 2; n <= 8; ++n)
       EXPECT_NEAR(load.a[0][n] / load.a[0][0], row.a[n - 2], 1e-4) << "m = " << row.m << ", n = " << n;
   }

@@ -30,7 +30,7 @@ TEST(BodyOfRevolution, FlatFootInFullContactMixesNoHarmonics)
   RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells()));
   for (const double modulus : { 1e9, 1e10, 1e11 })
   {
-    const LoadHarmonics load = foot.press_on_mat(modulus, load_at(0.4, 0.3), 16);
+    const LoadHarmonics load = foot.solve_on_winkler(modulus, load_at(0.4, 0.3), 16);
     for (unsigned int n = 2; n <= 16; ++n)
       EXPECT_LT(std::hypot(load.a[0][n], load.b[0][n]) / load.a[0][0], 1e-12)
         << "n = " << n << ", k = " << modulus;
@@ -56,16 +56,16 @@ TEST(BodyOfRevolution, ShortCutsOfItsLinesChangeNothing)
   const auto plain_law = make_law(WinklerInterface(1e10), plain);
   for (const double tilt_across : { 0., 1e-4 }) // even in theta, and not
   {
-    Eigen::VectorXd approach =
+    Eigen::VectorXd normal_displacement =
       -2e-4 * surface.node_position.col(0) - tilt_across * surface.node_position.col(1);
-    approach.array() -= 3e-6;
-    LawResponse response, expected;
+    normal_displacement.array() -= 3e-6;
+    ContactForces response, expected;
     for (unsigned int repetition = 0; repetition < 2; ++repetition) // the second one refills
-      law->respond(approach, response);
-    plain_law->respond(approach, expected);
+      law->evaluate(normal_displacement, response);
+    plain_law->evaluate(normal_displacement, expected);
     ASSERT_GT(expected.forces.maxCoeff(), 0);
-    EXPECT_NE(std::count(expected.contact_set.begin(), expected.contact_set.end(), false), 0);
-    EXPECT_EQ(response.contact_set, expected.contact_set);
+    EXPECT_NE(std::count(expected.active_set.begin(), expected.active_set.end(), false), 0);
+    EXPECT_EQ(response.active_set, expected.active_set);
     EXPECT_LT((response.forces - expected.forces).cwiseAbs().maxCoeff(), 1e-14 * expected.forces.maxCoeff());
     const Eigen::MatrixXd tangent(expected.tangent);
     EXPECT_LT((Eigen::MatrixXd(response.tangent) - tangent).cwiseAbs().maxCoeff(),
@@ -81,11 +81,11 @@ TEST(BodyOfRevolution, LoadTurnsWithTheMoment)
     2 * M_PI * 37 / 256; // from one azimuth line to another: equal quadrature, and no line of symmetry at x
   for (const double m : { 0.5, 1.5 })
   {
-    const LoadHarmonics along_x = foot.press_on_mat(1e10, load_at(m));
-    const LoadHarmonics turned = foot.press_on_mat(1e10, load_at(m, angle));
+    const LoadHarmonics along_x = foot.solve_on_winkler(1e10, load_at(m));
+    const LoadHarmonics turned = foot.solve_on_winkler(1e10, load_at(m, angle));
     EXPECT_LT(difference(along_x, turned, angle), 1e-9) << "m = " << m;
     // Between two lines the kink at the edge of contact is integrated at other places.
-    const LoadHarmonics between = foot.press_on_mat(1e10, load_at(m, angle + 0.3 / 256));
+    const LoadHarmonics between = foot.solve_on_winkler(1e10, load_at(m, angle + 0.3 / 256));
     EXPECT_LT(difference(along_x, between, angle + 0.3 / 256), 1e-5) << "m = " << m;
   }
 }
@@ -99,8 +99,8 @@ TEST(BodyOfRevolution, OffsetAndTiltOfTheTableChangeNothing)
   tilted.body.set_gap(
     [&](double r, double theta)
     { return profile.gap(r) + 3e-4 + 2e-3 * r * std::cos(theta) - 1e-3 * r * std::sin(theta); });
-  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(1.2, 0.4));
-  const LoadHarmonics same = tilted.press_on_mat(1e10, load_at(1.2, 0.4));
+  const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(1.2, 0.4));
+  const LoadHarmonics same = tilted.solve_on_winkler(1e10, load_at(1.2, 0.4));
   EXPECT_LT(difference(load, same, 0), 1e-9);
 }
 
@@ -108,7 +108,7 @@ TEST(BodyOfRevolution, HoldsForceAndMomentToSolverPrecision)
 {
   const GlassProfile profile;
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells()));
-  const LoadHarmonics load = foot.press_on_mat(1e10, load_at(0.9, 1.1));
+  const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(0.9, 1.1));
   EXPECT_NEAR(load.normal_force / weight, 1, 1e-10);
   EXPECT_NEAR(load.moment_x / load_at(0.9, 1.1).moment_x, 1, 1e-9);
   EXPECT_NEAR(load.moment_y / load_at(0.9, 1.1).moment_y, 1, 1e-9);
@@ -122,7 +122,7 @@ TEST(BodyOfRevolution, WarmStartFindsTheColdSolution)
   RevolutionCase cold(profile, compliance);
   RevolutionCase warm(profile, compliance);
   const auto mat = make_law(WinklerInterface(1e10), warm.body.contact_surface());
-  const LoadHarmonics expected = cold.press_on_mat(1e10, load_at(1.3, 0.2));
+  const LoadHarmonics expected = cold.solve_on_winkler(1e10, load_at(1.3, 0.2));
   const ContactSolution neighbour = solve_contact(warm.body, *mat, load_at(1.2, 0.1), warm.radius);
   const ContactSolution solution =
     solve_contact(warm.body, *mat, load_at(1.3, 0.2), warm.radius, {}, &neighbour.motion);
@@ -140,11 +140,11 @@ TEST(BodyOfRevolution, StiffnessAndLoadScaleTogether)
   stiff.young_modulus *= 10;
   RevolutionCase foot(profile, compute_compliance(triangulation, ElasticMaterial()));
   RevolutionCase stiffer(profile, compute_compliance(triangulation, stiff));
-  ContactLoad load = load_at(1.2);
-  const LoadHarmonics expected = foot.press_on_mat(1e10, load);
+  Resultants load = load_at(1.2);
+  const LoadHarmonics expected = foot.solve_on_winkler(1e10, load);
   load.normal_force *= 10;
   load.moment_y *= 10;
-  const LoadHarmonics scaled = stiffer.press_on_mat(1e11, load);
+  const LoadHarmonics scaled = stiffer.solve_on_winkler(1e11, load);
   for (unsigned int n = 0; n <= 8; ++n)
     EXPECT_NEAR(scaled.a[0][n] / 10, expected.a[0][n], 1e-9 * expected.a[0][0]);
 }

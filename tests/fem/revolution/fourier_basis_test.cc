@@ -16,7 +16,7 @@ TEST(FourierBasis, ValuesAreTheTrigonometricFunctions)
       const double angle = FourierBasis::harmonic(mode) * basis.azimuth(j);
       const bool sine = FourierBasis::is_sine(mode);
       EXPECT_NEAR(basis.values()(j, mode), sine ? std::sin(angle) : std::cos(angle), 1e-14);
-      EXPECT_NEAR(basis.partners()(j, mode), sine ? -std::cos(angle) : std::sin(angle), 1e-14);
+      EXPECT_NEAR(basis.conjugates()(j, mode), sine ? -std::cos(angle) : std::sin(angle), 1e-14);
     }
 }
 
@@ -34,10 +34,10 @@ TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
         for (unsigned int j = 0; j < 16; ++j)
         {
           sum += samples(f, j) * basis.values()(j, row) * basis.values()(j, column);
-          partner_sum += samples(f, j) * basis.partners()(j, row) * basis.values()(j, column);
+          partner_sum += samples(f, j) * basis.conjugates()(j, row) * basis.values()(j, column);
         }
         EXPECT_NEAR(products(row, column)(f), sum, 1e-13) << row << ", " << column;
-        EXPECT_NEAR(products.with_partner(row, column)(f), partner_sum, 1e-13) << row << ", " << column;
+        EXPECT_NEAR(products.with_conjugate(row, column)(f), partner_sum, 1e-13) << row << ", " << column;
       }
 }
 
@@ -55,7 +55,7 @@ TEST(FourierBasis, ProjectsAndEvaluatesLikeTheTablesOfItsModes)
     const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(3, n_lines);
     const Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Random(3, basis.n_modes());
     EXPECT_LT((basis.project(samples) - samples * basis.values()).norm(), 1e-13);
-    EXPECT_LT((basis.project_on_partners(samples) - samples * basis.partners()).norm(), 1e-13);
+    EXPECT_LT((basis.project_on_conjugates(samples) - samples * basis.conjugates()).norm(), 1e-13);
     EXPECT_LT((basis.evaluate(amplitudes) - amplitudes * basis.values().transpose()).norm(), 1e-13);
   }
 }

@@ -235,7 +235,7 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
     RevolutionFoot foot(setup.resolved_for(weight));
     EXPECT_FALSE(foot.capabilities().is_isotropic);
     const ContactState first = foot.solve(load_at(0.4), { 0, { 0.5, 0 } });
-    const double peak = foot.footprint(first).cuts[3][4].pressure;
+    const double peak = foot.pressure_map(first).cuts[3][4].pressure;
     foot.solve(load_at(0.9, 1.), { 0, { 2., 0 } });
     const LoadHarmonics sums = harmonics_of(foot.point_forces(first), 4);
     for (unsigned int n = 0; n <= 4; ++n)
@@ -243,7 +243,7 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
       EXPECT_NEAR(sums.a[0][n], first.load.a[0][n], 1e-14 * first.load.a[0][0]) << n;
       EXPECT_NEAR(sums.b[0][n], first.load.b[0][n], 1e-14 * first.load.a[0][0]) << n;
     }
-    EXPECT_EQ(foot.footprint(first).cuts[3][4].pressure, peak);
+    EXPECT_EQ(foot.pressure_map(first).cuts[3][4].pressure, peak);
     EXPECT_THROW(foot.fields(first), std::logic_error);
   }
 }
@@ -253,7 +253,7 @@ TEST(RevolutionFoot, PointForcesOfAnIsotropicFootStandInTheSlipFrame)
   RevolutionFoot foot{ RevolutionSetup() };
   EXPECT_TRUE(foot.capabilities().is_isotropic);
   EXPECT_FALSE(foot.capabilities().is_collective);
-  const ContactLoad load = load_at(0.8, 2.);
+  const Resultants load = load_at(0.8, 2.);
   const ContactState state = foot.solve(load);
   EXPECT_NEAR(state.direction, 2., 1e-14);
   const LoadHarmonics sums = harmonics_of(foot.point_forces(state), 3);

@@ -84,7 +84,7 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
     RevolutionFoot foot(setup);
     const ContactState state = foot.solve(load_at(1.3, 0.7));
     const VtuFile file = picture_of(foot, state);
-    const Eigen::VectorXd &approach = state.solution.approach;
+    const Eigen::VectorXd &normal_displacement = state.solution.normal_displacement;
     const Eigen::MatrixX2d &nodes = foot.elastic_body().contact_surface().node_position;
     const Eigen::Rotation2Dd turn(state.direction);
     unsigned int n_common = 0;
@@ -97,8 +97,8 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
         if ((turn * nodes.row(node).transpose() - at.head<2>()).norm() < 1e-8)
         {
           ++n_common;
-          ASSERT_NEAR(vector_at(file.array("displacement"), point)(2), approach(node),
-                      1e-6 * approach.cwiseAbs().maxCoeff());
+          ASSERT_NEAR(vector_at(file.array("displacement"), point)(2), normal_displacement(node),
+                      1e-6 * normal_displacement.cwiseAbs().maxCoeff());
         }
     }
     EXPECT_GE(n_common, 32u * 9u) << "nodes that picture and contact share";
@@ -114,7 +114,7 @@ TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
   setup.friction_coefficient = friction;
   setup.resolution.refinements = 1;
   RevolutionFoot foot(setup);
-  const ContactLoad load = load_at(0.8, 0.7);
+  const Resultants load = load_at(0.8, 0.7);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);
   const auto over_cut = [&](unsigned int row, unsigned int column)
@@ -140,7 +140,7 @@ TEST(RevolutionFields, PressureCarriesTheLoad)
       RevolutionSetup setup;
       setup.profile.crown_radius = crown;
       RevolutionFoot foot(setup.resolved_for(weight));
-      const ContactLoad load = load_at(m, 0.7);
+      const Resultants load = load_at(m, 0.7);
       const ContactState state = foot.solve(load);
       const VtuFile file = picture_of(foot, state);
       const Eigen::Vector3d sums = integral_over_plane(
@@ -159,13 +159,13 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   setup.profile = profile;
   setup.resolution = equal_cells(1);
   RevolutionFoot foot(setup);
-  const ContactLoad load = load_at(0.4);
+  const Resultants load = load_at(0.4);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);
 
   FootCase solid(profile, { 24, 4, 2 });
   const auto mat = make_law(WinklerInterface(1e10), solid.body->contact_surface());
-  solid.press(*mat, load);
+  solid.solve(*mat, load);
   const VtuFile expected(solid.body->vtu_file(solid.solution.motion, mat->nodal_pressure(solid.solution)));
 
   // Nodes that both pictures have, in micrometres. On the land, half a millimetre away from its corners, the
@@ -225,7 +225,7 @@ TEST(RevolutionFields, PressureOfARigidTableIsThatOfItsNodes)
   setup.profile = flat_profile();
   setup.table.interface = std::make_shared<HardInterface>();
   RevolutionFoot foot(setup.resolved_for(weight));
-  const ContactLoad load = load_at(0.6, 0.7);
+  const Resultants load = load_at(0.6, 0.7);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);
   const Eigen::Vector3d sums =

@@ -35,7 +35,7 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
     SolidFoot foot(coarse_mesh(), coarse_setup(interface));
     const ContactState first = foot.solve(load_at(0.5, 0.7));
     const std::vector<PointForce> points = foot.point_forces(first);
-    const Footprint footprint = foot.footprint(first);
+    const PressureMap pressure_map = foot.pressure_map(first);
     EXPECT_FALSE(first.history.empty());
     EXPECT_NO_THROW(foot.fields(first));
     foot.solve(load_at(1.2, 2.));
@@ -45,7 +45,8 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
       EXPECT_EQ(later[i].force, points[i].force);
     const LoadHarmonics sums = harmonics_of(later, 1);
     EXPECT_NEAR(sums.moment_x / first.load.moment_x, 1, 1e-12);
-    EXPECT_EQ(foot.footprint(first).cuts.front().front().pressure, footprint.cuts.front().front().pressure);
+    EXPECT_EQ(foot.pressure_map(first).cuts.front().front().pressure,
+              pressure_map.cuts.front().front().pressure);
     EXPECT_THROW(foot.fields(first), std::logic_error);
   }
 }

@@ -14,7 +14,7 @@ TEST(RequiredResultants, ClosurePaperAsksForTheRadialMomentOnly)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;
-  const fem::ContactLoad load = study.required_resultants();
+  const fem::Resultants load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.normal_force, 2.943);
   EXPECT_DOUBLE_EQ(load.moment_x, -0.05 * 0.3 * 0.35 * 0.35 / 0.15);
   EXPECT_EQ(load.moment_y, 0);
@@ -24,7 +24,7 @@ TEST(RequiredResultants, ClosurePaperAsksForTheRadialMomentOnly)
 TEST(RequiredResultants, ClosureFullAddsFrictionAtTheHeightOfTheHand)
 {
   const Study study;
-  const fem::ContactLoad load = study.required_resultants();
+  const fem::Resultants load = study.required_resultants();
   EXPECT_DOUBLE_EQ(load.moment_x, -0.01225);
   // -z_F mu N with the hand 3 cm above the table: the front carries more.
   EXPECT_NEAR(load.moment_y, -0.03 * 0.3 * 2.943, 1e-15);
@@ -37,7 +37,7 @@ TEST(RequiredResultants, StaticStudyPutsTheMaximumWhereItIsTold)
     Study study;
     study.load.moment_ratio = 1.3;
     study.load.moment_direction = direction;
-    const fem::ContactLoad load = study.required_resultants();
+    const fem::Resultants load = study.required_resultants();
     EXPECT_NEAR(moment_ratio(load, 0.03), 1.3, 1e-14);
     // (M_Nx, M_Ny) = (sum y f, -sum x f): the centre of pressure lies at (-M_Ny, M_Nx) / N.
     EXPECT_NEAR(std::atan2(load.moment_x, -load.moment_y), direction, 1e-14);

@@ -1,0 +1,160 @@
+// Conditions L'f = t with L != Q, as a moment balance with a friction arm has them, against fixed-point
+// iteration over prescribed resultants.
+#include "fem/contact/rigid_foot.h"
+#include "fem/contact/sliding_traction.h"
+#include "tests/fem/foot_case.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+/// x and y components of the friction per normal force at the contact nodes, shape [n_nodes, 2].
+Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
+{
+  const SlidingTraction traction{ 0.25, -11. };
+  Eigen::MatrixX2d result(surface.n_nodes(), 2);
+  for (Eigen::Index i = 0; i < result.rows(); ++i)
+  {
+    const double azimuth = std::atan2(surface.node_position(i, 1), surface.node_position(i, 0));
+    const Eigen::Vector2d polar = traction.direction(surface.node_position.row(i).norm(), azimuth);
+    result.row(i) << polar(0) * std::cos(azimuth) - polar(1) * std::sin(azimuth),
+      polar(0) * std::sin(azimuth) + polar(1) * std::cos(azimuth);
+  }
+  return result;
+}
+
+/// Height of the centre of mass, by which the friction tilts the glass [m].
+constexpr double arm = 0.05;
+
+/// Sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
+const Eigen::Vector2d prescribed(-0.010, 0.012);
+
+LinearConditions friction_arm_conditions(const ContactSurface &surface)
+{
+  Eigen::MatrixX3d weights = surface.motion_modes();
+  weights.rightCols<2>() += arm * friction_per_force(surface);
+  return LinearConditions(surface, weights, { weight, prescribed(0), prescribed(1) });
+}
+
+/// The solution that prescribed resultants, corrected by the friction of the solution before, tend to.
+ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
+{
+  const ContactSurface &surface = body.contact_surface();
+  const Eigen::MatrixX2d friction = friction_per_force(surface);
+  Eigen::Vector2d target = prescribed;
+  ContactSolution solution;
+  for (unsigned int i = 0; i < 60; ++i)
+  {
+    const Eigen::Vector3d before = solution.motion;
+    solution = solve_contact(body, law, Resultants{ weight, target(1), -target(0) }, 0.03, {},
+                             i > 0 ? &before : nullptr);
+    const Eigen::Vector2d next = prescribed - arm * friction.transpose() * solution.forces;
+    if ((next - target).norm() < 1e-12 * weight * 0.03)
+      return solution;
+    target = next;
+  }
+  ADD_FAILURE() << "the fixed-point iteration did not converge";
+  return solution;
+}
+
+void expect_fixed_point(ElasticBody &body, TableLaw &law)
+{
+  const LinearConditions conditions = friction_arm_conditions(body.contact_surface());
+  ASSERT_FALSE(conditions.are_resultants());
+  const ContactSolution solution = solve_contact(body, law, conditions, 0.03);
+  EXPECT_LT(conditions.residual(solution.forces).norm(), 1e-10 * weight);
+  const ContactSolution expected = by_fixed_point(body, law);
+  EXPECT_LT((solution.forces - expected.forces).norm(), 1e-8 * expected.forces.norm());
+  EXPECT_LT((solution.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
+  EXPECT_LE(solution.n_iterations, 12u);
+  // The friction's moment is not small: without it the contact would be another one.
+  const ContactSolution without =
+    solve_contact(body, law, Resultants{ weight, prescribed(1), -prescribed(0) }, 0.03);
+  EXPECT_GT((solution.forces - without.forces).norm(), 0.1 * expected.forces.norm());
+}
+
+} // namespace
+
+TEST(LinearConditions, FrictionArmUnderARigidFoot)
+{
+  const FootCase foot(GlassProfile(), { 24, 4, 1 });
+  RigidFoot rigid(foot.body->contact_surface());
+  const auto law = make_law(WinklerInterface(1e10), rigid.contact_surface());
+  expect_fixed_point(rigid, *law);
+}
+
+TEST(LinearConditions, FrictionArmUnderASolidFoot)
+{
+  for (const LinearSolver kind : { LinearSolver::direct, LinearSolver::multigrid })
+  {
+    SolidOptions options;
+    options.linear_solver = kind;
+    options.degree = 1;
+    FootCase foot(GlassProfile(), { 12, 4, 1 }, options);
+    const auto law = make_law(WinklerInterface(1e10), foot.body->contact_surface());
+    expect_fixed_point(*foot.body, *law);
+  }
+}
+
+TEST(LinearConditions, FrictionArmUnderABodyOfRevolution)
+{
+  const GlassProfile profile;
+  RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);
+  const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
+  expect_fixed_point(foot.body, *law);
+  // Friction that also deforms the foot: the matrix is unsymmetric twice over.
+  foot.body.set_sliding(SlidingTraction{ 0.25, -11. });
+  expect_fixed_point(foot.body, *law);
+}
+
+/// L = Q A with a constant regular A says the same as Q, through the unsymmetric systems.
+TEST(LinearConditions, CombinedResultantsAreTheResultants)
+{
+  const FootCase solid(GlassProfile(), { 12, 4, 1 });
+  RevolutionCase revolution(GlassProfile(),
+                            foot_compliance(GlassProfile(), graded_cells(), MeridianOptions{ 2, 16 }), 64);
+  for (ElasticBody *body :
+       { static_cast<ElasticBody *>(solid.body.get()), static_cast<ElasticBody *>(&revolution.body) })
+  {
+    const ContactSurface &surface = body->contact_surface();
+    const auto law = make_law(WinklerInterface(1e11), surface);
+    const LinearConditions plain = prescribed_resultants(surface, load_at(0.9, 0.4));
+    EXPECT_TRUE(plain.are_resultants());
+    Eigen::Matrix3d mixing;
+    mixing << 1, 0.004, -0.003, 0, 1, 0.2, 0, 0.1, 1;
+    const LinearConditions mixed(surface, plain.weights() * mixing, mixing.transpose() * plain.target());
+    EXPECT_FALSE(mixed.are_resultants());
+    const ContactSolution expected = solve_contact(*body, *law, plain, 0.03);
+    const ContactSolution solution = solve_contact(*body, *law, mixed, 0.03);
+    EXPECT_LT((solution.forces - expected.forces).norm(), 1e-8 * expected.forces.norm());
+  }
+}
+
+TEST(LinearConditions, RefusesWhatIsNone)
+{
+  const FootCase foot(GlassProfile(), { 12, 2, 1 });
+  RigidFoot rigid(foot.body->contact_surface());
+  const ContactSurface &surface = rigid.contact_surface();
+  const Eigen::MatrixX3d modes = surface.motion_modes();
+  EXPECT_THROW(LinearConditions(surface, modes.topRows(3), { 1, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(LinearConditions(surface, 2 * modes, { 1, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(LinearConditions(surface, modes, { 0, 0, 0 }), std::invalid_argument);
+  EXPECT_THROW(LinearConditions(surface, modes, { 1, std::nan(""), 0 }), std::invalid_argument);
+  // No pushing forces have a weighted mean beyond the largest weight.
+  const auto law = make_law(WinklerInterface(1e10), surface);
+  Eigen::MatrixX3d shifted = modes;
+  shifted.col(1).array() += 0.1;
+  try
+  {
+    solve_contact(rigid, *law, LinearConditions(surface, shifted, { 1, 0.2, 0 }), 0.03);
+    FAIL() << "impossible conditions were accepted";
+  }
+  catch (const ContactFailure &failure)
+  {
+    EXPECT_EQ(failure.outcome, ContactOutcome::tipping);
+  }
+}
