@@ -96,7 +96,7 @@ struct RunByHand
   }
 
   pipeline::Study study;
-  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) } }; // replaced
+  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, {} }; // replaced
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;
 };
