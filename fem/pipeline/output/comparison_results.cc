@@ -64,25 +64,27 @@ Findings findings_of(const Comparison &comparison)
 }
 
 /// Terminal spins: loads and truncations down, moment balances along; down a column what the harmonics do,
-/// along a row what the moment balances do. A spin is followed by @p formal where the load pulls.
-Table overview_table(const Comparison &comparison, const std::string &at_most, const std::string &formal)
+/// along a row what the moment balances do. On the console "f" marks formal loads.
+Table overview_table(const Comparison &comparison, bool on_console)
 {
-  const std::string blanks(formal.size(), ' ');
-  Table table = { "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
-                  { column(quantity::load, rows_of(comparison, Closure::paper),
-                           [&](const SpinRow &row) { return load_title(row, at_most); }) } };
+  const auto load = [=](const SpinRow &row) { return load_title(row, on_console ? "<=" : "≤"); };
+  const auto spin = [=](const SpinRow &row) -> std::string
+  {
+    if (!row.omega_terminal() && on_console)
+      return row.standing == Standing::tips ? "tips  " : "none  ";
+    if (!row.omega_terminal())
+      return to_string(row.standing);
+    const bool is_formal = row.standing == Standing::formal;
+    return format::all_significant<6>(*row.omega_terminal()) +
+           (on_console ? (is_formal ? " f" : "  ") : (is_formal ? " (formal)" : ""));
+  };
+  Table table = { on_console ? "" : "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
+                  { column(quantity::load, rows_of(comparison, Closure::paper), load) } };
   for (const Closure closure : closures)
   {
     const std::vector<SpinRow> rows = rows_of(comparison, closure);
     const std::string name = ring::to_string(closure);
-    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)" + blanks), rows,
-                                   [&](const SpinRow &row)
-                                   {
-                                     if (!row.omega_terminal())
-                                       return (row.standing == Standing::tips ? "tips" : "none") + blanks;
-                                     return format::all_significant<6>(*row.omega_terminal()) +
-                                            (row.standing == Standing::formal ? formal : blanks);
-                                   }));
+    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "), rows, spin));
     table.columns.push_back(column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper));
   }
   return table;
@@ -111,7 +113,7 @@ ReportSection overview_section(const Comparison &comparison)
     "the rigid rims coincide with the first row, whatever they stand on. Formal: the load, or what is "
     "left of it, would have to pull on the table.",
     { comparison_plot(comparison) },
-    { overview_table(comparison, "≤", " (formal)") }
+    { overview_table(comparison, false) }
   };
 }
 
@@ -133,11 +135,9 @@ ReportSection table_section(const Comparison &comparison)
 
 std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison &comparison)
 {
-  Table overview = overview_table(comparison, "<=", " f");
-  overview.title = "";
-  std::vector<ConsoleBlock> blocks = {
-    { answer }, { "Terminal spin by load, harmonics kept and moment balance:", overview }
-  };
+  std::vector<ConsoleBlock> blocks = { { answer },
+                                       { "Terminal spin by load, harmonics kept and moment balance:",
+                                         overview_table(comparison, true) } };
   if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
                   [](const SpinRow &row)
                   { return row.omega_terminal() && row.standing == Standing::formal; }))

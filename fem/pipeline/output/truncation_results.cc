@@ -75,8 +75,7 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study)
                        { "torque_at", study.omega },
                        { "truncation", rows_of(study.frozen) },
                        { "truncation_self_consistent",
-                         balanced ? json_table(truncation_table(*study.self_consistent, study.omega))
-                                  : Json(nullptr) },
+                         balanced ? rows_of(*study.self_consistent) : Json(nullptr) },
                        { "why_not_self_consistent", balanced ? Json(nullptr) : Json(study.why_not) } };
   findings.key_figures = {
     { "omega_terminal", json_number(best.all().omega_terminal()) },

@@ -1,7 +1,5 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 
-#include <cmath>
-
 namespace stemware::pipeline
 {
 
@@ -18,8 +16,6 @@ Json json_cell(const Cell &cell)
       using Value = std::decay_t<decltype(value)>;
       if constexpr (std::is_same_v<Value, std::monostate>)
         return Json(nullptr);
-      else if constexpr (std::is_same_v<Value, double>)
-        return json_number(value);
       else
         return Json(value);
     },
@@ -64,7 +60,7 @@ Json json_by_name(const Table &table)
 
 Json json_number(const std::optional<double> &value)
 {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+  return value ? Json(*value) : Json(nullptr);
 }
 
 } // namespace stemware::pipeline

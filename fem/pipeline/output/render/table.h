@@ -54,8 +54,8 @@ struct Quantity
   }
 };
 
-/// A value of a table; nothing where it does not exist. What does not exist is nan in data files, empty in
-/// CSV, null in JSON, and a dash for people; so is a number that is not finite, but for data files.
+/// A value of a table; nothing where it does not exist: nan in data files, empty in CSV, null in JSON, a dash
+/// for people.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string, nlohmann::ordered_json>;
 
 /// A number, word, flag or JSON value, or a std::optional of one, as a cell.

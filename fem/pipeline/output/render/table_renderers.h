@@ -31,7 +31,8 @@ std::string console_table(const Table &table);
 /// cells is left out.
 std::string html_table(const Table &table);
 
-/// A list of objects, one a row, of the columns that have a key.
+/// A list of objects, one a row, of the columns that have a key. JSON has no word for a number that is not
+/// finite: publish() refuses it, null is only what does not exist.
 nlohmann::ordered_json json_table(const Table &table);
 
 /// The object of one row of the columns that have a key.
@@ -40,7 +41,7 @@ nlohmann::ordered_json json_row(const Table &table, std::size_t row = 0);
 /// The objects of all rows by the word in the first column, which is not repeated in them.
 nlohmann::ordered_json json_by_name(const Table &table);
 
-/// A number for JSON, which has no word for one that is not finite or does not exist: null.
+/// A number, or null where there is none.
 nlohmann::ordered_json json_number(const std::optional<double> &value);
 
 } // namespace stemware::pipeline

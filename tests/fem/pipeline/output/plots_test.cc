@@ -1,5 +1,5 @@
-// Every kind of figure, drawn by gnuplot without a complaint, with its numbers in the file beside it.
-#include "fem/pipeline/output/render/plots.h"
+// Every kind of plot, drawn by gnuplot without a complaint, with its numbers in the file beside it.
+#include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/render/report.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -21,18 +21,18 @@ const double full_turn = 2 * std::acos(-1.);
 /// A load that has left the table over a third of the rim.
 const ring::RingStack lifted({ 1, 0, -0.4, 0, 0.05 }, { 0, -1.3, 0, 0.1, 0 }, 0.03);
 
-/// Draws the figure alone and says what went wrong.
-std::string draw(const ReportFigure &figure, const ScratchFolder &scratch)
+/// Draws the plot alone and says what went wrong.
+std::string draw(const Plot &plot, const ScratchFolder &scratch)
 {
   testing::internal::CaptureStderr();
-  write_report({ "A figure", "", { { "The figure", "", { figure } } } }, scratch.path());
+  write_report({ "A plot", "", { { "The plot", "", { plot } } } }, scratch.path());
   return testing::internal::GetCapturedStderr();
 }
 
-/// What the text of the figure's SVG says, markup left out.
-std::string words_of(const ReportFigure &figure, const ScratchFolder &scratch)
+/// What the text of the plot's SVG says, markup left out.
+std::string words_of(const Plot &plot, const ScratchFolder &scratch)
 {
-  const std::string svg = read_text(scratch / ("figures/" + figure.name + ".svg"));
+  const std::string svg = read_text(scratch / ("figures/" + plot.name + ".svg"));
   std::string words;
   bool inside = true;
   for (const char character : svg)
@@ -43,22 +43,22 @@ std::string words_of(const ReportFigure &figure, const ScratchFolder &scratch)
   return words;
 }
 
-std::vector<std::vector<double>> data_of(const ReportFigure &figure, const ScratchFolder &scratch)
+std::vector<std::vector<double>> data_of(const Plot &plot, const ScratchFolder &scratch)
 {
-  return test::read_columns(scratch / ("figures/" + figure.name + ".dat"));
+  return test::read_columns(scratch / ("figures/" + plot.name + ".dat"));
 }
 
-TEST(Figures, Load)
+TEST(Plots, Load)
 {
   const ScratchFolder scratch;
-  const std::vector<LoadSample> pointwise = { { 0, 1 }, { 1.5, 0 }, { 3, 1 }, { 4.5, 2 } };
-  const ReportFigure figure = load_figure(lifted, pointwise);
-  EXPECT_EQ(draw(figure, scratch), "");
-  const std::string words = words_of(figure, scratch);
+  const std::vector<fem::AzimuthLoad> pointwise = { { 0, 1 }, { 1.5, 0 }, { 3, 1 }, { 4.5, 2 } };
+  const Plot plot = load_plot(lifted, pointwise);
+  EXPECT_EQ(draw(plot, scratch), "");
+  const std::string words = words_of(plot, scratch);
   for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all, n ≤ 4" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
   // One block for each of the four series, then the arc: closed, and interrupted where nothing is carried.
-  const auto columns = data_of(figure, scratch);
+  const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns[0].size(), 4u * 361 + 5);
   EXPECT_NEAR(columns[1][90], 1 - 1.3, 1e-12);                              // first harmonic at 90 degrees
   EXPECT_NEAR(columns[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12); // all of them
@@ -67,36 +67,36 @@ TEST(Figures, Load)
   EXPECT_NEAR(columns[0].back(), full_turn, 1e-12);
 }
 
-TEST(Figures, LoadOfOneHarmonicWithoutSamples)
+TEST(Plots, LoadOfOneHarmonicWithoutSamples)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure = load_figure(lifted.truncated(1), {});
-  EXPECT_EQ(draw(figure, scratch), "");
-  const auto columns = data_of(figure, scratch);
+  const Plot plot = load_plot(lifted.truncated(1), {});
+  EXPECT_EQ(draw(plot, scratch), "");
+  const auto columns = data_of(plot, scratch);
   EXPECT_TRUE(std::isnan(columns[1][361 + 90])); // formally negative there
   EXPECT_EQ(columns[1][361 + 270], 1);
 }
 
-TEST(Figures, HigherHarmonics)
+TEST(Plots, HigherHarmonics)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure = higher_harmonics_figure(lifted);
-  EXPECT_EQ(draw(figure, scratch), "");
-  EXPECT_NEAR(data_of(figure, scratch)[1][2 * 361 + 90], 0.4 - 0.1 + 0.05, 1e-12);
+  const Plot plot = higher_harmonics_plot(lifted);
+  EXPECT_EQ(draw(plot, scratch), "");
+  EXPECT_NEAR(data_of(plot, scratch)[1][2 * 361 + 90], 0.4 - 0.1 + 0.05, 1e-12);
 }
 
-TEST(Figures, Spectrum)
+TEST(Plots, Spectrum)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure = spectrum_figure(lifted, { 0, 0.01, 0.01, 0.01, 0.01 });
-  EXPECT_EQ(draw(figure, scratch), "");
-  const auto columns = data_of(figure, scratch);
+  const Plot plot = spectrum_plot(lifted, { 0, 0.01, 0.01, 0.01, 0.01 });
+  EXPECT_EQ(draw(plot, scratch), "");
+  const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns.size(), 3u);
   EXPECT_NEAR(columns[1][1], 0.4, 1e-15);
-  EXPECT_EQ(draw(spectrum_figure(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
+  EXPECT_EQ(draw(spectrum_plot(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
 }
 
-TEST(Figures, Footprint)
+TEST(Plots, Footprint)
 {
   const ScratchFolder scratch;
   // Two cuts of three points, the first of each free of pressure.
@@ -104,11 +104,11 @@ TEST(Figures, Footprint)
   footprint.is_grid = true;
   for (const double azimuth : { 0., full_turn / 4 })
     footprint.cuts.push_back({ { 0.0299, azimuth, 0 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 3e3 } });
-  const ReportFigure figure = footprint_figure(footprint, 0.03);
-  EXPECT_EQ(draw(figure, scratch), "");
-  EXPECT_NE(words_of(figure, scratch).find("pressure (kPa)"), std::string::npos);
+  const Plot plot = footprint_plot(footprint, 0.03);
+  EXPECT_EQ(draw(plot, scratch), "");
+  EXPECT_NE(words_of(plot, scratch).find("pressure (kPa)"), std::string::npos);
   // The first cut comes again after a whole turn; cells reach half-way to their neighbours, and 3 % on.
-  const auto columns = data_of(figure, scratch);
+  const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns[0].size(), 6u);
   EXPECT_NEAR(columns[0][2], 90, 1e-12);
   EXPECT_NEAR(columns[0][5], 360, 1e-12);
@@ -120,89 +120,104 @@ TEST(Figures, Footprint)
 
   footprint.is_grid = false;
   footprint.cuts[0][1].pressure = 4e6;
-  const ReportFigure points = footprint_figure(footprint, 0.03);
+  const Plot points = footprint_plot(footprint, 0.03);
   EXPECT_EQ(draw(points, scratch), "");
   EXPECT_NE(words_of(points, scratch).find("pressure (MPa)"), std::string::npos);
   EXPECT_EQ(data_of(points, scratch)[0].size(), 4u);
 }
 
-TEST(Figures, TorqueAndTruncation)
+/// Rows with terminal spins, the last of which has all harmonics.
+std::vector<SpinRow> two_rows()
+{
+  std::vector<SpinRow> rows(2);
+  rows[0].harmonics = 1;
+  rows[0].terminal = ring::TerminalSpin{ -3, -1, 1, true };
+  rows[0].relative_change = 0.02;
+  rows[1].harmonics = 4;
+  rows[1].terminal = ring::TerminalSpin{ -3.5, -1, 1, true };
+  rows[1].relative_change = 0;
+  return rows;
+}
+
+TEST(Plots, TorqueAndTruncation)
 {
   const ScratchFolder scratch;
-  const ring::Motion motion;
-  const LoadAtSpin load = [](double) { return lifted; };
-  const YawStudy yaw = study_yaw(load, motion);
-  const ReportFigure torque = torque_figure(torque_curve(load, motion), yaw.truncations);
+  TorqueCurve curve = {
+    { -5, 5 }, { -1, 1 }, { { 1e-3, 0, 0 }, { -2e-3, 0, 0 } }, { 1 }, { { 3e-3, -4e-3 } }
+  };
+  const Plot torque = torque_plot(curve, two_rows());
   EXPECT_EQ(draw(torque, scratch), "");
-  EXPECT_EQ(data_of(torque, scratch)[0].back(), yaw.terminal.omega);
-  EXPECT_EQ(draw(truncation_figure(yaw.truncations), scratch), "");
+  const auto columns = data_of(torque, scratch);
+  EXPECT_EQ(columns[0], (std::vector<double>{ -5, 5, -5, 5, -3, -3.5 }));
+  EXPECT_EQ(columns[1], (std::vector<double>{ 1, -2, 3, -4, 0, 0 })); // mN m
+  EXPECT_EQ(draw(truncation_plot(two_rows()), scratch), "");
+  EXPECT_EQ(data_of(truncation_plot(two_rows()), scratch)[1], std::vector<double>{ 0.02 });
 }
 
-TEST(Figures, TruncationThatChangesNothing)
+TEST(Plots, TruncationThatChangesNothing)
 {
   const ScratchFolder scratch;
-  const LoadAtSpin load = [](double) { return lifted.truncated(1); };
-  EXPECT_EQ(draw(truncation_figure(study_yaw(load, {}).truncations), scratch), "");
+  EXPECT_EQ(draw(truncation_plot({ two_rows()[1] }), scratch), "");
 }
 
-TEST(Figures, SpinUp)
+TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure =
-    spin_up_figure({ 0, 1, 2 }, { { "elastic foot", { 0, -1, -1.5 } }, { "the paper", { 0, -0.9, -1.4 } } });
-  EXPECT_EQ(draw(figure, scratch), "");
-  EXPECT_NE(words_of(figure, scratch).find("the paper"), std::string::npos);
+  const Plot plot =
+    spin_up_plot({ 0, 1, 2 }, { { "elastic foot", { 0, -1, -1.5 } }, { "the paper", { 0, -0.9, -1.4 } } });
+  EXPECT_EQ(draw(plot, scratch), "");
+  EXPECT_NE(words_of(plot, scratch).find("the paper"), std::string::npos);
 }
 
-TEST(Figures, Convergence)
+TEST(Plots, Convergence)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure =
-    convergence_figure("mesh", "Refinement.", { "cells", true }, "|a_2 - limit| / a_0",
-                       { { "a_2 / a_0", { 8, 16, 32 }, { 1e-2, 1e-3, 0 }, { 2e-2, 2e-3, 1e-4 } } });
-  EXPECT_EQ(draw(figure, scratch), "");
-  EXPECT_EQ(data_of(figure, scratch)[2], (std::vector<double>{ 2e-2, 2e-3, 1e-4 }));
+  const Plot plot =
+    convergence_plot("mesh", "Refinement.", { "cells", true }, "|a_2 - limit| / a_0",
+                     { { "a_2 / a_0", { 8, 16, 32 }, { 1e-2, 1e-3, 0 }, { 2e-2, 2e-3, 1e-4 } } });
+  EXPECT_EQ(draw(plot, scratch), "");
+  EXPECT_EQ(data_of(plot, scratch)[2], (std::vector<double>{ 2e-2, 2e-3, 1e-4 }));
 }
 
-TEST(Figures, Map)
+TEST(Plots, Map)
 {
   const ScratchFolder scratch;
   const double failed = std::numeric_limits<double>::quiet_NaN();
-  SweepMap map = {
+  ValueMap map = {
     "map",       "Two parameters.", { "moment ratio m" }, { "modulus (Pa/m)", true },
     "ω (rad/s)", { 0.2, 0.4, 0.8 }, { 1e9, 2e9, 4e9 },    { { 1, 2, 3 }, { 2, failed, 4 }, { 3, 4, 5 } }
   };
-  EXPECT_EQ(draw(map_figure(map), scratch), "");
-  const auto columns = data_of(map_figure(map), scratch);
+  EXPECT_EQ(draw(map_plot(map), scratch), "");
+  const auto columns = data_of(map_plot(map), scratch);
   EXPECT_EQ(columns[2].size(), 9u);
   EXPECT_NEAR(columns[3][0], 0.1, 1e-15); // cells meet half-way
   EXPECT_NEAR(columns[4][0], 0.3, 1e-15);
   EXPECT_NEAR(columns[6][0], std::sqrt(2.) * 1e9, 1);
-  EXPECT_NE(map_figure(map).script.find("set cbrange [1:5]"), std::string::npos);
+  EXPECT_NE(map_plot(map).script.find("set cbrange [1:5]"), std::string::npos);
   map.values = { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }; // no colours and no contours to choose
-  EXPECT_EQ(draw(map_figure(map), scratch), "");
+  EXPECT_EQ(draw(map_plot(map), scratch), "");
 }
 
-TEST(Figures, Tornado)
+TEST(Plots, Tornado)
 {
   const ScratchFolder scratch;
-  const ReportFigure figure =
-    tornado_figure("tornado", "Sensitivities.", "change of ω (rad/s)",
-                   { { "Glass/Young modulus", -0.1, 0.1 }, { "Motion/Orbit speed", -0.6, 0.5 } });
-  EXPECT_EQ(draw(figure, scratch), "");
-  EXPECT_EQ(data_of(figure, scratch)[1], (std::vector<double>{ -0.1, -0.6 })); // the longest on top
+  const Plot plot =
+    tornado_plot("tornado", "Sensitivities.", "change of ω (rad/s)",
+                 { { "Glass/Young modulus", -0.1, 0.1 }, { "Motion/Orbit speed", -0.6, 0.5 } });
+  EXPECT_EQ(draw(plot, scratch), "");
+  EXPECT_EQ(data_of(plot, scratch)[1], (std::vector<double>{ -0.1, -0.6 })); // the longest on top
 }
 
-TEST(Figures, ScatterWithBandAndLogarithmicAxes)
+TEST(Plots, ScatterWithBandAndLogarithmicAxes)
 {
   const ScratchFolder scratch;
   Curve curve = { "samples", { 1e9, 3e9, 5e9 }, { -3, -3.1, -3.2 }, CurveStyle::points, { 0.1, 0.1, 0.1 } };
-  EXPECT_EQ(draw(curve_figure(
-                   { "scatter", "Samples.", { "k (Pa/m)", true, std::pair(1e9, 6e9) }, { "ω" }, { curve } }),
-                 scratch),
-            "");
+  EXPECT_EQ(
+    draw(curve_plot({ "scatter", "Samples.", { "k (Pa/m)", true, std::pair(1e9, 6e9) }, { "ω" }, { curve } }),
+         scratch),
+    "");
   curve.style = CurveStyle::line;
-  EXPECT_EQ(draw(curve_figure({ "line", "A line.", { "k (Pa/m)", true }, { "ω" }, { curve } }), scratch), "");
+  EXPECT_EQ(draw(curve_plot({ "line", "A line.", { "k (Pa/m)", true }, { "ω" }, { curve } }), scratch), "");
 }
 
 } // namespace

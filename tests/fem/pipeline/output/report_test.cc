@@ -23,20 +23,20 @@ using test::all_files;
 using test::read_text;
 using test::ScratchFolder;
 
-/// A report with two figures, which borrow the same parts of gnuplot's, and characters that mean something to
+/// A report with two plots, which borrow the same parts of gnuplot's, and characters that mean something to
 /// HTML.
 Report small_report()
 {
   const std::string data = "# parabola\n# 1: x (1)\n# 2: y (1)\n0 0\n1 1\n2 4\n";
-  const ReportFigure first = { "first",
-                               "τ_z & \"more\"",
-                               "set title " + gnuplot_text("<τ_z> & {more}_1") +
-                                 "\nplot 'figures/first.dat' with linespoints title 'λ(θ)'",
-                               540,
-                               360,
-                               data };
-  const ReportFigure second = { "second", "twice", "plot 'figures/second.dat' with points", 400, 300, data };
-  const ReportTable table = { "numbers", { "name", "a_2" }, { { "x < y", "1.5" }, { "spin_up", "-2e-3" } } };
+  const Plot first = { "first",
+                       "τ_z & \"more\"",
+                       "set title " + gnuplot_text("<τ_z> & {more}_1") +
+                         "\nplot 'figures/first.dat' with linespoints title 'λ(θ)'",
+                       540,
+                       360,
+                       data };
+  const Plot second = { "second", "twice", "plot 'figures/second.dat' with points", 400, 300, data };
+  const Table table = words("numbers", { "name", "a_2" }, { { "x < y", "1.5" }, { "spin_up", "-2e-3" } });
   return { "A <title>",
            "The answer is -3.5 ± 0.1 rad/s & no more.",
            { { "Section", "One.\n\nTwo, see τ_z.", { first, second }, { table } },
@@ -66,7 +66,7 @@ boost::property_tree::ptree parse(const std::string &html)
   return tree;
 }
 
-TEST(Report, HasFiguresInEveryFormAndOnePage)
+TEST(Report, HasPlotsInEveryFormAndOnePage)
 {
   const ScratchFolder scratch;
   testing::internal::CaptureStderr();
@@ -136,11 +136,11 @@ TEST(Report, IsWrittenWithoutGnuplot)
   EXPECT_FALSE(std::filesystem::exists(scratch / "figures/first.svg"));
 }
 
-TEST(Report, AFigureThatFailsCostsTheOthersNothing)
+TEST(Report, APlotThatFailsCostsTheOthersNothing)
 {
   const ScratchFolder scratch;
   Report report = small_report();
-  report.sections[0].figures[0].script = "plot 'no such file'";
+  report.sections[0].plots[0].script = "plot 'no such file'";
   testing::internal::CaptureStderr();
   write_report(report, scratch.path());
   const std::string complaint = testing::internal::GetCapturedStderr();

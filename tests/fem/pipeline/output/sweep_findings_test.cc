@@ -1,12 +1,10 @@
-// What is said about cases whose results are known, and the tables that hold them.
-#include "fem/pipeline/output/sweep_findings.h"
-#include "fem/pipeline/output/sweep_table.h"
+// What is said about cases whose results are known; sweep_results_test.cc has the tables.
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/sweep_results.h"
 #include "fem/pipeline/support/work_progress.h"
-#include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -61,9 +59,9 @@ TEST(SweepFindings, RangesNameTheirCases)
   EXPECT_EQ(spin->most_case, 0u);
   EXPECT_FALSE(spin->band);
   EXPECT_EQ(findings.about("closure effect"), nullptr);
-  const auto json = findings_as_json(grid_of_four(), findings);
-  EXPECT_EQ(json["quantities"]["terminal spin"]["least_case"], 2);
-  EXPECT_EQ(json["sweep"]["failed"], 1);
+  const auto summary = sweep_results(grid_of_four(), four_cases(), findings).findings.summary;
+  EXPECT_EQ(summary["quantities"]["terminal spin"]["least_case"], 2);
+  EXPECT_EQ(summary["sweep"]["failed"], 1);
   EXPECT_EQ(
     sweep_answer(grid_of_four(), findings),
     "In 3 cases the glass spins up to between -5 rad/s (Load/Moment ratio = 1, Motion/Closure = full) and -3 "
@@ -92,34 +90,6 @@ TEST(SweepFindings, SpreadsByFactorsCountInTheLogarithm)
   EXPECT_NEAR(spin->band->deviation, 0.1 * std::log(2.), 0.1 * std::log(2.) * 4 / std::sqrt(800.));
   EXPECT_FALSE(findings.about("harmonic effect")->sensitivity);
   EXPECT_NE(sweep_answer(plan, findings).find("due to Table/Foundation modulus alone"), std::string::npos);
-  const std::string table = statistics_csv(plan, findings);
-  EXPECT_NE(table.find("\r\nterminal spin,rad/s,400,-"), std::string::npos);
-  EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
-            findings.quantities.size() + 1);
-}
-
-TEST(SweepTable, HoldsEveryCaseWithUnitsInTheHeader)
-{
-  const auto rows = test::parse_csv(sweep_csv(grid_of_four(), four_cases()));
-  ASSERT_EQ(rows.size(), 5u);
-  for (const auto &row : rows)
-    EXPECT_EQ(row.size(), 1 + 2 + sweep_quantities().size() + 3);
-  const std::vector<std::string> &header = rows[0];
-  EXPECT_EQ(header[0], "case");
-  EXPECT_EQ(header[1], "Load/Moment ratio (1)");
-  EXPECT_EQ(header[2], "Motion/Closure");
-  const std::size_t spin = 3 + quantity_index("terminal spin");
-  EXPECT_EQ(header[spin], "terminal spin (rad/s)");
-  EXPECT_EQ(rows[2][0], "2");
-  EXPECT_EQ(rows[2][1], "1");
-  EXPECT_EQ(rows[2][2], "full");
-  EXPECT_EQ(rows[2][spin], "-5");
-  EXPECT_EQ(rows[2][3 + quantity_index("closure effect")], "");
-  EXPECT_EQ(rows[2][header.size() - 3], "converged");
-  EXPECT_EQ(rows[2][header.size() - 2], "ok");
-  EXPECT_EQ(rows[3][spin], "");
-  EXPECT_EQ(rows[3][header.size() - 2], "failed");
-  EXPECT_EQ(rows[3].back(), "No contact, \"tipping\".");
 }
 
 TEST(WorkProgress, DurationsAreRoundedUpwards)

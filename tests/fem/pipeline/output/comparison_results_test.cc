@@ -1,0 +1,129 @@
+// The results of `compare` from rows made by hand, whose numbers are all different. Under closure hand the
+// elastic foot has no balance.
+#include "fem/pipeline/output/comparison_results.h"
+#include "tests/fem/pipeline/output/hand_made_studies.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace test;
+
+Results made()
+{
+  return comparison_results({}, comparison_by_hand());
+}
+
+TEST(ComparisonByHand, Console)
+{
+  const Results results = made();
+  EXPECT_EQ(console_text(results), R"(
+With the paper's moment balance a first-harmonic load reaches -1.1301 ± 0.0013 rad/s, formally; with
+the friction that this balance leaves out, -3.3501 ± 0.0036 rad/s, formally (closure: +196 %). All
+harmonics of the elastic foot reach, with the paper's balance, -1.8701 ± 0.0021 rad/s (harmonics:
++65.5 %), and with the complete balance -4.0901 ± 0.0043 rad/s (harmonics: +22.1 %).
+
+Terminal spin by load, harmonics kept and moment balance:
+
+                            paper    to the        hand    to the        full    to the
+  load                  (rad/s)     paper's   (rad/s)     paper's   (rad/s)     paper's
+  first harmonic       -1.13012 f  +0.000 %  -2.24012 f  +2.450 %  -3.35012 f  +3.560 %
+  elastic foot, n = 1  -1.50012    +1.710 %      none           -  -3.72012    +3.930 %
+  elastic foot, all    -1.87012    +2.080 %      none           -  -4.09012    +4.300 %
+
+f  formal: the load, or what is left of it, would have to pull on the table
+
+closure hand, elastic foot: no balance. No balance of moments was found
+
+)");
+}
+
+TEST(ComparisonByHand, Table)
+{
+  const Results results = made();
+  EXPECT_EQ(csv_lines(file_text(results, "compare.csv")),
+            R"(closure: paper | paper | paper | hand | hand | hand | full | full | full
+load: first harmonic | elastic foot | elastic foot | first harmonic | elastic foot | elastic foot | first harmonic | elastic foot | elastic foot
+harmonics: 1 | 1 | 2 | 1 | 1 | 2 | 1 | 1 | 2
+all harmonics: 1 | 0 | 1 | 1 | 0 | 1 | 1 | 0 | 1
+tau_z at rest (N m): 1.0701234567 | 1.4401234567 | 1.8101234567 | 2.1801234567 |  |  | 3.2901234567 | 3.6601234567 | 4.0301234567
+moment ratio at rest (1): 1.1001234567 | 1.4701234567 | 1.8401234567 | 2.2101234567 |  |  | 3.3201234567 | 3.6901234567 | 4.0601234567
+terminal omega (rad/s): -1.1301234567 | -1.5001234567 | -1.8701234567 | -2.2401234567 |  |  | -3.3501234567 | -3.7201234567 | -4.0901234567
+relative difference to the paper (1): 0 | 0.017101234567000002 | 0.020801234567 | 0.024501234567 |  |  | 0.035601234567 | 0.039301234567 | 0.043001234566999995
+least load at terminal omega (N/rad): -1.2601234567 | -1.6301234567 | -2.0001234567 | -2.3701234567 |  |  | -3.4801234567 | -3.8501234567 | -4.2201234567
+contact fraction at terminal omega (1): 0.12801234567 | 0.16501234567 | 0.20201234566999998 | 0.23901234567000001 |  |  | 0.35001234567 | 0.38701234567 | 0.42401234567
+state: formal | lift-off | lift-off | formal | no balance | no balance | formal | lift-off | lift-off
+message:  |  |  |  | No balance of moments was found | No balance of moments was found |  |  | 
+)");
+}
+
+TEST(ComparisonByHand, Report)
+{
+  const Results results = made();
+  EXPECT_EQ(report_lines(results, "Harmonics beside moment balances"),
+            R"(Terminal spin (rad/s) by load and harmonics kept, and by moment balance
+load: first harmonic | elastic foot, n = 1 | elastic foot, all
+paper: -1.13012 (formal) | -1.50012 | -1.87012
+to the paper&#39;s: +0 % | +1.71 % | +2.08 %
+hand: -2.24012 (formal) | no balance | no balance
+to the paper&#39;s: +2.45 % | – | –
+full: -3.35012 (formal) | -3.72012 | -4.09012
+to the paper&#39;s: +3.56 % | +3.93 % | +4.3 %
+)");
+  EXPECT_EQ(report_lines(results, "All rows"), R"(Closure paper
+load: first harmonic | elastic foot, n = 1 | elastic foot, all
+τz at rest (N m): 1.070123 | 1.440123 | 1.810123
+m at rest: 1.1001 | 1.4701 | 1.8401
+terminal spin (rad/s): -1.130123 | -1.500123 | -1.870123
+least load (N/rad): -1.26 | -1.63 | -2
+rim that carries: 12.8 % | 16.5 % | 20.2 %
+: formal | lift-off | lift-off
+Closure hand
+load: first harmonic | elastic foot, n = 1 | elastic foot, all
+τz at rest (N m): 2.180123 | – | –
+m at rest: 2.2101 | – | –
+terminal spin (rad/s): -2.240123 | – | –
+least load (N/rad): -2.37 | – | –
+rim that carries: 23.9 % | – | –
+: formal | no balance | no balance
+Closure full
+load: first harmonic | elastic foot, n = 1 | elastic foot, all
+τz at rest (N m): 3.290123 | 3.660123 | 4.030123
+m at rest: 3.3201 | 3.6901 | 4.0601
+terminal spin (rad/s): -3.350123 | -3.720123 | -4.090123
+least load (N/rad): -3.48 | -3.85 | -4.22
+rim that carries: 35.0 % | 38.7 % | 42.4 %
+: formal | lift-off | lift-off
+)");
+}
+
+TEST(ComparisonByHand, Summary)
+{
+  const Results results = made();
+  EXPECT_EQ(json_lines(results.findings.summary["comparison"]),
+            R"(closure: "paper" | "paper" | "paper" | "hand" | "hand" | "hand" | "full" | "full" | "full"
+load: "first harmonic" | "elastic foot" | "elastic foot" | "first harmonic" | "elastic foot" | "elastic foot" | "first harmonic" | "elastic foot" | "elastic foot"
+harmonics: 1 | 1 | 2 | 1 | 1 | 2 | 1 | 1 | 2
+all_harmonics: true | false | true | true | false | true | true | false | true
+tau_at_rest: 1.0701234567 | 1.4401234567 | 1.8101234567 | 2.1801234567 | null | null | 3.2901234567 | 3.6601234567 | 4.0301234567
+moment_ratio_at_rest: 1.1001234567 | 1.4701234567 | 1.8401234567 | 2.2101234567 | null | null | 3.3201234567 | 3.6901234567 | 4.0601234567
+omega_terminal: -1.1301234567 | -1.5001234567 | -1.8701234567 | -2.2401234567 | null | null | -3.3501234567 | -3.7201234567 | -4.0901234567
+omega_terminal_band: 0.0012901234566999999 | 0.0016601234567 | 0.0020301234567000003 | 0.0024001234567 | null | null | 0.0035101234567000003 | 0.0038801234567 | 0.0042501234567
+difference_to_paper: 0.0 | 0.017101234567000002 | 0.020801234567 | 0.024501234567 | null | null | 0.035601234567 | 0.039301234567 | 0.043001234566999995
+load_minimum_at_terminal: -1.2601234567 | -1.6301234567 | -2.0001234567 | -2.3701234567 | null | null | -3.4801234567 | -3.8501234567 | -4.2201234567
+contact_fraction_at_terminal: 0.12801234567 | 0.16501234567 | 0.20201234566999998 | 0.23901234567000001 | null | null | 0.35001234567 | 0.38701234567 | 0.42401234567
+state: "formal" | "lift-off" | "lift-off" | "formal" | "no balance" | "no balance" | "formal" | "lift-off" | "lift-off"
+message: null | null | null | null | "No balance of moments was found" | "No balance of moments was found" | null | null | null
+)");
+  EXPECT_EQ(results.findings.key_figures.dump(1), R"({
+ "closure_effect": 1.964387153313743,
+ "harmonic_effect_closure_paper": 0.6547957177712476,
+ "harmonic_effect_closure_full": 0.2208873820814139
+})");
+}
+
+} // namespace
+} // namespace stemware::pipeline
