@@ -64,8 +64,8 @@ double terminal_omega(const TorqueFunction &torque, double spin_scale, double in
     torque_near = torque_far;
   }
   throw NoTerminalSpin(sentence("no terminal spin: from ", initial_spin,
-                                    " rad/s the yaw torque keeps its sign up to ", near,
-                                    " rad/s, where it is ", torque_near, " N m"));
+                                " rad/s the yaw torque keeps its sign up to ", near, " rad/s, where it is ",
+                                torque_near, " N m"));
 }
 
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,

@@ -64,10 +64,9 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
   stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=exact"
 
-The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where neither contact
-nor friction is solved again; and self-consistent, where the friction of
-what is left enters the balance of moments, the moment enters the contact, and the contact's load is
-cut off again.
+The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where neither
+contact nor friction is solved again; and self-consistent, where the friction of what is left enters
+the moment balance, the moment enters the contact, and the contact's load is cut off again.
 
   truncation.dat, truncation_self_consistent.dat   torque, terminal spin, deviations, bounds
   spin_up.dat, spin_up_self_consistent.dat         the spin against time

@@ -35,7 +35,7 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  fem::PressureMap footprint;                        ///< at rest
+  fem::PressureMap footprint;                      ///< at rest
   fem::ResolvedFriction friction_at_rest = {};     ///< of the pressure where it lies, beside the ring's
   fem::ResolvedFriction friction_at_terminal = {}; ///< likewise at the terminal spin
   std::vector<fem::FieldFile> fields = {};         ///< of the state at rest; this rank's

@@ -20,8 +20,8 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check);
 /// the contact radius. Throws BadInput.
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
 
-/// All of that for the mesh file of a study: refuses it unless a solid foot can be made of it. Reads the whole
-/// mesh on every rank. Throws BadInput.
+/// All of that for the mesh file of a study: refuses it unless a solid foot can be made of it. Reads the
+/// whole mesh on every rank. Throws BadInput.
 void require_usable_mesh(const Study &study);
 
 } // namespace stemware::pipeline

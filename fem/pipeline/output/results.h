@@ -60,8 +60,8 @@ struct Results
 /// The "Files" at the end of a report: those of @p files that have a description.
 ReportSection file_section(const std::vector<ResultFile> &files);
 
-/// Writes the files with content and the fields, then report.html and its plots, into @p folder. Ends the stages "tables"
-/// and "report" of @p stopwatch. Throws OutputFailure. One rank only.
+/// Writes the files with content and the fields, then report.html and its plots, into @p folder. Ends the
+/// stages "tables" and "report" of @p stopwatch. Throws OutputFailure. One rank only.
 void write_results(const Results &results, const std::filesystem::path &folder, Stopwatch &stopwatch);
 
 /// The blocks, an empty line before each and after the last.

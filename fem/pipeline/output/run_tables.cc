@@ -99,7 +99,7 @@ Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
              column(quantity::lambda, pointwise, &fem::AzimuthLoad::density) } };
 }
 
-std::string footprint_text(const fem::Footprint &footprint)
+std::string footprint_text(const fem::PressureMap &footprint)
 {
   std::string text =
     std::string("# Pressure of the foot on the table at rest, where there is some: ") +
@@ -107,7 +107,7 @@ std::string footprint_text(const fem::Footprint &footprint)
     "\n# 1: r (m)\n# 2: theta (rad)\n# 3: pressure (Pa)\n";
   for (const auto &cut : footprint.cuts)
   {
-    for (const fem::FootprintPoint &point : cut)
+    for (const fem::PressurePoint &point : cut)
       text +=
         to_text(point.radius) + ' ' + to_text(point.azimuth) + ' ' + to_short_text(point.pressure) + '\n';
     text += '\n';
@@ -159,7 +159,7 @@ Table history_table(const std::vector<fem::ContactIteration> &history)
              column(quantity::step_active, history, &Step::n_loaded),
              column(quantity::step_changed, history, &Step::n_changed),
              column(quantity::step_residual, history, &Step::residual),
-             column(quantity::step_length, history, &Step::step_fraction),
+             column(quantity::step_length, history, &Step::step_length),
              column(quantity::step_linear_iterations, history, &Step::linear_iterations) } };
 }
 

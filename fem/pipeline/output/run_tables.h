@@ -25,7 +25,7 @@ Table load_table(const ring::RingStack &load);
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
 
 /// p(r, theta) as text: one block of rows a cut, blank lines between them, what gnuplot takes for a grid.
-std::string footprint_text(const fem::Footprint &footprint);
+std::string footprint_text(const fem::PressureMap &footprint);
 
 /// tau_z, T_x and T_y over the spin.
 Table torque_table(const TorqueCurve &curve);

@@ -48,8 +48,9 @@ struct QuantityNoise
 /// @p near, where given, is a spin close to the terminal one, from which it is searched. Throws as @p load
 /// and ring::terminal_spin().
 std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load, const ring::Motion &motion,
-                                             const std::vector<double> &spins,
-                                             const std::optional<double> &near, const QuantityNoise &noise);
+                                                       const std::vector<double> &spins,
+                                                       const std::optional<double> &near,
+                                                       const QuantityNoise &noise);
 
 /// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
 /// the terminal spin @p omega_terminal.
@@ -59,7 +60,8 @@ std::vector<double> spins_of_interest(double omega_terminal);
 constexpr unsigned int n_harmonics_of_interest = 8;
 
 /// The quantity with that key; throws std::out_of_range when there is none.
-const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities, const std::string &key);
+const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
+                                      const std::string &key);
 
 /// The half-width of the error band of the quantity with that key; nothing where there is no such quantity.
 std::optional<double> band_of(const ErrorBands &quantities, const std::string &key);

@@ -35,9 +35,10 @@ struct RefinementResult
   const BandedQuantity &quantity(const std::string &key) const; ///< throws std::out_of_range
 };
 
-/// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins: axis by axis,
-/// level by level, each with its own foot, load and terminal spin. Feet share their compliances through @p cache; they are
-/// solved side by side, unless one takes all ranks together. @p progress is told of the levels.
+/// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins:
+/// axis by axis, level by level, each with its own foot, load and terminal spin. Feet share their compliances
+/// through @p cache; they are solved side by side, unless one takes all ranks together. @p progress is told
+/// of the levels.
 ///
 /// The band of a quantity is the sum over the axes in space of the study's own bands there, or the band
 /// of the degree where that has finer levels and is wider, plus the bands of harmonics and lines. Throws what
@@ -51,8 +52,8 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near);
 
-/// Whether error_bands() cost little beside the study itself: a body of revolution on a table that is not hard. Where
-/// the contact is as narrow as Hertz makes it, finer meshes take seconds.
+/// Whether error_bands() cost little beside the study itself: a body of revolution on a table that is not
+/// hard. Where the contact is as narrow as Hertz makes it, finer meshes take seconds.
 bool has_quick_error_bands(const Study &study);
 
 /// The error bands of a study's quantities by the fewest further contact problems (quick_axes()); none where

@@ -30,33 +30,33 @@ struct PressureUnit
   const char *name;
 };
 
-double largest_pressure(const fem::Footprint &footprint)
+double largest_pressure(const fem::PressureMap &footprint)
 {
   double largest = 0;
   for (const auto &cut : footprint.cuts)
-    for (const fem::FootprintPoint &point : cut)
+    for (const fem::PressurePoint &point : cut)
       largest = std::max(largest, point.pressure);
   return largest;
 }
 
 /// Every so many cuts, and the first one again after a whole turn.
-std::vector<std::vector<fem::FootprintPoint>> drawn_cuts(const fem::Footprint &footprint)
+std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &footprint)
 {
   if (!footprint.is_grid)
     return footprint.cuts;
-  std::vector<std::vector<fem::FootprintPoint>> cuts;
+  std::vector<std::vector<fem::PressurePoint>> cuts;
   const std::size_t stride = (footprint.cuts.size() - 1) / n_drawn_cuts + 1;
   for (std::size_t c = 0; c < footprint.cuts.size(); c += stride)
     cuts.push_back(footprint.cuts[c]);
   cuts.push_back(cuts.front());
-  for (fem::FootprintPoint &point : cuts.back())
+  for (fem::PressurePoint &point : cuts.back())
     point.azimuth += boost::math::double_constants::two_pi;
   return cuts;
 }
 
 /// Columns azimuth, distance from the contact radius, pressure, and the bounds of the cell that a point of a
 /// grid stands for, a little wider than it is: that closes the seams in the picture.
-Table drawn_points(const std::string &title, const std::vector<std::vector<fem::FootprintPoint>> &cuts,
+Table drawn_points(const std::string &title, const std::vector<std::vector<fem::PressurePoint>> &cuts,
                    double contact_radius, const PressureUnit &unit)
 {
   constexpr double overlap = 1.03;
@@ -75,7 +75,7 @@ Table drawn_points(const std::string &title, const std::vector<std::vector<fem::
     const double before = c > 0 ? azimuth - cuts[c - 1].front().azimuth : 0;
     const double after = c + 1 < cuts.size() ? cuts[c + 1].front().azimuth - azimuth : 0;
     const double half_step = cuts[c].size() > 1 ? (cuts[c][1].radius - cuts[c][0].radius) / 2 : 0;
-    for (const fem::FootprintPoint &point : cuts[c])
+    for (const fem::PressurePoint &point : cuts[c])
     {
       if (!(point.pressure > 0))
         continue;
@@ -111,7 +111,7 @@ std::pair<double, double> height_of(const Table &points)
 
 } // namespace
 
-Plot footprint_plot(const fem::Footprint &footprint, double contact_radius)
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
 {
   const double largest = largest_pressure(footprint);
   const PressureUnit unit(largest);

@@ -32,7 +32,7 @@ Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band 
 
 /// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
 /// footprint must have a point under pressure.
-Plot footprint_plot(const fem::Footprint &footprint, double contact_radius);
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
 
 /// tau_z(omega) of all harmonics and of truncations, with the terminal spins of @p rows, the last of which
 /// has all harmonics.

@@ -177,11 +177,16 @@ TEST(SpinRow, SaysWhyThereIsNone)
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
   EXPECT_EQ(attempt_spin_row(refusing(std::runtime_error("none")), question).standing, Standing::no_balance);
-  const double m = 3.5; // formal: at m = 3 the slip ratio would reach 1, beyond nothing ends the spin-up
-  const SpinRow endless = attempt_spin_row(
-    constant(ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03)), question);
+  // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
+  const auto with_ratio = [](double m) {
+    return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
+  };
+  const auto growing = [=](double omega)
+  { return with_ratio(4 + 10 * std::pow(std::abs(omega) * 0.03 / 0.35, 3)); };
+  const SpinRow endless = attempt_spin_row(BalancedLoad({ report_of(with_ratio(4)), growing }), question);
   EXPECT_EQ(endless.standing, Standing::no_terminal_spin);
-  EXPECT_EQ(attempt_spin_row(constant(rich_load()), question).standing, Standing::formal);
+  EXPECT_EQ(attempt_spin_row(constant(with_ratio(1.5)), question).standing, Standing::formal);
+  EXPECT_EQ(attempt_spin_row(constant(rich_load()), question).standing, Standing::full_contact);
 }
 
 } // namespace

@@ -12,14 +12,14 @@ namespace
 
 using namespace test;
 
-Results made()
+Results made_comparison()
 {
   return comparison_results({}, comparison_by_hand());
 }
 
 TEST(ComparisonByHand, Console)
 {
-  const Results results = made();
+  const Results results = made_comparison();
   EXPECT_EQ(console_text(results), R"(
 With the paper's moment balance a first-harmonic load reaches -1.1301 ± 0.0013 rad/s, formally; with
 the friction that this balance leaves out, -3.3501 ± 0.0036 rad/s, formally (closure: +196 %). All
@@ -43,7 +43,7 @@ closure hand, elastic foot: no balance. No balance of moments was found
 
 TEST(ComparisonByHand, Table)
 {
-  const Results results = made();
+  const Results results = made_comparison();
   EXPECT_EQ(csv_lines(file_text(results, "compare.csv")),
             R"(closure: paper | paper | paper | hand | hand | hand | full | full | full
 load: first harmonic | elastic foot | elastic foot | first harmonic | elastic foot | elastic foot | first harmonic | elastic foot | elastic foot
@@ -62,7 +62,7 @@ message:  |  |  |  | No balance of moments was found | No balance of moments was
 
 TEST(ComparisonByHand, Report)
 {
-  const Results results = made();
+  const Results results = made_comparison();
   EXPECT_EQ(report_lines(results, "Harmonics beside moment balances"),
             R"(Terminal spin (rad/s) by load and harmonics kept, and by moment balance
 load: first harmonic | elastic foot, n = 1 | elastic foot, all
@@ -102,7 +102,7 @@ rim that carries: 35.0 % | 38.7 % | 42.4 %
 
 TEST(ComparisonByHand, Summary)
 {
-  const Results results = made();
+  const Results results = made_comparison();
   EXPECT_EQ(json_lines(results.findings.summary["comparison"]),
             R"(closure: "paper" | "paper" | "paper" | "hand" | "hand" | "hand" | "full" | "full" | "full"
 load: "first harmonic" | "elastic foot" | "elastic foot" | "first harmonic" | "elastic foot" | "elastic foot" | "first harmonic" | "elastic foot" | "elastic foot"

@@ -12,7 +12,7 @@ namespace
 
 using namespace test;
 
-Results made()
+Results made_convergence()
 {
   StudyOptions options;
   options.study_file = "folder/glass.prm";
@@ -21,7 +21,7 @@ Results made()
 
 TEST(ConvergenceByHand, Console)
 {
-  const Results results = made();
+  const Results results = made_convergence();
   EXPECT_EQ(console_text(results), R"(
 meridional mesh (* the study's own)
   halvings of every cell          0        1 *  order     band
@@ -43,7 +43,7 @@ meridional mesh, Richardson value 1.06012346 rad/s.
 
 TEST(ConvergenceByHand, DataFiles)
 {
-  const Results results = made();
+  const Results results = made_convergence();
   EXPECT_EQ(data_lines(file_text(results, "converge_meridional_mesh.dat")),
             R"(# Refinement of the meridional mesh
 halvings of every cell (1): 0 | 1
@@ -71,7 +71,7 @@ time constant (s): 1.0701234567 | 0.0010801234567 | 1.0901234567
 
 TEST(ConvergenceByHand, Report)
 {
-  const Results results = made();
+  const Results results = made_convergence();
   EXPECT_EQ(results.report.title, R"(Refinement study of glass.prm)");
   EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
 quantity: b2/a0 | terminal spin | time constant
@@ -131,7 +131,7 @@ band: 1.5e-03 | 1.5e-03 | 1.6e-03
 
 TEST(ConvergenceByHand, Summary)
 {
-  const Results results = made();
+  const Results results = made_convergence();
   EXPECT_EQ(results.findings.summary["refinement"]["meridional_mesh"]["figures"]["omega_terminal"].dump(1),
             R"({
  "values": [

@@ -11,14 +11,14 @@ namespace
 
 using namespace test;
 
-Results made()
+Results made_mesh()
 {
   return mesh_results(mesh_by_hand(), {}, { "a.msh" });
 }
 
 TEST(MeshByHand, Console)
 {
-  const Results results = made();
+  const Results results = made_mesh();
   EXPECT_EQ(mesh_text(mesh_by_hand()), R"(Mesh      foot.msh, 101 hexahedra, 102 vertices
 Box       x -1.01012 to 1.04012, y -1.02012 to 1.05012, z -1.03012 to 1.06012 (m)
 Faces     104 stem cut (id 1), 105 contact zone (id 2), 103 free, 106 of other ids
@@ -38,7 +38,7 @@ Remark    The contact zone has a radius of 1.08012 m: is the mesh in metres?
 
 TEST(MeshByHand, Report)
 {
-  const Results results = made();
+  const Results results = made_mesh();
   EXPECT_EQ(report_lines(results, "What it is like", true), R"(Mesh | foot.msh, 101 hexahedra, 102 vertices
 Box | x -1.01012 to 1.04012, y -1.02012 to 1.05012, z -1.03012 to 1.06012 (m)
 Faces | 104 stem cut (id 1), 105 contact zone (id 2), 103 free, 106 of other ids
@@ -53,7 +53,7 @@ Remark | The contact zone has a radius of 1.08012 m: is the mesh in metres?
 
 TEST(MeshByHand, Summary)
 {
-  const Results results = made();
+  const Results results = made_mesh();
   EXPECT_EQ(results.findings.key_figures.dump(1), R"({
  "written": [
   "a.msh"
@@ -118,7 +118,7 @@ TEST(MeshByHand, Summary)
 
 TEST(MeshByHand, SummaryHasTheKeyFiguresToo)
 {
-  const Results results = made();
+  const Results results = made_mesh();
   nlohmann::ordered_json summary = { { "written", { "a.msh" } } };
   summary.update(results.findings.summary["mesh"]);
   EXPECT_EQ(summary, results.findings.key_figures);

@@ -100,7 +100,7 @@ TEST(Plots, Footprint)
 {
   const ScratchFolder scratch;
   // Two cuts of three points, the first of each free of pressure.
-  fem::Footprint footprint;
+  fem::PressureMap footprint;
   footprint.is_grid = true;
   for (const double azimuth : { 0., full_turn / 4 })
     footprint.cuts.push_back({ { 0.0299, azimuth, 0 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 3e3 } });

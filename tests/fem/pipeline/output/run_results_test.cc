@@ -12,7 +12,7 @@ namespace
 
 using namespace test;
 
-Results made()
+Results made_run()
 {
   const RunByHand by_hand;
   return run_results(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
@@ -20,7 +20,7 @@ Results made()
 
 TEST(RunByHand, TruncationsInFourForms)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(console_tables(results),
             R"(             torque at rest  terminal spin   change  bound on torque  least load
   harmonics           (N m)        (rad/s)  of spin            (N m)     (N/rad)
@@ -55,7 +55,7 @@ load_minimum: -1.5001234567 | -1.8701234567
 
 TEST(RunByHand, MomentBalances)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(report_lines(results, "Moment balances"), R"(A first-harmonic load in balance at every spin
 closure: paper | hand | full
 τz at rest (N m): 2.20012 | 2.57012 | 2.94012
@@ -91,7 +91,7 @@ at the terminal spin: 2.38 | – | 3.12
 
 TEST(RunByHand, FrictionOnTheRingAndOfThePressure)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(report_lines(results, "Torque and spin"), R"(Friction of the table on the glass
 : equivalent ring, at rest | equivalent ring, at the terminal spin | pressure field p(r, θ), at rest | pressure field p(r, θ), at the terminal spin
 τz (N m): 1.83012 | 1.98012 | 1.32012 | 1.35012
@@ -128,7 +128,7 @@ Ty (N): 1.85012 | 2.00012 | 1.34012 | 1.37012
 
 TEST(RunByHand, Contact)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(report_lines(results, "The contact at rest", true), R"(body | solid
 cells | 101
 unknowns | 102
@@ -191,7 +191,7 @@ iterations of the linear solver (1): 203 | 206
 
 TEST(RunByHand, LoadAndItsHarmonics)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(results.findings.summary["load"].dump(1), R"({
  "a": [
   1.0101234567,
@@ -232,7 +232,7 @@ lambda (N/rad): 1.1401234567 | 1.1501234567
 
 TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
  "tau_at_rest": 1.8301234567,
  "tau_closed_form": 0.32403703701,
@@ -272,7 +272,7 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
 
 TEST(RunByHand, CurvesOverSpinTimeAndPhase)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(data_lines(file_text(results, "torque.dat")),
             R"(# Friction of the table on the ring against its spin
 omega (rad/s): -3.2501234567 | 3.2601234567
@@ -301,7 +301,7 @@ tau_z at the mean spin in the long run (N m): 3.5301234567
 
 TEST(RunByHand, SpinUpPlotDrawsTheCurvesThatItNames)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(plot_data(results, "spin_up"), R"(# all harmonics
 # 1: time (s)
 # 2: spin ω (rad/s)
@@ -326,7 +326,7 @@ TEST(RunByHand, SpinUpPlotDrawsTheCurvesThatItNames)
 
 TEST(RunByHand, ErrorBands)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
 quantity: b1/a0 | a2/a0 | terminal spin
 value: 3.54012346 | 3.57012346 | 3.60012346
@@ -365,7 +365,7 @@ unit: 1 | 1 | rad/s
 
 TEST(RunByHand, ModelsAndFiles)
 {
-  const Results results = made();
+  const Results results = made_run();
   EXPECT_EQ(report_lines(results, "What changes the spin"),
             R"(Terminal spin of the same glass in models of increasing detail
 load: first harmonic | first harmonic | first harmonic | all 2 harmonics
@@ -392,7 +392,7 @@ timings.json: how long it took
 TEST(RunByHand, LoadOverTheAzimuth)
 {
   const RunByHand by_hand;
-  const Results results = made();
+  const Results results = made_run();
   const Table table = std::get<Table>(results.files.at(2).content);
   ASSERT_EQ(results.files.at(2).name, "load.dat");
   for (const auto &[c, title] :

@@ -12,7 +12,7 @@ namespace
 
 using namespace test;
 
-Results made()
+Results made_truncation()
 {
   const TruncationByHand by_hand;
   return truncation_results(by_hand.study, by_hand.load, by_hand.truncations);
@@ -20,7 +20,7 @@ Results made()
 
 TEST(TruncationByHand, Console)
 {
-  const Results results = made();
+  const Results results = made_truncation();
   EXPECT_EQ(console_text(results), R"(
 With the first harmonic of its load alone the glass spins up to -2.17012 rad/s, with all 3 to
 -2.5401 ± 0.0019 rad/s (harmonics: +17 %). (Truncated afterwards, with the moment unchanged, the
@@ -60,7 +60,7 @@ Truncated in the loop (moment recomputed):
 
 TEST(TruncationByHand, DataFiles)
 {
-  const Results results = made();
+  const Results results = made_truncation();
   EXPECT_EQ(data_lines(file_text(results, "truncation.dat")),
             R"(# The answer with the load cut off after some harmonics; nan: there is none
 harmonics (1): 1 | 2 | 3
@@ -115,7 +115,7 @@ omega, harmonics up to 3 (rad/s): 0 | -2.7601234567
 
 TEST(TruncationByHand, Report)
 {
-  const Results results = made();
+  const Results results = made_truncation();
   EXPECT_EQ(report_lines(results, "Truncated afterwards (moment unchanged)"), R"(Afterwards: the spin
 harmonics: 1 | 2 | 3
 amplitude of the last / a0: 1.432e+00 | 0.000e+00 | 1.446e+00
@@ -163,7 +163,7 @@ timings.json: how long it took
 
 TEST(TruncationByHand, Summary)
 {
-  const Results results = made();
+  const Results results = made_truncation();
   EXPECT_EQ(json_lines(results.findings.summary["truncation"]), R"(harmonics: 1 | 2 | 3
 amplitude: 1.4320502599150735 | 0.0 | 1.4459473054713168
 tau_at_rest: 1.2501234567 | null | 1.6201234567
