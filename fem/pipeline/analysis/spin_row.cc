@@ -43,7 +43,8 @@ double SpinRow::amplitude() const
   if (!at_rest)
     return 0;
   const ring::RingStack &load = at_rest->load;
-  return std::hypot(load.a(harmonics), load.b(harmonics)) / load.a(0);
+  const unsigned int highest = std::min(harmonics, load.n_harmonics());
+  return std::hypot(load.a(highest), load.b(highest)) / load.a(0);
 }
 
 double SpinRow::least_load() const
