@@ -30,7 +30,7 @@ double difference(const LoadHarmonics &one, const LoadHarmonics &other, unsigned
 /// ones on the halved mesh.
 double observed_order(const GlassProfile &profile)
 {
-  const auto press = [&](unsigned int refinements, unsigned int degree)
+  const auto solve = [&](unsigned int refinements, unsigned int degree)
   {
     RevolutionCase foot(profile, foot_compliance(profile, graded_cells(refinements), { degree, 8 }));
     return foot.solve_on_winkler(1e10, load_at(1.2));
@@ -140,7 +140,7 @@ TEST(RealFoot, WithoutReliefIsTheStepWithoutLand)
     foot.underside_rise = 0;
     foot.edge_thickness = foot.foot_thickness - height;
     foot.fillet_radius = 0;
-    const auto press = [](const GlassProfile &profile)
+    const auto solve = [](const GlassProfile &profile)
     {
       RevolutionCase glass(profile, foot_compliance(profile, equal_cells(1), { 2, 8 }));
       return glass.solve_on_winkler(1e10, load_at(1.3));
