@@ -21,7 +21,7 @@ using ActiveSet = std::vector<bool>;
 struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
-  /// Derivative of the forces with respect to the penetration, symmetric positive semidefinite [N/m], [n_nodes, n_nodes].
+  /// d forces / d penetration, symmetric positive semidefinite [N/m], shape [n_nodes, n_nodes].
   Eigen::SparseMatrix<double> tangent;
   ActiveSet active_set;
 
