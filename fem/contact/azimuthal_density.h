@@ -22,8 +22,8 @@ struct AzimuthLoad
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
                                           const std::vector<double> &line_forces);
 
-/// The same from nodal forces: sums over n_sectors equal sectors whose borders avoid the nodes of a regular
-/// mesh, at the mean azimuth of their nodes.
+/// Load per radian by azimuth from nodal forces: sums over n_sectors equal sectors whose borders avoid the
+/// nodes of a regular mesh, at the mean azimuth of their nodes.
 std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces);
 
 } // namespace stemware::fem

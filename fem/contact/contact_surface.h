@@ -16,12 +16,12 @@ namespace stemware::fem
 struct ContactLine
 {
   std::vector<unsigned int> nodes; ///< contact nodes whose displacement acts on this line
-  Eigen::Matrix<double, 3, Eigen::Dynamic>
-    shape;                        ///< [sample, node]: displacement at a sample = shape * nodal displacements
-  bool samples_are_nodes = false; ///< three nodes, and shape is the identity: no product is needed
+  /// [sample, node]: displacement at a sample = shape * nodal displacements.
+  Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
+  bool samples_are_nodes = false;       ///< three nodes, and shape is the identity: no product is needed
   Eigen::Matrix<double, 3, 2> position; ///< (x, y) of the samples [m]
-  Eigen::Matrix<double, 3, 2>
-    transverse_tangent;     ///< vector across the line at the samples, quadrature weight included [m]
+  /// Vector across the line at the samples, quadrature weight included [m].
+  Eigen::Matrix<double, 3, 2> transverse_tangent;
   Eigen::Vector3d gap;      ///< distance of the undeformed surface from the plane z = 0 [m]
   double azimuth = 0;       ///< theta of the middle sample [rad]
   double azimuth_width = 0; ///< breadth of the line as an angle [rad]
@@ -36,8 +36,8 @@ struct ContactSurface
   std::vector<ContactLine> lines;
   std::vector<std::size_t> mirrored_lines; ///< of every line the one that is its mirror image at y = 0 to the
                                            ///< last bit, gap aside; empty where there are none
-  bool lines_are_radial =
-    false; ///< every line has one azimuth: lines of equal azimuth form a cut at theta = const
+  /// Every line has one azimuth: lines of equal azimuth form a cut at theta = const.
+  bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }

@@ -12,8 +12,8 @@ struct NewtonIncrement
 {
   Eigen::VectorXd displacement; ///< change of u_z at the contact nodes [m]
   Eigen::Vector3d motion;       ///< change of the table motions q0 [m], q1, q2 [rad]
-  double energy_slope =
-    0; ///< du . K u [J]: with `energy_curvature` the body's part of the energy along the step
+  /// du . K u [J]: with `energy_curvature` the body's part of the energy along the step.
+  double energy_slope = 0;
   double energy_curvature = 0; ///< du . K du [J]
   unsigned int linear_iterations = 0;
 };

@@ -3,7 +3,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/pressure_map.h"
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/geometry/waviness.h"
 
 #include <functional>

@@ -62,7 +62,8 @@ void for_each_point(const ContactLine &line, const LineSegment &segment, const V
   }
 }
 
-/// The same on @p n_panels equal parts of the whole line.
+/// Calls visit(const LinePoint &) at the four Gauss points of each of @p n_panels equal parts of the whole
+/// line.
 template <typename Visitor>
 void for_each_point(const ContactLine &line, unsigned int n_panels, const Visitor &visit)
 {
@@ -70,14 +71,42 @@ void for_each_point(const ContactLine &line, unsigned int n_panels, const Visito
     for_each_point(line, LineSegment{ 2. * panel / n_panels - 1, 2. * (panel + 1) / n_panels - 1 }, visit);
 }
 
-/// The same on every segment where the quadratic through @p penetration is positive: exact for (shape)^2
-/// times a penetration and a cubic area element, i.e. closed form on a straight line.
+/// Calls visit(const LinePoint &) at the four Gauss points of every segment where the quadratic through @p
+/// penetration is positive: exact for (shape)^2 times a penetration and a cubic area element, i.e. closed
+/// form on a straight line.
 template <typename Visitor>
 void for_each_loaded_point(const ContactLine &line, const Eigen::Vector3d &penetration, const Visitor &visit)
 {
   const PositiveSegments loaded(penetration);
   for (unsigned int s = 0; s < loaded.n_segments; ++s)
     for_each_point(line, loaded.segments[s], visit);
+}
+
+/// Penetration at the samples of @p line [m], from the normal displacement of the contact nodes relative to
+/// the table, as in TableLaw.
+inline Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
+{
+  Eigen::Vector3d depth = -line.gap;
+  if (line.samples_are_nodes)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+      depth(i) -= normal_displacement(line.nodes[i]);
+    return depth;
+  }
+  for (unsigned int i = 0; i < line.nodes.size(); ++i)
+    depth -= line.shape.col(i) * normal_displacement(line.nodes[i]);
+  return depth;
+}
+
+/// Adds what @p line contributes to int N_i dA of its nodes, ContactSurface::node_area [m^2].
+inline void add_node_areas(const ContactLine &line, Eigen::VectorXd &node_area)
+{
+  for_each_point(line, LineSegment{ -1, 1 },
+                 [&](const LinePoint &point)
+                 {
+                   for (unsigned int i = 0; i < line.nodes.size(); ++i)
+                     node_area(line.nodes[i]) += point.area * line.shape.col(i).dot(point.shape);
+                 });
 }
 
 } // namespace stemware::fem

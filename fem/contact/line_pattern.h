@@ -35,8 +35,8 @@ private:
 
   const ContactSurface &surface;
   Eigen::SparseMatrix<double> empty;
-  std::vector<std::vector<int>>
-    places; ///< of a line's node pairs (row-major) in the values of the sparse matrix
+  /// Of a line's node pairs (row-major) in the values of the sparse matrix.
+  std::vector<std::vector<int>> places;
 };
 
 } // namespace stemware::fem

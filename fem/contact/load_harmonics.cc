@@ -1,5 +1,7 @@
 #include "fem/contact/load_harmonics.h"
 
+#include "fem/contact/sliding_traction.h"
+
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -201,16 +203,11 @@ ResolvedFriction resolved_friction(const std::vector<PointForce> &forces, double
   ResolvedFriction friction;
   for (const PointForce &point : forces)
   {
-    const double slip_x = speed - omega * point.y;
-    const double slip_y = omega * point.x;
-    const double slip = std::hypot(slip_x, slip_y);
-    if (slip == 0)
-      continue;
-    const double force_x = -friction_coefficient * point.force * slip_x / slip;
-    const double force_y = -friction_coefficient * point.force * slip_y / slip;
-    friction.force_x += force_x;
-    friction.force_y += force_y;
-    friction.torque += point.x * force_y - point.y * force_x;
+    const Eigen::Vector2d force =
+      coulomb_friction({ speed - omega * point.y, omega * point.x }, friction_coefficient * point.force);
+    friction.force_x += force(0);
+    friction.force_y += force(1);
+    friction.torque += point.x * force(1) - point.y * force(0);
   }
   return friction;
 }

@@ -75,20 +75,6 @@ public:
   std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
 
 private:
-  static Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
-  {
-    Eigen::Vector3d depth = -line.gap;
-    if (line.samples_are_nodes)
-    {
-      for (unsigned int i = 0; i < 3; ++i)
-        depth(i) -= normal_displacement(line.nodes[i]);
-      return depth;
-    }
-    for (unsigned int i = 0; i < line.nodes.size(); ++i)
-      depth -= line.shape.col(i) * normal_displacement(line.nodes[i]);
-    return depth;
-  }
-
   /// The line that has the geometry, gap and normal displacement of line @p l mirrored at y = 0, to the last
   /// bit; @p l itself if there is none.
   std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const

@@ -19,7 +19,7 @@ constexpr double least_share = 1e-3;
 
 constexpr unsigned int n_points_across = 33;
 
-/// theta in [0, 2 boost::math::double_constants::pi).
+/// theta in [0, 2 pi).
 double wrapped(double azimuth)
 {
   const double turns = azimuth / boost::math::double_constants::two_pi;
@@ -40,11 +40,9 @@ public:
   LoadedLine(const ContactLine &line, const Eigen::VectorXd &normal_displacement,
              const std::function<double(double)> &pressure)
       : line(line)
-      , penetration(-line.gap)
+      , depth(penetration(line, normal_displacement))
       , pressure(pressure)
   {
-    for (unsigned int i = 0; i < line.nodes.size(); ++i)
-      penetration -= line.shape.col(i) * normal_displacement(line.nodes[i]);
   }
 
   /// At a local coordinate in [-1, 1].
@@ -52,8 +50,7 @@ public:
   {
     const Eigen::Vector3d shape = line_shape(xi);
     const Eigen::RowVector2d position = shape.transpose() * line.position;
-    return { position.norm(), wrapped(std::atan2(position(1), position(0))),
-             pressure(shape.dot(penetration)) };
+    return { position.norm(), wrapped(std::atan2(position(1), position(0))), pressure(shape.dot(depth)) };
   }
 
   double begin() const { return line.position.row(0).norm(); }
@@ -61,7 +58,7 @@ public:
 
 private:
   const ContactLine &line;
-  Eigen::Vector3d penetration;
+  const Eigen::Vector3d depth; ///< at the samples [m]
   const std::function<double(double)> &pressure;
 };
 
@@ -121,7 +118,7 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
   constexpr double tolerance = 1e-7;
   std::vector<std::size_t> order(azimuths.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  // What is a rounding error below 2 boost::math::double_constants::pi counts as 0.
+  // What is a rounding error below 2 pi counts as 0.
   const auto key = [&](std::size_t i) { return wrapped(azimuths[i] + tolerance / 2); };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
   std::vector<std::vector<std::size_t>> groups;

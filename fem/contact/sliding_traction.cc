@@ -7,14 +7,19 @@
 namespace stemware::fem
 {
 
+Eigen::Vector2d coulomb_friction(const Eigen::Vector2d &slip, double limit)
+{
+  const double speed = slip.norm();
+  if (speed == 0)
+    return Eigen::Vector2d::Zero();
+  return -limit / speed * slip;
+}
+
 Eigen::Vector2d SlidingTraction::direction(double radius, double azimuth) const
 {
   // Radial and azimuthal components of v_rel / v = (1, 0) + (omega / v) r e_theta.
   const Eigen::Vector2d slip(std::cos(azimuth), -std::sin(azimuth) + spin_per_speed * radius);
-  const double size = slip.norm();
-  if (size == 0)
-    return Eigen::Vector2d::Zero();
-  return -friction_coefficient / size * slip;
+  return coulomb_friction(slip, friction_coefficient);
 }
 
 void SlidingTraction::validate() const

@@ -5,13 +5,17 @@
 namespace stemware::fem
 {
 
+/// Coulomb friction of size @p limit against the relative velocity @p slip, of any length and in any two
+/// orthogonal components; zero where nothing slips.
+Eigen::Vector2d coulomb_friction(const Eigen::Vector2d &slip, double limit);
+
 /// Coulomb friction on a foot that slides along x and yaws: a tangential traction mu times the pressure,
 /// against the slip v_rel = (v - omega y, omega x) of the foot over the table.
 struct SlidingTraction
 {
   double friction_coefficient = 0; ///< mu, >= 0
-  double spin_per_speed =
-    0; ///< omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R
+  /// omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R.
+  double spin_per_speed = 0;
 
   /// Radial and azimuthal traction on the foot per unit of pressure at (r, theta): at omega = 0 (-mu cos
   /// theta, mu sin theta). Zero where nothing slips.

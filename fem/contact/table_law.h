@@ -21,8 +21,8 @@ using ActiveSet = std::vector<bool>;
 struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
-  Eigen::SparseMatrix<double>
-    tangent; ///< d forces / d penetration, symmetric positive semidefinite [N/m], [n_nodes, n_nodes]
+  /// d forces / d penetration, symmetric positive semidefinite [N/m], shape [n_nodes, n_nodes].
+  Eigen::SparseMatrix<double> tangent;
   ActiveSet active_set;
 
   /// Exchanges the contents without copying the tangent.

@@ -21,8 +21,8 @@ void assemble_stiffness(const dealii::Mapping<3> &mapping, const dealii::DoFHand
                         const ElasticMaterial &material, const dealii::AffineConstraints<double> &constraints,
                         dealii::TrilinosWrappers::SparseMatrix &matrix);
 
-/// The same with a right-hand side: int @p body_force . phi_i dx [N], inhomogeneous constraints moved over to
-/// it. @p rhs is overwritten.
+/// The stiffness matrix and a right-hand side: int @p body_force . phi_i dx [N], inhomogeneous constraints
+/// moved over to it. @p rhs is overwritten.
 void assemble_stiffness(const dealii::Mapping<3> &mapping, const dealii::DoFHandler<3> &dof_handler,
                         const ElasticMaterial &material, const dealii::AffineConstraints<double> &constraints,
                         const dealii::TensorFunction<1, 3> &body_force,

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/glass_profile.h"
-
-#include <string>
 
 namespace dealii
 {
@@ -12,14 +11,6 @@ class Triangulation;
 
 namespace stemware::fem
 {
-
-/// Boundary ids of every foot mesh, generated or read.
-enum class FootBoundary : unsigned int
-{
-  free = 0,
-  stem_cut = 1,
-  contact_zone = 2
-};
 
 /// How fine a generated foot mesh is. Counts are of cells.
 struct FootResolution
@@ -38,22 +29,5 @@ struct FootResolution
 /// empty.
 void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolution,
                     dealii::Triangulation<3, 3> &triangulation);
-
-/// What was found in a mesh file.
-struct MeshReport
-{
-  unsigned int n_cells = 0;
-  unsigned int n_contact_faces = 0;
-  bool round_rim =
-    false; ///< rim vertices lie on circles to 1e-6 of the radius: the cylindrical manifold is attached
-  double rim_radius = 0; ///< (inner + outer)/2 of the contact zone [m]
-  double land_area_deficit =
-    0; ///< share of the land's area that straight edges cut off, estimated from their turning; 0 if round
-};
-
-/// Reads a .msh file (hexahedra; boundary ids 1 = stem cut, 2 = contact zone, 0 or none = free) with the axis
-/// of the glass along z. Throws std::invalid_argument with one sentence when the file is missing, not a
-/// hexahedral mesh, or has no stem cut or contact zone.
-MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation);
 
 } // namespace stemware::fem

@@ -1,6 +1,6 @@
 #include "fem/geometry/meridian_mesh.h"
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/profile_manifold.h"
 
 #include <deal.II/grid/grid_generator.h>

@@ -1,6 +1,6 @@
 #include "fem/geometry/mesh_quality.h"
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 
 #include <deal.II/grid/tria.h>
 

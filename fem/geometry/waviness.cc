@@ -9,12 +9,12 @@ namespace stemware::fem
 
 namespace
 {
-double sum(const std::vector<GapHarmonic> &harmonics, double radius_ratio, double azimuth)
+double sum(const std::vector<WavinessHarmonic> &harmonics, double radius_ratio, double azimuth)
 {
   double value = 0;
-  for (const GapHarmonic &harmonic : harmonics)
-    value += (harmonic.n == 1 ? radius_ratio : 1) * (harmonic.cosine * std::cos(harmonic.n * azimuth) +
-                                                     harmonic.sine * std::sin(harmonic.n * azimuth));
+  for (const WavinessHarmonic &harmonic : harmonics)
+    value += (harmonic.n == 1 ? radius_ratio : 1) * harmonic.amplitude *
+             std::cos(harmonic.n * (azimuth - harmonic.azimuth));
   return value;
 }
 } // namespace
@@ -27,10 +27,11 @@ double RimImperfection::gap(double radius_ratio, double theta, const FootOrienta
 void RimImperfection::validate() const
 {
   for (const auto *harmonics : { &glass, &table })
-    for (const GapHarmonic &harmonic : *harmonics)
-      if (!(std::isfinite(harmonic.cosine) && std::isfinite(harmonic.sine)))
-        throw std::invalid_argument("The gap harmonic n = " + std::to_string(harmonic.n) +
-                                    " has an amplitude that is not a finite length; give it in metres.");
+    for (const WavinessHarmonic &harmonic : *harmonics)
+      if (!(std::isfinite(harmonic.amplitude) && std::isfinite(harmonic.azimuth)))
+        throw std::invalid_argument(
+          "The waviness n = " + std::to_string(harmonic.n) +
+          " has an amplitude or azimuth that is not finite; give metres and radians.");
 }
 
 } // namespace stemware::fem

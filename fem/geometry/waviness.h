@@ -5,14 +5,15 @@
 namespace stemware::fem
 {
 
-/// One harmonic of an out-of-flat surface: gap = cosine * cos(n chi) + sine * sin(n chi) [m], chi the azimuth
-/// in that surface's own frame. It is the same across the rim, except n = 1, which is a tilt and grows with
-/// r; its amplitude is that at the contact radius.
-struct GapHarmonic
+/// One harmonic of an out-of-flat rim or table: gap = amplitude * cos n (chi - azimuth) [m], chi in the frame
+/// of the glass or of the ground. At t = 0 chi is counted from the direction that points away from the
+/// orbit's centre. The gap is constant across the rim, except n = 1, which is a tilt and grows with r; its
+/// amplitude is that at the contact radius.
+struct WavinessHarmonic
 {
   unsigned int n = 2;
-  double cosine = 0;
-  double sine = 0;
+  double amplitude = 0; ///< [m]
+  double azimuth = 0;   ///< of a crest: a place that is farthest from a flat counterpart [rad]
 };
 
 /// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
@@ -28,14 +29,15 @@ struct FootOrientation
 /// and a tilt, which the table motions absorb.
 struct RimImperfection
 {
-  std::vector<GapHarmonic> glass; ///< fixed to the glass, positive where the rim is higher above the table
-  std::vector<GapHarmonic> table; ///< fixed to the ground, positive where the table is lower
+  std::vector<WavinessHarmonic>
+    glass; ///< fixed to the glass, positive where the rim is higher above the table
+  std::vector<WavinessHarmonic> table; ///< fixed to the ground, positive where the table is lower
 
   bool empty() const { return glass.empty() && table.empty(); }
   /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
   /// frame [m].
   double gap(double radius_ratio, double theta, const FootOrientation &phase) const;
-  /// Throws std::invalid_argument unless all amplitudes are finite.
+  /// Throws std::invalid_argument unless all amplitudes and azimuths are finite.
   void validate() const;
 };
 

@@ -74,13 +74,7 @@ void BodyOfRevolution::make_lines()
           line.shape.setIdentity(); // to the last bit
         line.azimuth = basis.azimuth(j);
         line.azimuth_width = width;
-        for_each_loaded_point(line, Eigen::Vector3d::Ones(),
-                              [&](const LinePoint &point)
-                              {
-                                for (unsigned int i = 0; i <= degree; ++i)
-                                  surface.node_area(line.nodes[i]) +=
-                                    point.area * line.shape.col(i).dot(point.shape);
-                              });
+        add_node_areas(line, surface.node_area);
         surface.lines.push_back(std::move(line));
       }
   }

@@ -81,8 +81,8 @@ private:
   ContactCompliance compliance;
   FourierBasis basis;
   ContactSurface surface;
-  Eigen::MatrixXd
-    slide_radial; ///< radial traction per pressure, shape [n_radii, n_lines]; empty without friction
+  /// Radial traction per pressure, shape [n_radii, n_lines]; empty without friction.
+  Eigen::MatrixXd slide_radial;
   Eigen::MatrixXd slide_azimuthal;
   ForceModes state; ///< forces whose elastic response is the displacement
   ForceModes increment;

@@ -37,7 +37,7 @@ public:
   /// Sums over the lines of samples times each mode, sum_j samples(i, j) mode(theta_j): shape [n_rows,
   /// n_lines] to [n_rows, n_modes]. Samples that are even to the last bit have no sine modes to the last bit.
   Eigen::MatrixXd project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
-  /// The same with the conjugates of the modes.
+  /// Sums over the lines of samples times the conjugate of each mode, shapes as project().
   Eigen::MatrixXd project_on_conjugates(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
   /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
   /// n_lines]. Without sine modes the values are even to the last bit.
@@ -99,7 +99,7 @@ public:
   {
     return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
   }
-  /// The same with the conjugate of the row's mode.
+  /// The sums for a pair of modes with the conjugate of the row's mode in its place.
   OfPair with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:

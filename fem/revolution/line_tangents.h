@@ -18,8 +18,8 @@ struct LineTangents
                const std::vector<bool> &needed);
 
   std::vector<unsigned int> circles; ///< contact circles that carry load, ascending
-  std::vector<std::pair<unsigned int, unsigned int>>
-    coupled_pairs;        ///< positions p <= q in `circles` that act on each other
+  /// Positions p <= q in `circles` that act on each other.
+  std::vector<std::pair<unsigned int, unsigned int>> coupled_pairs;
   Eigen::MatrixXd values; ///< tangent of each coupled pair on each line [N/m], [n_pairs, n_lines]
 
   /// Whether line j and its mirror image -j agree to @p tolerance of the largest value.

@@ -1,6 +1,6 @@
 #include "fem/revolution/meridian_space.h"
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>

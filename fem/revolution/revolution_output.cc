@@ -1,7 +1,7 @@
 // Fields of a foot of revolution for ParaView.
 #include "fem/revolution/revolution_output.h"
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/reference_cell.h>

@@ -96,8 +96,8 @@ private:
 
   MakePreconditioner make;
   std::unique_ptr<TangentPreconditioner> preconditioner;
-  std::array<dealii::TrilinosWrappers::MPI::Vector, 3>
-    eliminated_border; ///< A^-1 G of the system it was built for
+  /// A^-1 G of the system it was built for.
+  std::array<dealii::TrilinosWrappers::MPI::Vector, 3> eliminated_border;
   Eigen::Matrix3d inverse_schur = Eigen::Matrix3d::Identity();
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/elasticity/stiffness_3d.h"
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 #include "fem/solid/bordered_solver.h"
 #include "fem/solid/solid_body.h"
 #include "fem/solid/solid_contact_zone.h"

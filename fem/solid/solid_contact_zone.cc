@@ -1,7 +1,7 @@
 #include "fem/solid/solid_contact_zone.h"
 
 #include "fem/contact/line_integral.h"
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -247,13 +247,7 @@ void measure(ContactSurface &surface)
   double total_width = 0;
   for (const ContactLine &line : surface.lines)
   {
-    for_each_loaded_point(line, Eigen::Vector3d::Ones(),
-                          [&](const LinePoint &point)
-                          {
-                            for (unsigned int i = 0; i < line.nodes.size(); ++i)
-                              surface.node_area(line.nodes[i]) +=
-                                point.area * line.shape.col(i).dot(point.shape);
-                          });
+    add_node_areas(line, surface.node_area);
     total_width += line.azimuth_width;
     const Eigen::RowVector2d begin = line.position.row(0);
     const Eigen::RowVector2d end = line.position.row(2);

@@ -38,7 +38,8 @@ RevolutionSetup setup_of(double crown_radius, double modulus, double roughness)
   const double half_width = std::cbrt(1.5 * line_load * crown_radius / modulus);
   const double depth = half_width * half_width / (2 * crown_radius);
   if (roughness > 0)
-    setup.imperfection.glass = { { 2, 0.3 * roughness * depth, 0 }, { 3, 0, 0.2 * roughness * depth } };
+    setup.imperfection.glass = { { 2, 0.3 * roughness * depth, 0 },
+                                 { 3, 0.2 * roughness * depth, M_PI / 6 } };
   return setup;
 }
 

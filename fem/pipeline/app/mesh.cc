@@ -1,4 +1,4 @@
-#include "fem/geometry/mesh_writer.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/usable_mesh.h"

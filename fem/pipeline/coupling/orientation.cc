@@ -10,10 +10,10 @@ namespace stemware::pipeline
 namespace
 {
 
-double period_of(const std::vector<fem::GapHarmonic> &harmonics)
+double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
 {
   unsigned int divisor = 0;
-  for (const fem::GapHarmonic &harmonic : harmonics)
+  for (const fem::WavinessHarmonic &harmonic : harmonics)
     divisor = std::gcd(divisor, harmonic.n);
   return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
 }
@@ -29,7 +29,7 @@ ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, 
 
 fem::RimImperfection imperfection_of(const Study &study)
 {
-  return { gap_harmonics(study.glass.waviness), gap_harmonics(study.table.waviness) };
+  return { study.glass.waviness, study.table.waviness };
 }
 
 PhasePeriods phase_periods(const fem::RimImperfection &imperfection)

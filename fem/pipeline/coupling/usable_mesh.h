@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
 #include "fem/pipeline/study/study.h"
 

@@ -125,7 +125,7 @@ void require_known_waviness(const Study &study)
             entry +
               " makes the load depend on more than the moment, which Load/Coupling = response does not know; "
               "set Coupling = exact or frozen.");
-    for (const WavinessHarmonic &harmonic : waviness)
+    for (const fem::WavinessHarmonic &harmonic : waviness)
       require(
         harmonic.n <= study.contact.harmonics,
         fmt::format(FMT_STRING("{} has a harmonic n = {}, but the foot answers to {}; give at least as many "

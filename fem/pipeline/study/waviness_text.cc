@@ -6,7 +6,6 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
-#include <cmath>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -24,7 +23,7 @@ std::pair<std::string, std::optional<std::string>> cut(const std::string &text, 
   return { boost::trim_copy(text.substr(0, place)), boost::trim_copy(text.substr(place + 1)) };
 }
 
-std::optional<WavinessHarmonic> parse_harmonic(const std::string &text)
+std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 {
   const auto [order_text, rest] = cut(text, ':');
   if (!rest)
@@ -35,7 +34,7 @@ std::optional<WavinessHarmonic> parse_harmonic(const std::string &text)
   const auto azimuth = azimuth_text ? parse_number(*azimuth_text) : 0.;
   if (!order || *order < 2 || !amplitude || !azimuth)
     return std::nullopt;
-  return WavinessHarmonic{ *order, *amplitude, *azimuth };
+  return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
 }
 
 } // namespace
@@ -65,7 +64,7 @@ std::optional<Waviness> parse_waviness(const std::string &text)
 std::string waviness_text(const Waviness &waviness)
 {
   std::string text;
-  for (const WavinessHarmonic &harmonic : waviness)
+  for (const fem::WavinessHarmonic &harmonic : waviness)
   {
     text +=
       fmt::format(FMT_STRING("{}{}: {}"), text.empty() ? "" : ", ", harmonic.n, to_text(harmonic.amplitude));
@@ -73,14 +72,6 @@ std::string waviness_text(const Waviness &waviness)
       text += " @ " + to_text(harmonic.azimuth);
   }
   return text;
-}
-
-std::vector<fem::GapHarmonic> gap_harmonics(const Waviness &waviness)
-{
-  std::vector<fem::GapHarmonic> gap;
-  for (const auto &[n, amplitude, azimuth] : waviness)
-    gap.push_back({ n, amplitude * std::cos(n * azimuth), amplitude * std::sin(n * azimuth) });
-  return gap;
 }
 
 } // namespace stemware::pipeline

@@ -9,17 +9,9 @@
 namespace stemware::pipeline
 {
 
-/// One harmonic of an out-of-flat rim or table as a study states it: amplitude cos n (chi - azimuth), chi in
-/// the frame of the glass or of the ground. At t = 0 chi is counted from the direction that points away from
-/// the orbit's centre.
-struct WavinessHarmonic
-{
-  unsigned int n = 2;   ///< from 2 on: n = 0 and 1 are an offset and a tilt, which the table motions absorb
-  double amplitude = 0; ///< [m]
-  double azimuth = 0;   ///< of a crest: a place that is farthest from a flat counterpart [rad]
-};
-
-using Waviness = std::vector<WavinessHarmonic>;
+/// Of an out-of-flat rim or table as a study states it, from n = 2 on: n = 0 and 1 are an offset and a tilt,
+/// which the table motions absorb.
+using Waviness = std::vector<fem::WavinessHarmonic>;
 
 /// "2: 5e-6 @ 0.3, 3: 2e-6": harmonic, amplitude, azimuth (0 where it is left out); nothing for a text that
 /// is not such a list, or has a harmonic below 2. The empty text is the perfect surface.
@@ -30,8 +22,5 @@ std::string waviness_text(const Waviness &waviness);
 
 /// What parse_waviness() takes, as part of a sentence.
 extern const char *const waviness_words;
-
-/// The same as a gap.
-std::vector<fem::GapHarmonic> gap_harmonics(const Waviness &waviness);
 
 } // namespace stemware::pipeline

@@ -98,6 +98,24 @@ TEST(RoughInterface, PressureScaleIsAnOffset)
   }
 }
 
+/// The one test in which the decay length does not drop out: p = p0 exp(d / s) at a given separation.
+TEST(RoughInterface, DecayLengthIsThatOfTheLaw)
+{
+  const RigidRing ring(thin_ring(0), 64);
+  const ContactSurface &surface = ring.revolution.body.contact_surface();
+  const auto law = make_law(RoughInterface(1e9, 2e-6), surface);
+  for (const double separation : { 1e-6, 5e-6 })
+  {
+    const double expected = 1e9 * std::exp(-separation / 2e-6);
+    EXPECT_NEAR(law->pressure_at(-separation).value() / expected, 1, 1e-12) << separation;
+    ContactForces contact;
+    law->evaluate(Eigen::VectorXd::Constant(surface.n_nodes(), separation), contact);
+    EXPECT_NEAR(contact.forces.sum() / (expected * surface.area()), 1, 1e-12) << separation;
+    EXPECT_NEAR(contact.tangent.sum() / (expected / 2e-6 * surface.area()), 1, 1e-12) << separation;
+  }
+  EXPECT_NEAR(law->pressure_at(2e-6).value(), 2e9, 1e-3); // the tangent goes on where the mean planes meet
+}
+
 TEST(RoughInterface, RefusesLengthsThatAreNone)
 {
   RigidRing ring(thin_ring(0), 16);

@@ -1,3 +1,4 @@
+#include "fem/geometry/mesh_io.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/temporary_file.h"
 

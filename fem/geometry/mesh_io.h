@@ -3,6 +3,7 @@
 #include "fem/geometry/glass_profile.h"
 
 #include <iosfwd>
+#include <string>
 
 namespace dealii
 {
@@ -12,6 +13,23 @@ class Triangulation;
 
 namespace stemware::fem
 {
+
+/// What was found in a mesh file.
+struct MeshReport
+{
+  unsigned int n_cells = 0;
+  unsigned int n_contact_faces = 0;
+  /// Rim vertices lie on circles to 1e-6 of the radius: the cylindrical manifold is attached.
+  bool round_rim = false;
+  double rim_radius = 0; ///< (inner + outer)/2 of the contact zone [m]
+  /// Share of the land's area that straight edges cut off, estimated from their turning; 0 if round.
+  double land_area_deficit = 0;
+};
+
+/// Reads a .msh file (hexahedra; boundary ids 1 = stem cut, 2 = contact zone, 0 or none = free) with the axis
+/// of the glass along z. Throws std::invalid_argument with one sentence when the file is missing, not a
+/// hexahedral mesh, or has no stem cut or contact zone.
+MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation);
 
 /// Moves the contact zone's vertices up by the crown's gap, so that a mesh file says all about its rim:
 /// between vertices the crown becomes a polygon. For generated meshes, whose land is flat.

@@ -1,0 +1,84 @@
+// The pointwise load stands at the azimuths where it acts.
+#include "fem/contact/azimuthal_density.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace stemware::fem;
+
+namespace
+{
+
+double density_at(double azimuth)
+{
+  return 1 + 0.6 * std::cos(azimuth) + 0.3 * std::sin(azimuth);
+}
+
+/// @p n_lines lines round the rim, the first at @p first [rad].
+ContactSurface lines_round_the_rim(unsigned int n_lines, double first)
+{
+  ContactSurface surface;
+  for (unsigned int j = 0; j < n_lines; ++j)
+  {
+    ContactLine line;
+    line.azimuth_width = 2 * M_PI / n_lines;
+    line.azimuth = std::remainder(first + j * line.azimuth_width, 2 * M_PI);
+    surface.lines.push_back(line);
+  }
+  return surface;
+}
+
+std::vector<double> forces_on(const ContactSurface &surface)
+{
+  std::vector<double> forces;
+  for (const ContactLine &line : surface.lines)
+    forces.push_back(density_at(line.azimuth) * line.azimuth_width);
+  return forces;
+}
+
+} // namespace
+
+TEST(AzimuthalDensity, OfRadialLinesStandsAtTheirAzimuths)
+{
+  ContactSurface surface = lines_round_the_rim(40, 0.05);
+  surface.lines_are_radial = true;
+  const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
+  ASSERT_EQ(density.size(), 40u);
+  for (const AzimuthLoad &place : density)
+    EXPECT_NEAR(place.density, density_at(place.azimuth), 1e-12) << place.azimuth;
+}
+
+TEST(AzimuthalDensity, OfOtherLinesIsTheMeanOfItsSector)
+{
+  // Sectors of 2 pi / 10 whose middles stand at their azimuths: the mean of a first harmonic is that at the
+  // middle, times sin(h) / h of half a sector.
+  ContactSurface surface = lines_round_the_rim(4000, M_PI / 4000);
+  surface.n_sectors = 10;
+  const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
+  ASSERT_EQ(density.size(), 10u);
+  const double half = M_PI / 10;
+  for (const AzimuthLoad &place : density)
+    EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * std::sin(half) / half, 1e-6)
+      << place.azimuth;
+}
+
+TEST(AzimuthalDensity, OfNodesStandsAtTheirMeanAzimuth)
+{
+  // Two nodes to a sector, of equal distance.
+  const unsigned int n_nodes = 40;
+  ContactSurface surface;
+  surface.n_sectors = n_nodes / 2;
+  surface.node_position.resize(n_nodes, 2);
+  surface.node_gap = Eigen::VectorXd::Zero(n_nodes);
+  Eigen::VectorXd forces(n_nodes);
+  for (unsigned int i = 0; i < n_nodes; ++i)
+  {
+    const double azimuth = 0.05 + 2 * M_PI * i / n_nodes;
+    surface.node_position.row(i) << 0.03 * std::cos(azimuth), 0.03 * std::sin(azimuth);
+    forces(i) = density_at(azimuth) * 2 * M_PI / n_nodes;
+  }
+  const double mean = std::cos(M_PI / n_nodes); // of a first harmonic at two nodes, by that in their middle
+  for (const AzimuthLoad &place : density_of_nodes(surface, forces))
+    EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
+}

@@ -1,0 +1,117 @@
+// What ordinary contacts never need: damped Newton steps, and the final check of the resultants.
+#include "fem/contact/contact_newton.h"
+#include "fem/contact/pressure_law.h"
+#include "fem/contact/rigid_foot.h"
+#include "tests/fem/foot_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+/// Pressure that rises from 0 to twice its middle value within a few @p width of zero penetration. Newton's
+/// whole steps run away from it when started further off than that.
+struct SaturatingInterface : PressureInterface<SaturatingInterface>
+{
+  SaturatingInterface(double middle, double width)
+      : middle(middle)
+      , width(width)
+  {
+  }
+
+  double middle; ///< [Pa]
+  double width;  ///< [m]
+
+  double pressure(double depth) const { return middle * (1 + depth / std::hypot(depth, width)); }
+  double stiffness(double depth) const
+  {
+    const double ratio = depth / width;
+    return middle / width / std::pow(1 + ratio * ratio, 1.5);
+  }
+  template <typename Visitor>
+  void integrate(const ContactLine &line, const Eigen::Vector3d &, const Visitor &visit) const
+  {
+    for_each_point(line, 1u, visit);
+  }
+  void validate() const {}
+};
+
+/// A law that doubles its forces once Newton's method has converged, and says that this is next to nothing.
+class LyingLaw : public TableLaw
+{
+public:
+  explicit LyingLaw(std::unique_ptr<TableLaw> honest)
+      : honest(std::move(honest))
+  {
+  }
+  void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const override
+  {
+    honest->evaluate(normal_displacement, contact);
+    contact.forces *= factor;
+  }
+  TableLoad load(const ContactSolution &solution) const override { return honest->load(solution); }
+  PressureMap pressure_map(const ContactSolution &solution) const override
+  {
+    return honest->pressure_map(solution);
+  }
+  Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override
+  {
+    return honest->nodal_pressure(solution);
+  }
+  double augmented_lagrangian_update(const Eigen::VectorXd &) override
+  {
+    factor = 2;
+    return 1e-300;
+  }
+
+private:
+  std::unique_ptr<TableLaw> honest;
+  double factor = 1;
+};
+
+} // namespace
+
+TEST(StepLength, RunawayNewtonStepsAreDamped)
+{
+  const FootCase foot(flat_profile(), { 12, 4, 1 });
+  const ContactSurface &surface = foot.body->contact_surface();
+  RigidFoot rigid(surface);
+  const double width = 1e-6;
+  const auto law = make_law(SaturatingInterface(weight / surface.area(), width), surface);
+  const LinearConditions plain = prescribed_resultants(surface, load_at(0.3));
+  Eigen::Matrix3d mixing;
+  mixing << 1, 0.004, -0.003, 0, 1, 0.2, 0, 0.1, 1;
+  const LinearConditions mixed(surface, plain.weights() * mixing, mixing.transpose() * plain.target());
+  for (const LinearConditions &conditions : { plain, mixed })
+  {
+    const Eigen::Vector3d start(-3 * width, 0, 0);
+    double shortest_step = 1;
+    ContactControl control;
+    control.progress = [&](const ContactIteration &iteration)
+    { shortest_step = std::min(shortest_step, iteration.step_length); };
+    const ContactSolution solution = solve_contact(rigid, *law, conditions, 0.03, control, &start);
+    EXPECT_LT(plain.residual(solution.forces).norm(), 1e-10 * weight);
+    EXPECT_LT(solution.normal_displacement.cwiseAbs().maxCoeff(), width); // p = N / area is at zero
+    EXPECT_LT(shortest_step, 0.5);
+    EXPECT_LE(solution.n_iterations, 12u);
+  }
+}
+
+TEST(ContactDriver, NamesForcesThatDoNotBalance)
+{
+  const FootCase foot(flat_profile(), { 12, 4, 1 });
+  RigidFoot rigid(foot.body->contact_surface());
+  LyingLaw law(make_law(WinklerInterface(1e10), rigid.contact_surface()));
+  try
+  {
+    solve_contact(rigid, law, load_at(0.3), 0.03);
+    FAIL() << "twice the weight was accepted";
+  }
+  catch (const ContactFailure &failure)
+  {
+    EXPECT_EQ(failure.outcome, ContactOutcome::unbalanced) << failure.what();
+  }
+}
