@@ -4,7 +4,7 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/text.h"
 
 #include <cmath>
 

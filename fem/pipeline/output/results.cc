@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/text_file.h"
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/text.h"
 
 #include <sstream>
 

@@ -1,5 +1,5 @@
 #include "fem/pipeline/output/render/table_renderers.h"
-#include "fem/pipeline/support/text_layout.h"
+#include "fem/pipeline/support/text.h"
 
 #include <algorithm>
 #include <sstream>
