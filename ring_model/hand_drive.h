@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ring_model/closures.h"
 #include "ring_model/load_model.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/orbit_speed_table.h"
 #include "ring_model/yaw_dynamics.h"
 

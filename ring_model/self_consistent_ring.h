@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ring_model/closures.h"
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/load_model.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 #include "ring_model/terminal_spin.h"
 

@@ -3,7 +3,7 @@
 
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/revolution_foot.h"
-#include "ring_model/closures.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/yaw_dynamics.h"
 

@@ -34,7 +34,7 @@ std::vector<double> slip_ratios()
 /// A load of a crowned rim close to lift-off: all 32 harmonics are there.
 RingStack load_of_32_harmonics()
 {
-  return UnilateralFoundation(0.03, 1.5, 32).load(2.943, { -0.040, -0.025 });
+  return UnilateralFoundation(0.03, 1.5, 32).rings(2.943, { -0.040, -0.025 });
 }
 
 /// All kernels n <= 32 at one slip ratio: the median and the worst over eps are the counters that matter.

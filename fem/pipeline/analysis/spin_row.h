@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ring_model/closures.h"
 #include "ring_model/coulomb_ring.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/ring_stack.h"
 #include "ring_model/terminal_spin.h"
 

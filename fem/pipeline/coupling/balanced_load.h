@@ -3,8 +3,8 @@
 #include "fem/contact/foot.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/support/progress.h"
-#include "ring_model/closures.h"
 #include "ring_model/load_model.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 
 #include <functional>

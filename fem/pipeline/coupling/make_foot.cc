@@ -1,8 +1,5 @@
 #include "fem/pipeline/coupling/make_foot.h"
 
-#include "fem/contact/hard_interface.h"
-#include "fem/contact/rough_interface.h"
-#include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/support/failures.h"
@@ -22,7 +19,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   fem::RevolutionSetup setup;
   setup.profile = study.glass.profile;
   setup.material = study.glass.material;
-  setup.table = make_table(study.table);
+  setup.table = study.table.make();
   setup.imperfection = imperfection_of(study);
   if (study.friction_deforms_foot())
     setup.friction_coefficient = study.motion.orbit.friction_coefficient;
@@ -48,29 +45,13 @@ fem::SolidSetup solid_setup(const Study &study)
   fem::SolidSetup setup;
   setup.profile = study.glass.profile;
   setup.material = study.glass.material;
-  setup.table = make_table(study.table);
+  setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
   setup.options.linear_solver = study.contact.linear_solver;
   return setup;
 }
 
 } // namespace
-
-fem::Table make_table(const TableSection &table)
-{
-  switch (table.kind)
-  {
-  case TableKind::rigid:
-    return { std::make_shared<fem::HardInterface>(), {} };
-  case TableKind::mat:
-    return { std::make_shared<fem::WinklerInterface>(table.foundation_modulus), {} };
-  case TableKind::rough:
-    return { std::make_shared<fem::RoughInterface>(table.roughness), {} };
-  case TableKind::elastic:
-    return { std::make_shared<fem::HardInterface>(), fem::Substrate{ table.disc, table.disc_material } };
-  }
-  throw std::logic_error("a table without an interface");
-}
 
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache)
 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/contact/foot.h"
-#include "fem/contact/table.h"
 #include "fem/pipeline/study/study.h"
 
 #include <memory>
@@ -13,9 +12,6 @@ class ComplianceCache;
 
 namespace stemware::pipeline
 {
-
-/// The table of a study: interface and substrate.
-fem::Table make_table(const TableSection &table);
 
 /// The foot that the study asks for, on its table; feet that are to share what they can are given the same
 /// @p cache. MPI must have been started, and all ranks call this together, for a solid foot. Throws BadInput

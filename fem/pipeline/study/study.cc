@@ -9,11 +9,6 @@
 namespace stemware::pipeline
 {
 
-bool TableSection::is_hard() const
-{
-  return kind == TableKind::rigid || kind == TableKind::elastic;
-}
-
 BodyAbilities abilities(BodyKind body)
 {
   BodyAbilities can;

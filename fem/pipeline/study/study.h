@@ -2,13 +2,14 @@
 
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/rough_interface.h"
+#include "fem/contact/table.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/meridian_mesh.h"
 #include "fem/pipeline/study/waviness_text.h"
 #include "fem/solid/solid_body.h"
-#include "ring_model/closures.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 
 #include <string>
@@ -51,6 +52,8 @@ struct TableSection
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
 
+  /// The table as the finite elements know it, which is to be asked instead of its kind.
+  fem::Table make() const;
   /// Whether the surface yields nothing by itself (Signorini's condition): there friction decides the second
   /// harmonic of a foot that does not lift off (docs/method/revolution.md).
   bool is_hard() const;

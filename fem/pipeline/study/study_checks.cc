@@ -26,7 +26,7 @@ void require_able_body(const Study &study)
     fmt::format(FMT_STRING("Contact/Degree = {} is not allowed for Contact/Body = solid; give 1 or 2, or set "
                            "Contact/Body = revolution."),
                 contact.degree));
-  require(can.stands_on_elastic_disc || study.table.kind != TableKind::elastic,
+  require(can.stands_on_elastic_disc || !study.table.make().substrate,
           "Table/Kind = elastic needs a body of revolution; set Contact/Body = revolution.");
   require(can.friction_can_deform || contact.friction_coupling != FrictionCoupling::elastic,
           "Contact/Friction coupling = elastic needs a body of revolution; set Contact/Body = revolution.");

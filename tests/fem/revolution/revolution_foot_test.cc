@@ -2,7 +2,7 @@
 // glass reaches.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/revolution_foot.h"
-#include "ring_model/closures.h"
+#include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/revolution/revolution_case.h"
 

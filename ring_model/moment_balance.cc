@@ -1,4 +1,4 @@
-#include "ring_model/closures.h"
+#include "ring_model/moment_balance.h"
 
 #include "ring_model/require.h"
 

@@ -1,5 +1,5 @@
-#include "ring_model/closures.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/moment_balance.h"
 #include "tests/ring_model/reference.h"
 
 #include <limits>
