@@ -2,13 +2,12 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/folders.h"
-#include "fem/pipeline/support/numbers.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <iomanip>
+#include <fstream>
 #include <sstream>
 #include <unistd.h>
 
@@ -81,19 +80,11 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   refuse(error.message());
 }
 
-std::string data_table(const std::string &title, const std::vector<DataColumn> &columns)
+std::string read_text_file(const std::filesystem::path &file)
 {
+  std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  text << "# " << title << '\n';
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    text << "# " << c + 1 << ": " << columns[c].name << " (" << columns[c].unit << ")\n";
-  for (std::size_t row = 0; row < columns.front().values.size(); ++row)
-  {
-    for (const DataColumn &column : columns)
-      text << std::setw(24) << to_text(column.values.at(row)) << ' ';
-    text.seekp(-1, std::ios::cur);
-    text << '\n';
-  }
+  text << stream.rdbuf();
   return text.str();
 }
 

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <unistd.h>
 
 namespace stemware::pipeline
@@ -28,14 +26,6 @@ constexpr char what_it_is[] = "finished cases of stemware sweep";
 fs::path folder_beside(const fs::path &results)
 {
   return results.parent_path() / ("." + results.filename().string() + ".sweep");
-}
-
-std::string content_of(const fs::path &file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 /// cases-0.jsonl, cases-1.jsonl, ...
@@ -136,7 +126,7 @@ void SweepFolder::take()
 void SweepFolder::require_own() const
 {
   const Json plan =
-    Json::parse(is_plain_file(folder / plan_name) ? content_of(folder / plan_name) : "", nullptr, false);
+    Json::parse(is_plain_file(folder / plan_name) ? read_text_file(folder / plan_name) : "", nullptr, false);
   const bool has_plan = plan.is_object() && plan.value("what", "") == what_it_is;
   for (const std::string &name : names_in(folder))
     if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
@@ -152,7 +142,7 @@ void SweepFolder::adopt(const Json &identity, bool restart)
   Json marked = { { "what", what_it_is } };
   marked.update(identity);
   const std::string wanted = marked.dump(1) + "\n";
-  const std::string kept = content_of(plan);
+  const std::string kept = read_text_file(plan);
   if (!restart && kept == wanted)
     return;
   const std::size_t n_finished = restart ? 0 : finished_cases().size();
