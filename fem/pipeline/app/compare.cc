@@ -2,7 +2,6 @@
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/output/comparison_results.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/support/failures.h"
@@ -38,7 +37,7 @@ void compare(const StudyOptions &options)
   ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   require_comparable(study);
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   stopwatch.finish("input");
 
   // 2. Every moment balance on every load.

@@ -24,20 +24,12 @@ int open_file(const std::filesystem::path &file, bool is_new)
   return ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (is_new ? O_EXCL : O_TRUNC), 0666);
 }
 
-/// Whether every byte has been taken by the disk; errno says why not.
-bool write_all(int descriptor, const std::string &text)
+/// write_all() to a file that was just opened, which is closed.
+bool write_and_close(int descriptor, const std::string &text)
 {
   if (descriptor < 0)
     return false;
-  bool is_written = true;
-  for (std::size_t n_written = 0; is_written && n_written < text.size();)
-  {
-    const auto n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
-    if (n >= 0)
-      n_written += static_cast<std::size_t>(n);
-    else
-      is_written = errno == EINTR;
-  }
+  const bool is_written = write_all(descriptor, text);
   const int error = errno;
   const bool is_closed = ::close(descriptor) == 0;
   if (!is_written)
@@ -47,9 +39,22 @@ bool write_all(int descriptor, const std::string &text)
 
 } // namespace
 
+bool write_all(int descriptor, const std::string &text)
+{
+  for (std::size_t n_written = 0; n_written < text.size();)
+  {
+    const auto n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
+    if (n >= 0)
+      n_written += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
 void write_text_file(const std::filesystem::path &file, const std::string &text)
 {
-  if (!write_all(open_file(file, false), text))
+  if (!write_and_close(open_file(file, false), text))
     throw OutputFailure(fmt::format(
       FMT_STRING("The file {} of the results cannot be written ({}); make room, or choose another "
                  "folder with --output."),
@@ -69,7 +74,7 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   if (descriptor < 0)
     refuse(std::strerror(errno));
   std::error_code error;
-  if (!write_all(descriptor, text))
+  if (!write_and_close(descriptor, text))
     error = std::error_code(errno, std::generic_category());
   else
     std::filesystem::rename(partial, file, error);

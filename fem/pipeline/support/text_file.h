@@ -14,6 +14,9 @@ void write_text_file(const std::filesystem::path &file, const std::string &text)
 /// complete, and replaces an older one. Throws OutputFailure with one sentence.
 void replace_text_file(const std::filesystem::path &file, const std::string &text);
 
+/// Whether the disk has taken every byte of @p text for the open file @p descriptor; errno says why not.
+bool write_all(int descriptor, const std::string &text);
+
 /// All bytes of a file; nothing of one that cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
 

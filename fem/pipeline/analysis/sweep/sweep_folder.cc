@@ -168,24 +168,12 @@ FinishedCases SweepFolder::finished_cases() const
   return all;
 }
 
-std::vector<LogCounter> SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
+LogCounter SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
 {
   std::set<fs::path> files = logs_that_are_in(path);
   for (unsigned int rank = 0; rank < n_ranks; ++rank)
     files.insert(log_of(path, rank));
-  return std::vector<LogCounter>(files.begin(), files.end());
-}
-
-CaseCount SweepFolder::count(std::vector<LogCounter> &logs)
-{
-  CaseCount total;
-  for (LogCounter &log : logs)
-  {
-    const CaseCount &cases = log.count();
-    total.n_finished += cases.n_finished;
-    total.n_failed += cases.n_failed;
-  }
-  return total;
+  return LogCounter(files);
 }
 
 void SweepFolder::remove() noexcept

@@ -3,11 +3,9 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
-#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
