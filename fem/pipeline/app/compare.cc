@@ -20,11 +20,10 @@ namespace
 void require_comparable(const Study &study)
 {
   require(study.load.source != LoadSource::file,
-          "Load/Source = file has one load, whatever the closure; set Load/Source = contact, or "
-          "first harmonic to compare without an elastic foot.");
-  require(!study.load.is_static(),
-          "Load/Moment ratio is given, but closures differ in the moment that they ask for; leave "
-          "Moment ratio at -1.");
+          "Load/Source = file has one load, whatever the closure; set Load/Source = contact, or first "
+          "harmonic to compare without an elastic foot.");
+  require(!study.load.is_static(), "Load/Moment ratio is given, but closures differ in the moment that they "
+                                   "ask for; leave Moment ratio at -1.");
   require_flat(study, "compare");
 }
 

@@ -124,8 +124,7 @@ std::optional<std::string> why_not_replaceable(const fs::path &folder)
   const std::optional<Json> files = listed_files(folder);
   if (!files && is_older_summary(folder / "summary.json"))
     return "holds results without the list of their files that this version keeps (manifest.json), so that "
-           "they "
-           "cannot be told from files of yours";
+           "they cannot be told from files of yours";
   for (const std::string &name : tree)
   {
     if (files && name == manifest_name)

@@ -57,10 +57,9 @@ void remove_leftovers(const fs::path &target, const std::string &prefix)
     if (!why_not_replaceable(folder))
       remove_listed_files(folder);
     else
-      console() << wrapped(fmt::format(
-                             FMT_STRING("{} is left of a run that was killed, and may hold files of yours; "
-                                        "delete it if you do not need it."),
-                             folder.string()),
+      console() << wrapped(fmt::format(FMT_STRING("{} is left of a run that was killed, and may hold files "
+                                                  "of yours; delete it if you do not need it."),
+                                       folder.string()),
                            "Remark    ")
                 << std::endl;
   }

@@ -55,10 +55,9 @@ bool write_all(int descriptor, const std::string &text)
 void write_text_file(const std::filesystem::path &file, const std::string &text)
 {
   if (!write_and_close(open_file(file, false), text))
-    throw OutputFailure(fmt::format(
-      FMT_STRING("The file {} of the results cannot be written ({}); make room, or choose another "
-                 "folder with --output."),
-      file.filename().string(), std::strerror(errno)));
+    throw OutputFailure(fmt::format(FMT_STRING("The file {} of the results cannot be written ({}); make "
+                                               "room, or choose another folder with --output."),
+                                    file.filename().string(), std::strerror(errno)));
 }
 
 void replace_text_file(const std::filesystem::path &file, const std::string &text)

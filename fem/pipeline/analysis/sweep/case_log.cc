@@ -27,10 +27,10 @@ constexpr char no_message[] = "\"message\":\"\",";
 
 [[noreturn]] void fail_to_keep(const fs::path &file)
 {
-  throw OutputFailure(
-    fmt::format(FMT_STRING("The finished cases cannot be kept in {} ({}); make room, or choose "
-                           "another folder with --output."),
-                file.string(), std::strerror(errno)));
+  throw OutputFailure(fmt::format(
+    FMT_STRING(
+      "The finished cases cannot be kept in {} ({}); make room, or choose another folder with --output."),
+    file.string(), std::strerror(errno)));
 }
 
 std::string line_of(std::size_t index, const CaseResult &result)

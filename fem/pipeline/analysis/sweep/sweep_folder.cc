@@ -110,17 +110,15 @@ void SweepFolder::take()
     created.insert(created.begin(), folder);
   }
   if (!is_plain_folder(folder))
-    throw OutputFailure(fmt::format(
-      FMT_STRING(
-        "{}, where a sweep keeps its finished cases, is not a folder of its own but a link or a file; "
-        "move it away, or choose another folder with --output."),
-      folder.string()));
+    throw OutputFailure(
+      fmt::format(FMT_STRING("{}, where a sweep keeps its finished cases, is not a folder of its own but a "
+                             "link or a file; move it away, or choose another folder with --output."),
+                  folder.string()));
   claim = FolderClaim(folder);
   if (!claim.held())
-    throw OutputFailure(
-      fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, or "
-                             "choose another folder with --output."),
-                  results.string()));
+    throw OutputFailure(fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, "
+                                               "or choose another folder with --output."),
+                                    results.string()));
 }
 
 void SweepFolder::require_own() const
@@ -130,10 +128,10 @@ void SweepFolder::require_own() const
   const bool has_plan = plan.is_object() && plan.value("what", "") == what_it_is;
   for (const std::string &name : names_in(folder))
     if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
-      throw OutputFailure(fmt::format(
-        FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is not one of its "
-                   "files; move it away, or choose another folder with --output."),
-        folder.string(), name));
+      throw OutputFailure(
+        fmt::format(FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is "
+                               "not one of its files; move it away, or choose another folder with --output."),
+                    folder.string(), name));
 }
 
 void SweepFolder::adopt(const Json &identity, bool restart)
