@@ -2,7 +2,6 @@
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/output/comparison_results.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/support/failures.h"
@@ -21,11 +20,10 @@ namespace
 void require_comparable(const Study &study)
 {
   require(study.load.source != LoadSource::file,
-          "Load/Source = file has one load, whatever the closure; set Load/Source = contact, or "
-          "first harmonic to compare without an elastic foot.");
-  require(!study.load.is_static(),
-          "Load/Moment ratio is given, but closures differ in the moment that they ask for; leave "
-          "Moment ratio at -1.");
+          "Load/Source = file has one load, whatever the closure; set Load/Source = contact, or first "
+          "harmonic to compare without an elastic foot.");
+  require(!study.load.is_static(), "Load/Moment ratio is given, but closures differ in the moment that they "
+                                   "ask for; leave Moment ratio at -1.");
   require_flat(study, "compare");
 }
 
@@ -38,7 +36,7 @@ void compare(const StudyOptions &options)
   ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   require_comparable(study);
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   stopwatch.finish("input");
 
   // 2. Every moment balance on every load.

@@ -33,7 +33,7 @@ void converge(const ConvergeOptions &options)
   ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   const std::vector<RefinementAxis> axes = refinement_axes(study, options.n_levels);
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   note_load_source(study, progress);
   stopwatch.finish("input");
 

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
-#include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
 
 #include <CLI/CLI.hpp>

@@ -76,12 +76,7 @@ std::string as_text(const Triangulation &mesh, const std::string &format)
 
 void write_mesh(const Triangulation &mesh, const std::string &file)
 {
-  on_first_rank(
-    [&]
-    {
-      replace_text_file(file, as_text(mesh, fs::path(file).extension()));
-      return std::string();
-    });
+  on_first_rank([&] { replace_text_file(file, as_text(mesh, fs::path(file).extension())); });
   console() << "Written   " << file << std::endl;
 }
 
@@ -106,7 +101,7 @@ void mesh(const MeshOptions &options)
     study = read_study(options.study.study_file, options.study.overrides);
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
   watch_for_interruption();
-  std::optional<SharedFolder> folder;
+  std::optional<ResultsFolder> folder;
   if (!options.study.output.empty())
     folder.emplace(options.study.results_place());
   stopwatch.finish("input");

@@ -26,7 +26,7 @@ void run(const StudyOptions &options)
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   note_load_source(study, progress);
   stopwatch.finish("input");
 

@@ -41,13 +41,22 @@ struct SweepOptions : StudyOptions
 /// What an interrupted sweep says: how many cases are kept, and how to go on.
 std::string interruption_message(const fs::path &folder, std::size_t n_cases)
 {
-  std::vector<LogCounter> logs = SweepFolder::logs_in(folder, 0);
-  const std::size_t n_kept = SweepFolder::count(logs).n_finished;
+  const std::size_t n_kept = SweepFolder::logs_in(folder, 0).count().n_finished;
   if (n_kept == 0)
     return "interrupted; no results were written.";
   return fmt::format(
     FMT_STRING("interrupted; {} of {} cases are kept in {}, and the same command goes on from there."),
     n_kept, n_cases, folder.string());
+}
+
+/// Numbers of the cases that are not among those.
+Json unfinished(const FinishedCases &finished, std::size_t n_cases)
+{
+  Json numbers = Json::array();
+  for (std::size_t index = 0; index < n_cases; ++index)
+    if (finished.count(index) == 0)
+      numbers.push_back(index);
+  return numbers;
 }
 
 /// The folder of finished cases as all ranks see it; the first one owns it.
@@ -57,7 +66,7 @@ class SharedCases
 
 public:
   SharedCases(const SweepOptions &options, const SweepPlan &plan)
-      : path(on_first_rank(
+      : path(from_first_rank(
           [&]
           {
             const auto lock = postpone_interruption();
@@ -70,14 +79,10 @@ public:
           }))
   {
     // Told by the first rank: the others may be late, and see cases that are finished after this.
-    const Json finished = Json::parse(on_first_rank([&] { return finished_so_far().dump(); }));
-    n_before = finished.size();
-    std::vector<bool> is_finished(plan.cases.size(), false);
-    for (const std::size_t index : finished)
-      is_finished.at(index) = true;
-    for (std::size_t index = 0; index < plan.cases.size(); ++index)
-      if (!is_finished[index])
-        to_do.push_back(index);
+    const std::string numbers =
+      from_first_rank([&] { return unfinished(owned->finished_cases(), plan.cases.size()).dump(); });
+    to_do = Json::parse(numbers).get<std::vector<std::size_t>>();
+    n_before = plan.cases.size() - to_do.size();
   }
 
   /// All cases, on the first rank; nothing on the others.
@@ -95,15 +100,6 @@ public:
   const fs::path path;
   std::vector<std::size_t> to_do; ///< cases that are not finished yet
   std::size_t n_before = 0;       ///< cases that were finished by an earlier run
-
-private:
-  Json finished_so_far() const
-  {
-    Json numbers = Json::array();
-    for (const auto &[index, result] : owned->finished_cases())
-      numbers.push_back(index);
-    return numbers;
-  }
 };
 
 unsigned int n_threads_of(const SweepOptions &options)
@@ -137,12 +133,12 @@ public:
   {
     if (!is_first_rank())
       return;
-    const CaseCount cases = SweepFolder::count(logs);
+    const CaseCount &cases = logs.count();
     progress.show(cases.n_finished, cases.n_failed);
   }
 
 private:
-  std::vector<LogCounter> logs;
+  LogCounter logs;
   WorkProgress progress;
 };
 
@@ -169,7 +165,7 @@ void solve(const SweepPlan &plan, const SharedCases &cases, unsigned int n_threa
 /// A sweep without a single answer has failed.
 void require_one_solved(const FinishedCases &cases, const SweepFindings &findings)
 {
-  const std::string trouble = on_first_rank(
+  const std::string trouble = from_first_rank(
     [&] { return findings.n_failed < findings.n_cases ? "" : cases.at(*findings.first_failure).message; });
   if (!trouble.empty())
     throw std::runtime_error(
@@ -185,12 +181,7 @@ void sweep(const SweepOptions &options)
   Stopwatch stopwatch;
   SweepPlan plan = make_plan(options.request);
   plan.base = begin_study(options, true);
-  on_first_rank(
-    [&]
-    {
-      require_replaceable(options.results_place());
-      return std::string();
-    });
+  on_first_rank([&] { require_replaceable(options.results_place()); });
   SharedCases cases(options, plan);
   const unsigned int n_threads = n_threads_of(options);
   console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
@@ -203,7 +194,7 @@ void sweep(const SweepOptions &options)
   stopwatch.finish("cases");
 
   // 3. The results, all at once.
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   const FinishedCases finished = cases.all();
   const SweepFindings found = find_out(plan, finished);
   const Results results = is_first_rank() ? sweep_results(plan, finished, found) : Results();

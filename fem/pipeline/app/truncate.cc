@@ -32,7 +32,7 @@ void truncate(const TruncateOptions &options)
   ConsoleProgress progress(stopwatch);
   const Study study = begin_study(options);
   require_flat(study, options.verb);
-  SharedFolder folder(options.results_place());
+  ResultsFolder folder(options.results_place());
   note_load_source(study, progress);
   stopwatch.finish("input");
 

@@ -2,9 +2,7 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text_file.h"
 
-#include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -76,23 +74,6 @@ ring::RingStack read_load_file(const std::string &file)
     throw BadInput("The load file " + file +
                    " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
   return { coefficients.a, coefficients.b, *coefficients.radius };
-}
-
-std::string load_file_text(const ring::RingStack &load)
-{
-  DataColumn order = { "n", "1", {} }, a = { "a_n", "N/rad", {} }, b = { "b_n", "N/rad", {} },
-             share = { "amplitude / a_0", "1", {} }, crest = { "direction of a crest", "rad", {} };
-  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-  {
-    order.values.push_back(n);
-    a.values.push_back(load.a(n));
-    b.values.push_back(load.b(n));
-    share.values.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
-    crest.values.push_back(n == 0 ? 0 : std::atan2(load.b(n), load.a(n)) / n);
-  }
-  return "# ring radius: " + to_text(load.radius()) + " (m)\n" +
-         data_table("lambda(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta)",
-                    { order, a, b, share, crest });
 }
 
 } // namespace stemware::pipeline

@@ -18,7 +18,4 @@ namespace stemware::pipeline
 /// sentence that names the line.
 ring::RingStack read_load_file(const std::string &file);
 
-/// The same table, with amplitude over a_0 and direction of the crest as further columns.
-std::string load_file_text(const ring::RingStack &load);
-
 } // namespace stemware::pipeline

@@ -72,13 +72,13 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
 } // namespace
 
 void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
-             SharedFolder &folder, Stopwatch &stopwatch)
+             ResultsFolder &folder, Stopwatch &stopwatch)
 {
-  folder.write(
-    [&](ResultsFolder &owned)
+  on_first_rank(
+    [&]
     {
-      write_results(results, owned.working_folder(), stopwatch);
-      write_and_publish(options, study, results.findings, stopwatch, owned);
+      write_results(results, folder.working_folder(), stopwatch);
+      write_and_publish(options, study, results.findings, stopwatch, folder);
     });
   if (!is_first_rank())
     return;

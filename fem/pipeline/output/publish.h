@@ -3,7 +3,7 @@
 #include "fem/pipeline/output/results.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_options.h"
-#include "fem/pipeline/support/shared_folder.h"
+#include "fem/pipeline/support/results_folder.h"
 #include "fem/pipeline/support/stopwatch.h"
 
 #include <optional>
@@ -20,6 +20,6 @@ namespace stemware::pipeline
 ///
 /// Throws OutputFailure, and std::runtime_error for a finding that is not finite: JSON has no word for it.
 void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
-             SharedFolder &folder, Stopwatch &stopwatch);
+             ResultsFolder &folder, Stopwatch &stopwatch);
 
 } // namespace stemware::pipeline

@@ -1,6 +1,5 @@
 #include "fem/pipeline/output/run_results.h"
 
-#include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/plots/plots.h"

@@ -1,9 +1,12 @@
 #include "fem/pipeline/output/run_tables.h"
 
 #include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
+
+#include <cmath>
 
 namespace stemware::pipeline
 {
@@ -89,6 +92,24 @@ Table load_table(const ring::RingStack &load)
            { column(quantity::theta, angles),
              column(quantity::lambda_all, angles, [&](double angle) { return load(angle); }),
              column(quantity::lambda_first, angles, [&](double angle) { return first(angle); }) } };
+}
+
+std::string load_file_text(const ring::RingStack &load)
+{
+  std::vector<double> order, a, b, share, crest;
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+  {
+    order.push_back(n);
+    a.push_back(load.a(n));
+    b.push_back(load.b(n));
+    share.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
+    crest.push_back(n == 0 ? 0 : std::atan2(load.b(n), load.a(n)) / n);
+  }
+  return "# ring radius: " + to_text(load.radius()) + " (m)\n" +
+         data_table(
+           { "lambda(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta)",
+             { numbers("n", "1", order), numbers("a_n", "N/rad", a), numbers("b_n", "N/rad", b),
+               numbers("amplitude / a_0", "1", share), numbers("direction of a crest", "rad", crest) } });
 }
 
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)

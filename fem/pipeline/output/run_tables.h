@@ -21,6 +21,10 @@ Table friction_table(const Study &study, const ContactReport &report, const Spin
 /// lambda(theta) at rest, round the ring.
 Table load_table(const ring::RingStack &load);
 
+/// The Fourier coefficients of a load as a file that read_load_file() reads: ring radius, then rows n a_n
+/// b_n, with amplitude over a_0 and direction of the crest as further columns.
+std::string load_file_text(const ring::RingStack &load);
+
 /// lambda(theta) at rest where the contact was solved.
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
 

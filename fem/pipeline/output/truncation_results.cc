@@ -1,11 +1,11 @@
 #include "fem/pipeline/output/truncation_results.h"
 
-#include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/output/run_tables.h"
 #include "fem/pipeline/output/spin_table.h"
 
 namespace stemware::pipeline

@@ -59,18 +59,21 @@ public:
   /// To be called after the last line.
   void finish() const
   {
-    require(section.empty(), fmt::format(FMT_STRING("{}, line {}: the subsection {} is not closed; write one "
-                                                    "\"end\" for each \"subsection\"."),
-                                         shortened_path(file), section_line, section));
+    require(section.empty(),
+            fmt::format(
+              FMT_STRING(
+                "{}, line {}: the subsection {} is not closed; write one \"end\" for each \"subsection\"."),
+              shortened_path(file), section_line, section));
   }
 
 private:
   void begin_section(const std::string &name, unsigned int number)
   {
     require(section.empty(),
-            fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; write one \"end\" for each "
-                                   "\"subsection\"."),
-                        where, section, section_line));
+            fmt::format(
+              FMT_STRING(
+                "{}the subsection {} of line {} is not closed; write one \"end\" for each \"subsection\"."),
+              where, section, section_line));
     const std::vector<std::string> known = sections_of(entries);
     require(
       std::find(known.begin(), known.end(), name) != known.end(),

@@ -17,15 +17,13 @@ void require_able_body(const Study &study)
   const ContactSection &contact = study.contact;
   const BodyAbilities can = abilities(contact.body);
   require(can.reads_meshes || contact.mesh_file.empty(),
-          fmt::format(
-            FMT_STRING("Contact/Mesh file = {} is read by a solid body only; set Contact/Body = solid, or "
-                       "leave Mesh file empty."),
-            shortened_path(contact.mesh_file)));
-  require(
-    contact.degree <= can.highest_degree,
-    fmt::format(FMT_STRING("Contact/Degree = {} is not allowed for Contact/Body = solid; give 1 or 2, or set "
-                           "Contact/Body = revolution."),
-                contact.degree));
+          fmt::format(FMT_STRING("Contact/Mesh file = {} is read by a solid body only; set Contact/Body = "
+                                 "solid, or leave Mesh file empty."),
+                      shortened_path(contact.mesh_file)));
+  require(contact.degree <= can.highest_degree,
+          fmt::format(FMT_STRING("Contact/Degree = {} is not allowed for Contact/Body = solid; give 1 or 2, "
+                                 "or set Contact/Body = revolution."),
+                      contact.degree));
   require(can.stands_on_elastic_disc || !study.table.make().substrate,
           "Table/Kind = elastic needs a body of revolution; set Contact/Body = revolution.");
   require(can.friction_can_deform || contact.friction_coupling != FrictionCoupling::elastic,
@@ -39,11 +37,10 @@ void require_one_moment(const Study &study)
     return;
   const std::string coupling =
     std::string("Load/Coupling = ") + (study.load.coupling == LoadCoupling::exact ? "exact" : "response");
-  require(
-    !study.load.is_static(),
-    fmt::format(FMT_STRING("Load/Moment ratio = {} contradicts {}, where the closure sets the moment; leave "
-                           "Moment ratio at -1, or set Coupling = frozen."),
-                to_text(study.load.moment_ratio), coupling));
+  require(!study.load.is_static(),
+          fmt::format(FMT_STRING("Load/Moment ratio = {} contradicts {}, where the closure sets the moment; "
+                                 "leave Moment ratio at -1, or set Coupling = frozen."),
+                      to_text(study.load.moment_ratio), coupling));
   require(study.load.source != LoadSource::file,
           coupling +
             " contradicts Load/Source = file, whose load cannot follow the spin; set Coupling = frozen.");
@@ -58,22 +55,22 @@ void require_one_parameter(const Study &study)
           "Load/Coupling = response needs a foot that answers a moment in all directions alike, which a mesh "
           "of cells does not; set Contact/Body = revolution, or Coupling = exact.");
   const bool is_automatic = study.contact.friction_coupling == FrictionCoupling::automatic;
-  require(!study.friction_deforms_foot(),
-          fmt::format(
-            FMT_STRING("Load/Coupling = response needs a load that depends on the moment ratio alone, but "
-                       "Contact/Friction coupling = {} makes it depend on the spin too; set Coupling = "
-                       "exact, or Friction coupling = none."),
-            is_automatic ? "automatic (elastic on this table)" : "elastic"));
+  require(
+    !study.friction_deforms_foot(),
+    fmt::format(
+      FMT_STRING(
+        "Load/Coupling = response needs a load that depends on the moment ratio alone, but Contact/Friction "
+        "coupling = {} makes it depend on the spin too; set Coupling = exact, or Friction coupling = none."),
+      is_automatic ? "automatic (elastic on this table)" : "elastic"));
 }
 
 void require_steps(const MotionSection &motion)
 {
   constexpr double most_steps = 1e7;
-  require(
-    motion.end_time / motion.euler_step <= most_steps,
-    fmt::format(FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s makes more than 1e7 "
-                           "steps of the forward Euler method; use longer steps."),
-                to_text(motion.end_time), to_text(motion.euler_step)));
+  require(motion.end_time / motion.euler_step <= most_steps,
+          fmt::format(FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s makes more "
+                                 "than 1e7 steps of the forward Euler method; use longer steps."),
+                      to_text(motion.end_time), to_text(motion.euler_step)));
 }
 
 void require_load_file(const LoadSection &load)
@@ -81,18 +78,18 @@ void require_load_file(const LoadSection &load)
   if (load.source != LoadSource::file)
   {
     require(load.file.empty(),
-            fmt::format(FMT_STRING("Load/File = {} is read only with Load/Source = file; set that, or leave "
-                                   "Load/File empty."),
-                        shortened_path(load.file)));
+            fmt::format(
+              FMT_STRING(
+                "Load/File = {} is read only with Load/Source = file; set that, or leave Load/File empty."),
+              shortened_path(load.file)));
     return;
   }
   require(!load.file.empty(),
           "Load/Source = file needs Load/File; name a file with the load's Fourier coefficients.");
   require(!load.is_static(),
-          fmt::format(
-            FMT_STRING("Load/Moment ratio = {} contradicts Load/Source = file, whose load has a moment of "
-                       "its own; leave Moment ratio at -1."),
-            to_text(load.moment_ratio)));
+          fmt::format(FMT_STRING("Load/Moment ratio = {} contradicts Load/Source = file, whose load has a "
+                                 "moment of its own; leave Moment ratio at -1."),
+                      to_text(load.moment_ratio)));
 }
 
 /// Missing files are found here, before anything is computed; what is in them is found when they are read.
@@ -101,10 +98,8 @@ void require_readable(const std::string &entry, const std::string &file)
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   const std::string setting = entry + " = " + shortened_path(file);
-  require(std::filesystem::exists(status),
-          setting +
-            " does not exist; give a path that starts at the study file (with --set: where the program is "
-            "started).");
+  require(std::filesystem::exists(status), setting + " does not exist; give a path that starts at the study "
+                                                     "file (with --set: where the program is started).");
   require(std::filesystem::is_regular_file(status), setting + " is not a file; give the path of a file.");
 }
 
@@ -122,15 +117,15 @@ void require_known_waviness(const Study &study)
     require(study.load.source == LoadSource::contact,
             entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
     require(study.load.coupling != LoadCoupling::response,
-            entry +
-              " makes the load depend on more than the moment, which Load/Coupling = response does not know; "
-              "set Coupling = exact or frozen.");
+            entry + " makes the load depend on more than the moment, which Load/Coupling = response does not "
+                    "know; set Coupling = exact or frozen.");
     for (const fem::WavinessHarmonic &harmonic : waviness)
       require(
         harmonic.n <= study.contact.harmonics,
-        fmt::format(FMT_STRING("{} has a harmonic n = {}, but the foot answers to {}; give at least as many "
-                               "Contact/Harmonics."),
-                    entry, harmonic.n, study.contact.harmonics));
+        fmt::format(
+          FMT_STRING(
+            "{} has a harmonic n = {}, but the foot answers to {}; give at least as many Contact/Harmonics."),
+          entry, harmonic.n, study.contact.harmonics));
   };
   check("Glass/Rim waviness", study.glass.waviness);
   check("Table/Waviness", study.table.waviness);

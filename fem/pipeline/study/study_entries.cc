@@ -129,8 +129,12 @@ private:
       entry.json = [&value] { return nlohmann::ordered_json(value); };
     else
       entry.json = [&value, print] { return nlohmann::ordered_json(print(value)); };
-    entry.is_allowed = [parse](const std::string &text) { return parse(text).has_value(); };
-    entry.assign = [&value, parse](const std::string &text) { value = parse(text).value(); };
+    entry.assign = [&value, parse](const std::string &text)
+    {
+      const auto parsed = parse(text);
+      value = parsed.value_or(value);
+      return parsed.has_value();
+    };
     entries.push_back(entry);
     return entries.back();
   }
@@ -162,12 +166,11 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.number("Friction coefficient", motion.orbit.friction_coefficient, positive, "",
               "Coulomb friction between foot and table");
   list.number("Gravity", motion.orbit.gravity, positive, "m/s^2", "Acceleration of free fall");
-  list.choice(
-    "Closure", motion.closure,
-    { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },
-    "Which moments the table's pressure has to balance. paper: the centripetal part of the hand's force "
-    "only; "
-    "hand: the whole force of the hand; full: also the moment of the friction about the centre of mass");
+  list.choice("Closure", motion.closure,
+              { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },
+              "Which moments the table's pressure has to balance. paper: the centripetal part of the hand's "
+              "force only; hand: the whole force of the hand; full: also the moment of the friction about "
+              "the centre of mass");
   list.number("End time", motion.end_time, positive, "s", "How long the spin-up is followed");
   list.number("Euler step", motion.euler_step, positive, "s",
               "Largest step of the forward Euler method that is shown beside the adaptive one");
@@ -178,10 +181,10 @@ void add_glass(EntryList &list, GlassSection &glass)
   using fem::GlassShape;
   fem::GlassProfile &profile = glass.profile;
   list.enter("Glass");
-  list.choice("Shape", profile.shape, { { "step", GlassShape::step }, { "foot", GlassShape::foot } },
-              "Section of the glass near the table. step: a plate on a ring (the land) under a cylinder (the "
-              "stem); foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the "
-              "stem");
+  list.choice(
+    "Shape", profile.shape, { { "step", GlassShape::step }, { "foot", GlassShape::foot } },
+    "Section of the glass near the table. step: a plate on a ring (the land) under a cylinder (the stem); "
+    "foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the stem");
   list.number("Contact radius", profile.contact_radius, positive, "m",
               "Radius R of the rim that stands on the table");
   list.number("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot");
@@ -206,11 +209,10 @@ void add_glass(EntryList &list, GlassSection &glass)
   list.number("Young modulus", glass.material.young_modulus, positive, "Pa", "Young's modulus of the glass");
   list.number("Poisson ratio", glass.material.poisson_ratio, between(-1, 0.5), "",
               "Poisson's ratio of the glass");
-  list.waviness(
-    "Rim waviness", glass.waviness,
-    "How the rim is out of flat: harmonics of its height above the table, fixed to the glass and positive "
-    "where it is higher. At the start azimuth 0 points away from the orbit's centre. Body of revolution "
-    "only");
+  list.waviness("Rim waviness", glass.waviness,
+                "How the rim is out of flat: harmonics of its height above the table, fixed to the glass and "
+                "positive where it is higher. At the start azimuth 0 points away from the orbit's centre. "
+                "Body of revolution only");
 }
 
 void add_table(EntryList &list, TableSection &table)
@@ -223,8 +225,7 @@ void add_table(EntryList &list, TableSection &table)
       { "rough", TableKind::rough },
       { "elastic", TableKind::elastic } },
     "rigid: a hard plane; mat: a thin elastic layer on it; rough: a hard plane with asperities, pressure "
-    "exponential in the distance; elastic: a thick disc of a material of its own (body of revolution "
-    "only)");
+    "exponential in the distance; elastic: a thick disc of a material of its own (body of revolution only)");
   list.number("Foundation modulus", table.foundation_modulus, positive, "Pa/m",
               "Pressure of the mat per depth of penetration");
   list.number("Reference pressure", table.roughness.reference_pressure, positive, "Pa",
@@ -248,16 +249,14 @@ void add_contact(EntryList &list, ContactSection &contact)
 {
   using fem::LinearSolver;
   list.enter("Contact");
-  list.choice(
-    "Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
-    "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of revolution: "
-    "fast, and the way to friction coupling and elastic tables; solid: the foot in three-dimensional "
-    "finite elements, for any mesh");
+  list.choice("Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
+              "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of "
+              "revolution: fast, and the way to friction coupling and elastic tables; solid: the foot in "
+              "three-dimensional finite elements, for any mesh");
   list.path(
     "Mesh file", contact.mesh_file,
-    "Mesh of the foot (.msh, hexahedra, physical ids 1 = stem cut, 2 = contact zone), which then also "
-    "gives its shape; "
-    "empty: generated from the subsection Glass. A relative path starts at the study file");
+    "Mesh of the foot (.msh, hexahedra, physical ids 1 = stem cut, 2 = contact zone), which then also gives "
+    "its shape; empty: generated from the subsection Glass. A relative path starts at the study file");
   list.count("Degree", contact.degree, 1, 4,
              "Polynomial degree of the elements: 1 or 2 for a solid body, 1 to 4 for a body of revolution");
   list.count("Azimuthal cells", contact.resolution.azimuthal_cells, 8, 2000,
@@ -268,11 +267,10 @@ void add_contact(EntryList &list, ContactSection &contact)
              "Cells through the thickness of the foot of the generated mesh of a solid body");
   list.count("Refinements", contact.refinements, 0, 6,
              "Halvings of every cell of a body of revolution; without effect on a solid body");
-  list.number(
-    "Land grading", contact.land_grading,
-    { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
-    "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a crowned "
-    "body of revolution; 1 means equal cells");
+  list.number("Land grading", contact.land_grading,
+              { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
+              "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
+              "crowned body of revolution; 1 means equal cells");
   list.choice("Linear solver", contact.linear_solver,
               { { "automatic", LinearSolver::automatic },
                 { "direct", LinearSolver::direct },
@@ -280,19 +278,16 @@ void add_contact(EntryList &list, ContactSection &contact)
               "automatic: direct for small systems, multigrid for large ones");
   list.count("Harmonics", contact.harmonics, 1, 1000,
              "Elastic harmonics of a body of revolution; without effect on a solid body");
-  list.count(
-    "Azimuth lines", contact.azimuth_lines, 16, 100000,
-    "Azimuths at which a body of revolution meets a mat or a rough table, more than twice the harmonics; "
-    "without effect on a solid body");
-  list.choice(
-    "Friction coupling", contact.friction_coupling,
-    { { "automatic", FrictionCoupling::automatic },
-      { "none", FrictionCoupling::none },
-      { "elastic", FrictionCoupling::elastic } },
-    "none: friction does not act back on the pressure; elastic: its tractions deform the foot (body of "
-    "revolution only); automatic: elastic for a body of revolution on a rigid or elastic table, where "
-    "friction "
-    "decides the second harmonic, else none");
+  list.count("Azimuth lines", contact.azimuth_lines, 16, 100000,
+             "Azimuths at which a body of revolution meets a mat or a rough table, more than twice the "
+             "harmonics; without effect on a solid body");
+  list.choice("Friction coupling", contact.friction_coupling,
+              { { "automatic", FrictionCoupling::automatic },
+                { "none", FrictionCoupling::none },
+                { "elastic", FrictionCoupling::elastic } },
+              "none: friction does not act back on the pressure; elastic: its tractions deform the foot "
+              "(body of revolution only); automatic: elastic for a body of revolution on a rigid or elastic "
+              "table, where friction decides the second harmonic, else none");
 }
 
 void add_load(EntryList &list, LoadSection &load)
@@ -303,29 +298,25 @@ void add_load(EntryList &list, LoadSection &load)
                 { "first harmonic", LoadSource::first_harmonic },
                 { "file", LoadSource::file } },
               "contact: the finite-element contact; first harmonic: the paper's ansatz, in balance with the "
-              "closure at every spin; "
-              "file: Fourier coefficients from a file");
-  list.choice(
-    "Coupling", load.coupling,
-    { { "frozen", LoadCoupling::frozen },
-      { "response", LoadCoupling::response },
-      { "exact", LoadCoupling::exact } },
-    "frozen: the load of the glass that does not spin yet, at every spin; exact: a contact in balance "
-    "with the friction at every spin; response: the same from a curve of contact solutions over the "
-    "moment ratio (body of revolution, no friction coupling)");
+              "closure at every spin; file: Fourier coefficients from a file");
+  list.choice("Coupling", load.coupling,
+              { { "frozen", LoadCoupling::frozen },
+                { "response", LoadCoupling::response },
+                { "exact", LoadCoupling::exact } },
+              "frozen: the load of the glass that does not spin yet, at every spin; exact: a contact in "
+              "balance with the friction at every spin; response: the same from a curve of contact solutions "
+              "over the moment ratio (body of revolution, no friction coupling)");
   list.number("Response tolerance", load.response_tolerance, positive, "",
               "How far such a curve may miss a contact solution, over a_0; used with Coupling = response");
-  list.number(
-    "Moment ratio", load.moment_ratio, not_tipping, "",
-    "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's moment. "
-    "The foot tips at 2");
+  list.number("Moment ratio", load.moment_ratio, not_tipping, "",
+              "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
+              "moment. The foot tips at 2");
   list.number("Moment direction", load.moment_direction, any_number, "rad",
               "Where a static study's load is largest, counter-clockwise from the direction of travel; used "
               "with Moment ratio >= 0");
   list.path("File", load.file,
             "Fourier coefficients for Source = file: a line \"# ring radius: 0.03 (m)\", then rows n a_n b_n "
-            "(N/rad) for n = 0, 1, 2, ...; "
-            "harmonics.dat of a results folder is such a file");
+            "(N/rad) for n = 0, 1, 2, ...; harmonics.dat of a results folder is such a file");
 }
 
 } // namespace
@@ -353,10 +344,9 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
 
 void assign(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
-  require(entry.is_allowed(value),
+  require(entry.assign(value),
           fmt::format(FMT_STRING("{}{} = {} is not allowed; give {}."), origin, entry.path(),
                       value.empty() ? "(nothing)" : shortened(value), entry.allowed));
-  entry.assign(value);
 }
 
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)
@@ -369,9 +359,7 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
   }
   std::optional<std::string> meant = likeliest(word, paths);
   if (const auto name = likeliest(word, names); name && !meant)
-    for (const StudyEntry &entry : entries)
-      if (entry.name == *name && !meant)
-        meant = entry.path();
+    meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) - names.begin())];
   return meant ? "; did you mean " + *meant + "? (`stemware defaults` lists what there is.)"
                : "; `stemware defaults` lists what there is.";
 }

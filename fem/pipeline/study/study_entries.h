@@ -22,8 +22,8 @@ struct StudyEntry
   bool is_quantity = false;                     ///< takes any number, not only whole ones
   std::function<std::string()> text;            ///< the present value as a study file writes it
   std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
-  std::function<bool(const std::string &)> is_allowed; ///< whether assign() takes this text
-  std::function<void(const std::string &)> assign;     ///< sets the value from an allowed text
+  std::function<bool(const std::string &)>
+    assign; ///< sets the value from a text; false where it is not allowed
 
   /// Section/Entry, as in --set.
   std::string path() const { return section + '/' + name; }

@@ -24,9 +24,10 @@ std::string contents(const std::string &file)
   const std::string the_file = "The study file " + shortened_path(file);
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  require(std::filesystem::exists(status),
-          the_file + " does not exist; give the path of a .prm file, or write one with `stemware defaults > "
-                     "study.prm`.");
+  require(
+    std::filesystem::exists(status),
+    the_file +
+      " does not exist; give the path of a .prm file, or write one with `stemware defaults > study.prm`.");
   require(std::filesystem::is_regular_file(status),
           the_file + " is not a file; give the path of a .prm file.");
   const std::string extension = std::filesystem::path(file).extension();
@@ -40,10 +41,10 @@ std::string contents(const std::string &file)
   const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
   require(std::none_of(all.begin(), all.end(), is_control),
           the_file + " is not a text file; give the path of a .prm or .json file.");
-  require(all.find_first_not_of(" \t\r\n") != std::string::npos,
-          the_file +
-            " is empty; write at least a comment into it to get the defaults, or start from `stemware "
-            "defaults`.");
+  require(
+    all.find_first_not_of(" \t\r\n") != std::string::npos,
+    the_file +
+      " is empty; write at least a comment into it to get the defaults, or start from `stemware defaults`.");
   return all;
 }
 

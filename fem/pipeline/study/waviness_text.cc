@@ -41,8 +41,7 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 
 const char *const waviness_words =
   "harmonics \"n: amplitude in m @ azimuth in rad\" separated by commas, such as 2: 5e-6 @ 0.3, 3: 2e-6, "
-  "with n "
-  "from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb), or nothing";
+  "with n from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb), or nothing";
 
 std::optional<Waviness> parse_waviness(const std::string &text)
 {

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace stemware::pipeline
@@ -21,14 +19,6 @@ const char *const manifest_name = "manifest.json";
 
 namespace
 {
-
-std::string content_of(const fs::path &file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 constexpr char seal[] = "crc64";
 
@@ -55,7 +45,7 @@ std::optional<Json> listed_files(const fs::path &folder)
   const fs::path file = folder / manifest_name;
   if (!is_plain_file(file))
     return std::nullopt;
-  const Json manifest = Json::parse(content_of(file), nullptr, false);
+  const Json manifest = Json::parse(read_text_file(file), nullptr, false);
   if (!manifest.is_object() || manifest.value("program", Json()) != "stemware" ||
       !manifest.value("files", Json()).is_object())
     return std::nullopt;
@@ -88,7 +78,7 @@ bool is_listed_folder(const std::string &name, const Json &files)
 bool is_as_listed(const fs::path &folder, const std::string &name, const Json &files)
 {
   return files.contains(name) && is_plain_file(folder / name) &&
-         description_of(content_of(folder / name)) == files[name];
+         description_of(read_text_file(folder / name)) == files[name];
 }
 
 /// Whether this is what version 0.1 has written, which kept no manifest.
@@ -96,7 +86,7 @@ bool is_older_summary(const fs::path &file)
 {
   if (!is_plain_file(file))
     return false;
-  const Json summary = Json::parse(content_of(file), nullptr, false);
+  const Json summary = Json::parse(read_text_file(file), nullptr, false);
   return summary.is_object() && summary.contains("schema") && summary.contains("program") &&
          summary.contains("files");
 }
@@ -121,7 +111,7 @@ void write_manifest(const fs::path &folder)
   Json files = Json::object();
   for (const std::string &name : tree_of(folder))
     if (name != manifest_name && is_plain_file(folder / name))
-      files[name] = description_of(content_of(folder / name));
+      files[name] = description_of(read_text_file(folder / name));
   const Json manifest = { { "program", "stemware" }, { "files", files } };
   replace_text_file(folder / manifest_name, manifest.dump(2) + "\n");
 }
@@ -134,8 +124,7 @@ std::optional<std::string> why_not_replaceable(const fs::path &folder)
   const std::optional<Json> files = listed_files(folder);
   if (!files && is_older_summary(folder / "summary.json"))
     return "holds results without the list of their files that this version keeps (manifest.json), so that "
-           "they "
-           "cannot be told from files of yours";
+           "they cannot be told from files of yours";
   for (const std::string &name : tree)
   {
     if (files && name == manifest_name)

@@ -18,22 +18,7 @@ namespace mpi = dealii::Utilities::MPI;
 namespace
 {
 
-/// deal.II's session with the command line that it wants to see.
-struct RunningSession
-{
-  // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
-  // machine.
-  RunningSession()
-      : session(n_arguments, arguments, 1)
-  {
-  }
-
-  int n_arguments = 0;
-  char **arguments = nullptr;
-  mpi::MPI_InitFinalize session;
-};
-
-std::unique_ptr<RunningSession> running_session;
+std::unique_ptr<mpi::MPI_InitFinalize> running_session;
 
 /// Open MPI, PMIx and MPICH launchers tell their processes so.
 bool launched_by_mpirun()
@@ -59,8 +44,12 @@ MpiSession::~MpiSession()
 
 void start_mpi()
 {
+  static int n_arguments = 0;
+  static char **arguments = nullptr;
+  // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
+  // machine.
   if (!running_session)
-    running_session = std::make_unique<RunningSession>();
+    running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
 }
 
 bool is_first_rank()
@@ -83,14 +72,15 @@ enum class Outcome : int
   other_failure
 };
 
-/// What became of some work, and its text or message.
-std::pair<int, std::string> outcome_of(const std::function<std::string()> &work)
+/// What became of some work, and the message of its failure.
+std::pair<int, std::string> outcome_of(const std::function<void()> &work)
 {
   const auto with = [](Outcome outcome, const std::string &text)
   { return std::pair(static_cast<int>(outcome), text); };
   try
   {
-    return with(Outcome::done, work());
+    work();
+    return with(Outcome::done, "");
   }
   catch (const OutputFailure &failure)
   {
@@ -116,29 +106,25 @@ void throw_unless_done(const std::pair<int, std::string> &outcome)
 
 } // namespace
 
-std::string on_first_rank(const std::function<std::string()> &work)
-{
-  std::pair<int, std::string> outcome;
-  if (is_first_rank())
-    outcome = outcome_of(work);
-  if (n_ranks() > 1)
-    outcome = mpi::broadcast(MPI_COMM_WORLD, outcome);
-  throw_unless_done(outcome);
-  return outcome.second;
-}
-
 void on_every_rank(const std::function<void()> &work)
 {
-  const auto outcome = outcome_of(
-    [&]
-    {
-      work();
-      return std::string();
-    });
+  const auto outcome = outcome_of(work);
   if (n_ranks() == 1)
     return throw_unless_done(outcome);
   for (const auto &of_one : mpi::all_gather(MPI_COMM_WORLD, outcome))
     throw_unless_done(of_one);
+}
+
+void on_first_rank(const std::function<void()> &work)
+{
+  on_every_rank(is_first_rank() ? work : [] {});
+}
+
+std::string from_first_rank(const std::function<std::string()> &work)
+{
+  std::string text;
+  on_first_rank([&] { text = work(); });
+  return n_ranks() > 1 ? mpi::broadcast(MPI_COMM_WORLD, text) : text;
 }
 
 unsigned int this_rank()

@@ -27,14 +27,16 @@ bool is_first_rank();
 /// Number of processes that work on the study together.
 unsigned int n_ranks();
 
-/// Runs @p work on the first rank; the text it returns is returned on every rank. When it throws, every rank
-/// does: OutputFailure for trouble with files, std::runtime_error with the same message for everything else.
-std::string on_first_rank(const std::function<std::string()> &work);
-
 /// Runs @p work on every rank, and waits for all of them. When it throws on some, every rank does, with the
 /// message of the first of those: OutputFailure for trouble with files, std::runtime_error for everything
 /// else.
 void on_every_rank(const std::function<void()> &work);
+
+/// Runs @p work on the first rank; when it throws, every rank does, as in on_every_rank().
+void on_first_rank(const std::function<void()> &work);
+
+/// The text that @p work returns on the first rank, on every rank. Throws as on_first_rank().
+std::string from_first_rank(const std::function<std::string()> &work);
 
 /// Position of this process among n_ranks().
 unsigned int this_rank();

@@ -4,6 +4,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/manifest.h"
+#include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
 
 #include <fmt/format.h>
@@ -56,10 +57,9 @@ void remove_leftovers(const fs::path &target, const std::string &prefix)
     if (!why_not_replaceable(folder))
       remove_listed_files(folder);
     else
-      console() << wrapped(fmt::format(
-                             FMT_STRING("{} is left of a run that was killed, and may hold files of yours; "
-                                        "delete it if you do not need it."),
-                             folder.string()),
+      console() << wrapped(fmt::format(FMT_STRING("{} is left of a run that was killed, and may hold files "
+                                                  "of yours; delete it if you do not need it."),
+                                       folder.string()),
                            "Remark    ")
                 << std::endl;
   }
@@ -84,31 +84,37 @@ void require_replaceable(const fs::path &wanted)
 ResultsFolder::ResultsFolder(const fs::path &wanted)
     : target(resolved(wanted))
 {
+  const auto claimed = [this]
+  {
+    claim_place();
+    return partial.string();
+  };
+  partial = from_first_rank(claimed);
+}
+
+void ResultsFolder::claim_place()
+{
+  const std::string prefix = "." + target.filename().string() + ".partial-";
+  const auto lock = postpone_interruption();
   try
   {
     require_replaceable(target);
-    const auto lock = postpone_interruption();
     created_parents = create_folders(target.parent_path());
-    claim_place();
+    remove_leftovers(target, prefix);
+    partial = target.parent_path() / (prefix + unique_suffix());
+    create_new_folder(partial);
   }
   catch (const fs::filesystem_error &error)
   {
     remove_empty_folders(created_parents);
     fail_to_write(target, error.code());
   }
-}
-
-void ResultsFolder::claim_place()
-{
-  const std::string prefix = "." + target.filename().string() + ".partial-";
-  remove_leftovers(target, prefix);
-  partial = target.parent_path() / (prefix + unique_suffix());
-  create_new_folder(partial);
   clean_up_on_interruption([this] { remove_partial(); });
   claim = FolderClaim(partial);
   try
   {
-    record();
+    // A killed process leaves nothing that the next one has to take for a user's.
+    write_manifest(partial);
   }
   catch (...)
   {
@@ -120,6 +126,8 @@ void ResultsFolder::claim_place()
 
 ResultsFolder::~ResultsFolder()
 {
+  if (!is_first_rank())
+    return;
   const auto lock = postpone_interruption();
   clean_up_on_interruption({});
   if (!published)
@@ -132,16 +140,6 @@ void ResultsFolder::remove_partial() noexcept
   remove_empty_folders(created_parents);
 }
 
-std::vector<std::string> ResultsFolder::contents() const
-{
-  return names_in(partial);
-}
-
-void ResultsFolder::record()
-{
-  write_manifest(partial);
-}
-
 void ResultsFolder::publish()
 {
   const auto lock = postpone_interruption();
@@ -149,7 +147,7 @@ void ResultsFolder::publish()
   replaced += ".replaced";
   try
   {
-    record();
+    write_manifest(partial);
     require_replaceable(target);
     const bool replaces = fs::exists(target);
     if (replaces)

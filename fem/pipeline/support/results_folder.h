@@ -14,7 +14,8 @@ namespace stemware::pipeline
 /// manifest.json with the size and check sum that they have (manifest.h).
 void require_replaceable(const std::filesystem::path &target);
 
-/// A folder of results that appears under its name whole or not at all.
+/// A folder of results that appears under its name whole or not at all. All ranks make one together; the
+/// first one owns it.
 ///
 /// Everything is written into a new hidden folder beside it, ".<name>.partial-<pid>-<random digits>", which
 /// publish() renames. Until then it goes away with the object, and on interruption; only SIGKILL can leave it
@@ -23,31 +24,24 @@ void require_replaceable(const std::filesystem::path &target);
 class ResultsFolder
 {
 public:
-  /// Claims the place before any long work. Throws OutputFailure, with one sentence, when @p target is not
-  /// replaceable or cannot be written.
+  /// Claims the place before any long work. Throws OutputFailure on every rank, with one sentence, when @p
+  /// target is not replaceable or cannot be written.
   explicit ResultsFolder(const std::filesystem::path &target);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder &) = delete;
   ResultsFolder &operator=(const ResultsFolder &) = delete;
 
-  /// Where the results are written for now.
+  /// Where the results are written for now; the same on every rank.
   const std::filesystem::path &working_folder() const { return partial; }
 
   /// Where they will be.
   const std::filesystem::path &final_folder() const { return target; }
 
-  /// Whether the results have their name, and the working folder is gone.
-  bool is_published() const { return published; }
-
   /// Names of what is in the working folder, sorted, the manifest among them; to be listed in summary.json.
-  std::vector<std::string> contents() const;
+  std::vector<std::string> contents() const { return names_in(partial); }
 
-  /// Lists what has been written so far in the manifest, so that a killed process leaves nothing that the
-  /// next one has to take for a user's.
-  void record();
-
-  /// Gives the folder its name. Throws OutputFailure when that fails, or when the target is no longer
-  /// replaceable; the older results are then still there.
+  /// Gives the folder its name; on the first rank only. Throws OutputFailure when that fails, or when the
+  /// target is no longer replaceable; the older results are then still there.
   void publish();
 
 private:

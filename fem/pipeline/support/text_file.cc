@@ -2,13 +2,12 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/folders.h"
-#include "fem/pipeline/support/numbers.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <iomanip>
+#include <fstream>
 #include <sstream>
 #include <unistd.h>
 
@@ -25,20 +24,12 @@ int open_file(const std::filesystem::path &file, bool is_new)
   return ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (is_new ? O_EXCL : O_TRUNC), 0666);
 }
 
-/// Whether every byte has been taken by the disk; errno says why not.
-bool write_all(int descriptor, const std::string &text)
+/// write_all() to a file that was just opened, which is closed.
+bool write_and_close(int descriptor, const std::string &text)
 {
   if (descriptor < 0)
     return false;
-  bool is_written = true;
-  for (std::size_t n_written = 0; is_written && n_written < text.size();)
-  {
-    const auto n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
-    if (n >= 0)
-      n_written += static_cast<std::size_t>(n);
-    else
-      is_written = errno == EINTR;
-  }
+  const bool is_written = write_all(descriptor, text);
   const int error = errno;
   const bool is_closed = ::close(descriptor) == 0;
   if (!is_written)
@@ -48,13 +39,25 @@ bool write_all(int descriptor, const std::string &text)
 
 } // namespace
 
+bool write_all(int descriptor, const std::string &text)
+{
+  for (std::size_t n_written = 0; n_written < text.size();)
+  {
+    const auto n = ::write(descriptor, text.data() + n_written, text.size() - n_written);
+    if (n >= 0)
+      n_written += static_cast<std::size_t>(n);
+    else if (errno != EINTR)
+      return false;
+  }
+  return true;
+}
+
 void write_text_file(const std::filesystem::path &file, const std::string &text)
 {
-  if (!write_all(open_file(file, false), text))
-    throw OutputFailure(fmt::format(
-      FMT_STRING("The file {} of the results cannot be written ({}); make room, or choose another "
-                 "folder with --output."),
-      file.filename().string(), std::strerror(errno)));
+  if (!write_and_close(open_file(file, false), text))
+    throw OutputFailure(fmt::format(FMT_STRING("The file {} of the results cannot be written ({}); make "
+                                               "room, or choose another folder with --output."),
+                                    file.filename().string(), std::strerror(errno)));
 }
 
 void replace_text_file(const std::filesystem::path &file, const std::string &text)
@@ -70,7 +73,7 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   if (descriptor < 0)
     refuse(std::strerror(errno));
   std::error_code error;
-  if (!write_all(descriptor, text))
+  if (!write_and_close(descriptor, text))
     error = std::error_code(errno, std::generic_category());
   else
     std::filesystem::rename(partial, file, error);
@@ -81,19 +84,11 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   refuse(error.message());
 }
 
-std::string data_table(const std::string &title, const std::vector<DataColumn> &columns)
+std::string read_text_file(const std::filesystem::path &file)
 {
+  std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  text << "# " << title << '\n';
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    text << "# " << c + 1 << ": " << columns[c].name << " (" << columns[c].unit << ")\n";
-  for (std::size_t row = 0; row < columns.front().values.size(); ++row)
-  {
-    for (const DataColumn &column : columns)
-      text << std::setw(24) << to_text(column.values.at(row)) << ' ';
-    text.seekp(-1, std::ios::cur);
-    text << '\n';
-  }
+  text << stream.rdbuf();
   return text.str();
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -15,16 +14,10 @@ void write_text_file(const std::filesystem::path &file, const std::string &text)
 /// complete, and replaces an older one. Throws OutputFailure with one sentence.
 void replace_text_file(const std::filesystem::path &file, const std::string &text);
 
-/// One column of numbers, all columns of a table being equally long.
-struct DataColumn
-{
-  std::string name;
-  std::string unit; ///< "1" for pure numbers
-  std::vector<double> values;
-};
+/// Whether the disk has taken every byte of @p text for the open file @p descriptor; errno says why not.
+bool write_all(int descriptor, const std::string &text);
 
-/// A table for eye, gnuplot and numpy: "# title", one line "# 1: name (unit)" per column, then aligned rows
-/// of full-precision numbers.
-std::string data_table(const std::string &title, const std::vector<DataColumn> &columns);
+/// All bytes of a file; nothing of one that cannot be read.
+std::string read_text_file(const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

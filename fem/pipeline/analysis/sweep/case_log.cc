@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/sweep/case_log.h"
 
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,10 +27,10 @@ constexpr char no_message[] = "\"message\":\"\",";
 
 [[noreturn]] void fail_to_keep(const fs::path &file)
 {
-  throw OutputFailure(
-    fmt::format(FMT_STRING("The finished cases cannot be kept in {} ({}); make room, or choose "
-                           "another folder with --output."),
-                file.string(), std::strerror(errno)));
+  throw OutputFailure(fmt::format(
+    FMT_STRING(
+      "The finished cases cannot be kept in {} ({}); make room, or choose another folder with --output."),
+    file.string(), std::strerror(errno)));
 }
 
 std::string line_of(std::size_t index, const CaseResult &result)
@@ -81,15 +82,8 @@ CaseLog::~CaseLog()
 
 void CaseLog::append(std::size_t index, const CaseResult &result)
 {
-  const std::string line = line_of(index, result);
-  for (std::size_t n_written = 0; n_written < line.size();)
-  {
-    const auto n = ::write(descriptor, line.data() + n_written, line.size() - n_written);
-    if (n >= 0)
-      n_written += static_cast<std::size_t>(n);
-    else if (errno != EINTR)
-      fail_to_keep(file);
-  }
+  if (!write_all(descriptor, line_of(index, result)))
+    fail_to_keep(file);
   const auto now = std::chrono::steady_clock::now();
   if (now - last_sync < std::chrono::seconds(1))
     return;
@@ -125,13 +119,16 @@ FinishedCases recover_cases(const fs::path &log)
 
 const CaseCount &LogCounter::count()
 {
-  std::ifstream stream(log, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(n_bytes));
-  for (std::string line; std::getline(stream, line) && !stream.eof();) // the last line has its end already
+  for (auto &[log, n_read] : n_bytes)
   {
-    n_bytes += line.size() + 1;
-    ++cases.n_finished;
-    cases.n_failed += line.find(no_message) == std::string::npos ? 1 : 0;
+    std::ifstream stream(log, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(n_read));
+    for (std::string line; std::getline(stream, line) && !stream.eof();) // the last line has its end already
+    {
+      n_read += line.size() + 1;
+      ++cases.n_finished;
+      cases.n_failed += line.find(no_message) == std::string::npos ? 1 : 0;
+    }
   }
   return cases;
 }

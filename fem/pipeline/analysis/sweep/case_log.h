@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace stemware::pipeline
 {
@@ -46,21 +47,21 @@ struct CaseCount
   std::size_t n_failed = 0;
 };
 
-/// Counts the cases of a log that grows, of which only what is new is read each time. The log need not be
+/// Counts the cases of logs that grow, of which only what is new is read each time. The logs need not be
 /// there yet.
 class LogCounter
 {
 public:
-  explicit LogCounter(std::filesystem::path log)
-      : log(std::move(log))
+  explicit LogCounter(const std::set<std::filesystem::path> &logs)
   {
+    for (const std::filesystem::path &log : logs)
+      n_bytes[log] = 0;
   }
 
   const CaseCount &count();
 
 private:
-  std::filesystem::path log;
-  std::uintmax_t n_bytes = 0; ///< of whole lines
+  std::map<std::filesystem::path, std::uintmax_t> n_bytes; ///< of whole lines, by log
   CaseCount cases;
 };
 

@@ -14,39 +14,35 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The result of a case that has failed with the exception that is being handled.
-CaseResult failed_case()
+/// One case, whatever becomes of it: trouble with it ends up in the result's message. With @p ranks_wait,
+/// throws what perhaps this rank alone has met, for which the others would wait.
+CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceCache &cache,
+                        bool ranks_wait)
 {
   CaseResult result;
-  result.message = failure_sentence();
   try
   {
-    throw;
+    return solve_case(plan.study_of(index), cache);
   }
   catch (const fem::ContactFailure &failure)
   {
     result.outcome = fem::to_string(failure.outcome);
+    result.message = failure_sentence();
+  }
+  catch (const BadInput &)
+  {
+    result.message = failure_sentence();
   }
   catch (...)
   {
-    // The message says what it was; there is no contact to speak of.
+    if (ranks_wait)
+      throw;
+    result.message = failure_sentence();
   }
   return result;
 }
 
 } // namespace
-
-CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceCache &cache)
-{
-  try
-  {
-    return solve_case(plan.study_of(index), cache);
-  }
-  catch (...)
-  {
-    return failed_case();
-  }
-}
 
 bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
 {
@@ -79,7 +75,7 @@ void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &ind
   };
   watch();
   parallel_for_each(indices.size(), n_threads,
-                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], cache)); });
+                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], cache, false)); });
   watch();
 }
 
@@ -90,31 +86,8 @@ void solve_together(const SweepPlan &plan, const std::vector<std::size_t> &indic
   for (const std::size_t index : indices)
   {
     watch();
-    CaseResult result;
-    try
-    {
-      result = solve_case(plan.study_of(index), cache);
-    }
-    catch (const BadInput &)
-    {
-      result = failed_case();
-    }
-    catch (const fem::ContactFailure &)
-    {
-      result = failed_case();
-    }
-    catch (...)
-    {
-      if (n_ranks() > 1)
-        throw; // perhaps of this rank only, for which the others would wait
-      result = failed_case();
-    }
-    on_first_rank(
-      [&]
-      {
-        log.append(index, result);
-        return std::string();
-      });
+    const CaseResult result = attempt_case(plan, index, cache, n_ranks() > 1);
+    on_first_rank([&] { log.append(index, result); });
   }
   watch();
 }

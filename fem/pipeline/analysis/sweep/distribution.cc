@@ -19,10 +19,9 @@ namespace
 
 [[noreturn]] void refuse_distribution(const std::string &text, const std::string &trouble)
 {
-  throw BadInput(
-    "--random \"" + text + "\" " + trouble +
-    "; write \"Section/Entry=mean+-deviation\", \"=mean+-10%\", \"=median*/factor\", \"=least..most\" or "
-    "\"=least..most:log\".");
+  throw BadInput("--random \"" + text + "\" " + trouble +
+                 "; write \"Section/Entry=mean+-deviation\", \"=mean+-10%\", \"=median*/factor\", "
+                 "\"=least..most\" or \"=least..most:log\".");
 }
 
 /// The two numbers on either side of a mark, the second one perhaps with a tail.

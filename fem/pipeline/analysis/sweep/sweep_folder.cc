@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <unistd.h>
 
 namespace stemware::pipeline
@@ -28,14 +26,6 @@ constexpr char what_it_is[] = "finished cases of stemware sweep";
 fs::path folder_beside(const fs::path &results)
 {
   return results.parent_path() / ("." + results.filename().string() + ".sweep");
-}
-
-std::string content_of(const fs::path &file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 /// cases-0.jsonl, cases-1.jsonl, ...
@@ -120,30 +110,28 @@ void SweepFolder::take()
     created.insert(created.begin(), folder);
   }
   if (!is_plain_folder(folder))
-    throw OutputFailure(fmt::format(
-      FMT_STRING(
-        "{}, where a sweep keeps its finished cases, is not a folder of its own but a link or a file; "
-        "move it away, or choose another folder with --output."),
-      folder.string()));
+    throw OutputFailure(
+      fmt::format(FMT_STRING("{}, where a sweep keeps its finished cases, is not a folder of its own but a "
+                             "link or a file; move it away, or choose another folder with --output."),
+                  folder.string()));
   claim = FolderClaim(folder);
   if (!claim.held())
-    throw OutputFailure(
-      fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, or "
-                             "choose another folder with --output."),
-                  results.string()));
+    throw OutputFailure(fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, "
+                                               "or choose another folder with --output."),
+                                    results.string()));
 }
 
 void SweepFolder::require_own() const
 {
   const Json plan =
-    Json::parse(is_plain_file(folder / plan_name) ? content_of(folder / plan_name) : "", nullptr, false);
+    Json::parse(is_plain_file(folder / plan_name) ? read_text_file(folder / plan_name) : "", nullptr, false);
   const bool has_plan = plan.is_object() && plan.value("what", "") == what_it_is;
   for (const std::string &name : names_in(folder))
     if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
-      throw OutputFailure(fmt::format(
-        FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is not one of its "
-                   "files; move it away, or choose another folder with --output."),
-        folder.string(), name));
+      throw OutputFailure(
+        fmt::format(FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is "
+                               "not one of its files; move it away, or choose another folder with --output."),
+                    folder.string(), name));
 }
 
 void SweepFolder::adopt(const Json &identity, bool restart)
@@ -152,7 +140,7 @@ void SweepFolder::adopt(const Json &identity, bool restart)
   Json marked = { { "what", what_it_is } };
   marked.update(identity);
   const std::string wanted = marked.dump(1) + "\n";
-  const std::string kept = content_of(plan);
+  const std::string kept = read_text_file(plan);
   if (!restart && kept == wanted)
     return;
   const std::size_t n_finished = restart ? 0 : finished_cases().size();
@@ -178,24 +166,12 @@ FinishedCases SweepFolder::finished_cases() const
   return all;
 }
 
-std::vector<LogCounter> SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
+LogCounter SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
 {
   std::set<fs::path> files = logs_that_are_in(path);
   for (unsigned int rank = 0; rank < n_ranks; ++rank)
     files.insert(log_of(path, rank));
-  return std::vector<LogCounter>(files.begin(), files.end());
-}
-
-CaseCount SweepFolder::count(std::vector<LogCounter> &logs)
-{
-  CaseCount total;
-  for (LogCounter &log : logs)
-  {
-    const CaseCount &cases = log.count();
-    total.n_finished += cases.n_finished;
-    total.n_failed += cases.n_failed;
-  }
-  return total;
+  return LogCounter(files);
 }
 
 void SweepFolder::remove() noexcept

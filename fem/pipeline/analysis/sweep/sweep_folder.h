@@ -31,11 +31,8 @@ public:
   /// The log of one rank in the folder @p path.
   static std::filesystem::path log_of(const std::filesystem::path &path, unsigned int rank);
 
-  /// Counters for the logs in that folder, and for those that @p n_ranks ranks will write.
-  static std::vector<LogCounter> logs_in(const std::filesystem::path &path, unsigned int n_ranks);
-
-  /// What is logged at the moment.
-  static CaseCount count(std::vector<LogCounter> &logs);
+  /// A counter for the logs in that folder, and for those that @p n_ranks ranks will write.
+  static LogCounter logs_in(const std::filesystem::path &path, unsigned int n_ranks);
 
   /// What all ranks have finished so far.
   FinishedCases finished_cases() const;

@@ -3,15 +3,14 @@
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/manifest.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/program.h"
-
-#include <boost/crc.hpp>
+#include "fem/pipeline/support/text_file.h"
 
 #include <algorithm>
 #include <fstream>
 #include <set>
-#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -110,15 +109,10 @@ Json spread_as_json(const Spread &spread)
 /// Size and check sum of a file; null for one that cannot be read.
 Json digest(const std::string &file)
 {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (!stream)
+  if (!std::ifstream(file))
     return nullptr;
-  const std::string bytes = content.str();
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return { { "bytes", bytes.size() }, { "crc32", crc.checksum() } };
+  const std::string bytes = read_text_file(file);
+  return { { "bytes", bytes.size() }, { "crc64", check_sum(bytes) } };
 }
 
 /// The files that some case reads.

@@ -3,11 +3,9 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
-#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -29,10 +27,9 @@ std::vector<std::string> pieces(const std::string &text, char separator)
 
 [[noreturn]] void refuse_range(const std::string &text, const std::string &trouble)
 {
-  throw BadInput(
-    "--vary \"" + text + "\" " + trouble +
-    "; write \"Section/Entry=first:last:number\", the same with :log at its end for equal factors, or a "
-    "list \"Section/Entry=a,b,c\".");
+  throw BadInput("--vary \"" + text + "\" " + trouble +
+                 "; write \"Section/Entry=first:last:number\", the same with :log at its end for equal "
+                 "factors, or a list \"Section/Entry=a,b,c\".");
 }
 
 /// The values of first:last:number or first:last:number:log.
@@ -70,8 +67,7 @@ std::pair<std::string, std::string> split_assignment(const std::string &option, 
   const auto equal_sign = text.find('=');
   if (equal_sign == std::string::npos || text.find('/') > equal_sign)
     throw BadInput(option + " \"" + text +
-                   "\" is not of the form \"Section/Entry=...\"; `stemware sweep --help` shows "
-                   "examples.");
+                   "\" is not of the form \"Section/Entry=...\"; `stemware sweep --help` shows examples.");
   return { boost::trim_copy(text.substr(0, equal_sign)), boost::trim_copy(text.substr(equal_sign + 1)) };
 }
 

@@ -12,13 +12,6 @@ namespace
 
 constexpr std::size_t margin = 2; ///< blanks before each column
 
-/// Columns on the screen: the bytes that begin a character of UTF-8.
-std::size_t width_of(const std::string &text)
-{
-  return static_cast<std::size_t>(
-    std::count_if(text.begin(), text.end(), [](char letter) { return (letter & 0xC0) != 0x80; }));
-}
-
 /// The label of a column and its unit, in lines.
 std::vector<std::string> header_of(const Quantity &quantity)
 {

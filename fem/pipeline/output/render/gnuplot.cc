@@ -8,7 +8,6 @@
 
 #include <array>
 #include <fstream>
-#include <memory>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -59,13 +58,13 @@ void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 }
 
 /// A gnuplot that draws some plots one after the other; a user's own start-up files have no say.
-std::unique_ptr<ChildProcess> start_drawing(const std::string &gnuplot, const std::string &format,
-                                            const std::vector<Plot> &plots, const fs::path &folder)
+std::vector<std::string> drawing(const std::string &gnuplot, const std::string &format,
+                                 const std::vector<Plot> &plots)
 {
   std::vector<std::string> command = { gnuplot, "-d", "-e", "format = \"" + format + "\"" };
   for (const Plot &plot : plots)
     command.push_back(plot_file(plot, "gp").string());
-  return std::make_unique<ChildProcess>(command, folder);
+  return command;
 }
 
 /// Draws one plot in one format, alone. Returns what gnuplot says when it fails; what it has drawn by then
@@ -73,7 +72,7 @@ std::unique_ptr<ChildProcess> start_drawing(const std::string &gnuplot, const st
 std::string draw_alone(const std::string &gnuplot, const std::string &format, const Plot &plot,
                        const fs::path &folder)
 {
-  const ChildProcess::Ended ended = start_drawing(gnuplot, format, { plot }, folder)->wait();
+  const EndedProgram ended = run_programs({ drawing(gnuplot, format, { plot }) }, folder).front();
   if (ended.exit_status == 0)
     return "";
   fs::remove(folder / plot_file(plot, format));
@@ -134,12 +133,13 @@ std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)
     return missing_plotter();
   if (plots.empty())
     return "";
-  std::array<std::unique_ptr<ChildProcess>, formats.size()> processes;
-  for (std::size_t f = 0; f < formats.size(); ++f)
-    processes[f] = start_drawing(gnuplot->string(), formats[f], plots, folder);
+  std::vector<std::vector<std::string>> commands;
+  for (const char *format : formats)
+    commands.push_back(drawing(gnuplot->string(), format, plots));
+  const std::vector<EndedProgram> ended = run_programs(commands, folder);
   std::string trouble;
   for (std::size_t f = 0; f < formats.size(); ++f)
-    if (processes[f]->wait().exit_status != 0)
+    if (ended[f].exit_status != 0)
       for (const Plot &plot : plots) // gnuplot stops at the first that fails
         trouble += draw_alone(gnuplot->string(), formats[f], plot, folder);
   for (const Plot &plot : plots)

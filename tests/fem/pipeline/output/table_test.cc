@@ -62,6 +62,19 @@ TEST(Table, OnTheConsole)
 )");
 }
 
+TEST(Table, ConsoleCountsLettersNotBytes)
+{
+  EXPECT_EQ(console_table({ "",
+                            { column(Quantity("", "", "1", "", "τ"), std::vector<int>{ 1 }),
+                              column(Quantity("", "", "1", "", "ω"), std::vector<int>{ 10 }) } }),
+            "  τ   ω\n  1  10\n");
+}
+
+TEST(Table, CsvQuotesLineEnds)
+{
+  EXPECT_EQ(csv_table(words("", { "a", "b" }, { { "two\nlines", "" } })), "a,b\r\n\"two\nlines\",\r\n");
+}
+
 TEST(Table, TooWideForTheConsoleGoesOnBelow)
 {
   Table table = { "", { column(Quantity("", "", "1", "", "n"), std::vector<int>{ 1 }) } };

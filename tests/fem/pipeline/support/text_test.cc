@@ -3,41 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 namespace stemware::pipeline
 {
-
-TEST(Text, TableAlignsNumbersRightAndWordsLeft)
-{
-  EXPECT_EQ(text_table({ { "load", { "ring", "elastic foot" }, true },
-                         { "terminal spin\n(rad/s)", { "-3.1", "no spin" } } }),
-            "                terminal spin\n"
-            "  load                (rad/s)\n"
-            "  ring                   -3.1\n"
-            "  elastic foot        no spin\n");
-}
-
-TEST(Text, TableCountsLettersNotBytes)
-{
-  EXPECT_EQ(text_table({ { "τ", { "1" } }, { "ω", { "10" } } }), "  τ   ω\n  1  10\n");
-}
-
-TEST(Text, TooManyColumnsFollowBelowBesideTheFirst)
-{
-  const std::string wide(40, '7');
-  const std::string table =
-    text_table({ { "n", { "1" } }, { "a", { wide } }, { "b", { wide } }, { "c", { wide } } });
-  std::istringstream lines(table);
-  std::vector<std::string> starts;
-  for (std::string line; std::getline(lines, line);)
-  {
-    EXPECT_LE(line.size(), console_width);
-    starts.push_back(line.substr(0, 3));
-  }
-  EXPECT_EQ(starts, (std::vector<std::string>{ "  n", "  1", "", "  n", "  1" }));
-  EXPECT_EQ(std::count(table.begin(), table.end(), '7'), 120);
-}
 
 TEST(Text, WrapsAtTheConsolesWidth)
 {
@@ -46,14 +13,6 @@ TEST(Text, WrapsAtTheConsolesWidth)
   EXPECT_EQ(wrapped(word + " " + word + "xx"), word + "\n" + word + "xx");
   EXPECT_EQ(wrapped(word + " " + word, "Remark  "), "Remark  " + word + "\n        " + word);
   EXPECT_EQ(wrapped(""), "");
-}
-
-TEST(Text, CsvQuotesWhatNeedsIt)
-{
-  EXPECT_EQ(csv_record({ "a", "b, c", "say \"d\"", "two\nlines", "" }),
-            "a,\"b, c\",\"say \"\"d\"\"\",\"two\nlines\",\r\n");
-  EXPECT_EQ(column_title("spin", "rad/s"), "spin (rad/s)");
-  EXPECT_EQ(column_title("outcome", ""), "outcome");
 }
 
 TEST(Text, LikeliestWordIsTheClosest)

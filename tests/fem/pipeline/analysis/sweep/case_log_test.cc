@@ -99,7 +99,7 @@ TEST(CaseLog, WhatAPowerCutLeavesIsCutOff)
 TEST(CaseLog, CasesAreCountedAsTheyCome)
 {
   const ScratchFolder scratch;
-  LogCounter counter(scratch / "cases.jsonl");
+  LogCounter counter({ scratch / "cases.jsonl" });
   EXPECT_EQ(counter.count().n_finished, 0u);
   CaseLog log(scratch / "cases.jsonl");
   log.append(0, solved(1));
