@@ -35,7 +35,11 @@ inline const Quantity spin_up_deviation("spin_up_deviation",
 inline const Quantity spin_up_deviation_at_end("spin_up_deviation_at_end", "deviation of omega(t) at the end",
                                                "rad/s", "at the end", "", scientific_or_zero<2>);
 /// The torque at the spin @p omega [rad/s], in a list of such.
-Quantity torque_at(double omega);
+inline Quantity torque_at(double omega)
+{
+  return { "torque[]", "tau_z at omega = " + significant<9>(omega) + " rad/s", "N m",
+           "τ_z at " + significant<6>(omega) + " rad/s", "tau at " + significant<4>(omega) };
+}
 
 // ---- the load on the ring
 inline const Quantity amplitude("amplitude", "amplitude of the highest one over a_0 at rest", "1",

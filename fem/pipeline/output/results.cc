@@ -1,8 +1,8 @@
 #include "fem/pipeline/output/results.h"
 
 #include "fem/pipeline/output/render/table_renderers.h"
-#include "fem/pipeline/support/text_file.h"
 #include "fem/pipeline/support/text.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <sstream>
 

@@ -175,7 +175,7 @@ Table model_table(const Study &study, const ContactReport &report, const SpinStu
                      effect_cell("harmonics", spins.harmonic_effect()) });
   }
   return words("Terminal spin of the same glass in models of increasing detail",
-               { "load", "moment balance", "terminal spin (rad/s)", "effect" }, rows);
+               { "load", "moment balance", heading_with_unit(quantity::omega_terminal), "effect" }, rows);
 }
 
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, 0 beyond those that are

@@ -59,16 +59,8 @@ std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &
 Table drawn_points(const std::string &title, const std::vector<std::vector<fem::PressurePoint>> &cuts,
                    double contact_radius, const PressureUnit &unit)
 {
-  constexpr double overlap = 1.03;
-  Table table = { title, {} };
-  for (const auto &[name, its_unit] : { std::pair("theta", "degrees"),
-                                        { "r - R", "µm" },
-                                        { "pressure", unit.name },
-                                        { "from theta", "degrees" },
-                                        { "to", "degrees" },
-                                        { "from r - R", "µm" },
-                                        { "to", "µm" } })
-    table.columns.push_back(numbers(name, its_unit, {}));
+  constexpr double overlap = 1.03, degree = boost::math::double_constants::degree;
+  std::vector<std::vector<double>> rows;
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
     const double azimuth = cuts[c].front().azimuth;
@@ -80,18 +72,20 @@ Table drawn_points(const std::string &title, const std::vector<std::vector<fem::
       if (!(point.pressure > 0))
         continue;
       const double r = point.radius - contact_radius;
-      const double row[] = { point.azimuth / boost::math::double_constants::degree,
-                             1e6 * r,
-                             point.pressure / unit.pascals,
-                             (azimuth - overlap * before / 2) / boost::math::double_constants::degree,
-                             (azimuth + overlap * after / 2) / boost::math::double_constants::degree,
-                             1e6 * (r - overlap * half_step),
-                             1e6 * (r + overlap * half_step) };
-      for (std::size_t i = 0; i < table.columns.size(); ++i)
-        table.columns[i].cells.push_back(row[i]);
+      rows.push_back({ point.azimuth / degree, 1e6 * r, point.pressure / unit.pascals,
+                       (azimuth - overlap * before / 2) / degree, (azimuth + overlap * after / 2) / degree,
+                       1e6 * (r - overlap * half_step), 1e6 * (r + overlap * half_step) });
     }
   }
-  return table;
+  return number_rows(title,
+                     { { "theta", "degrees" },
+                       { "r - R", "µm" },
+                       { "pressure", unit.name },
+                       { "from theta", "degrees" },
+                       { "to", "degrees" },
+                       { "from r - R", "µm" },
+                       { "to", "µm" } },
+                     rows);
 }
 
 /// What the vertical axis has to show; never less than a micrometre to both sides.
@@ -121,15 +115,11 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
   const std::string caption =
     "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
   const Table points = drawn_points(caption, drawn_cuts(footprint), contact_radius, unit);
-  return { "footprint",
-           caption,
-           "data = \"figures/footprint.dat\"\n" +
-             axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
+  return { "footprint", caption,
+           axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
              axis_commands("y", { "r - R (µm)", false, height_of(points) }) +
              colour_commands(std::string("pressure (") + unit.name + ")", 0, largest / unit.pascals) +
              "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
-           540,
-           360,
            data_table(points) };
 }
 

@@ -14,9 +14,10 @@ struct Plot
 {
   std::string name;    ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
   std::string caption; ///< below the picture, and its name for those who do not see it
-  std::string script;  ///< gnuplot commands without terminal and output; the results folder is where they run
-  double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
+  std::string
+    script; ///< gnuplot commands without terminal and output, to which the variable data is the .dat
   std::string data = "";            ///< content of figures/<name>.dat; empty: no such file is written
+  double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
 };
 
 /// A file of the results to which a report links.
