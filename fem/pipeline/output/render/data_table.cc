@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
 #include <cmath>
 
@@ -21,16 +22,6 @@ std::string exact(const Cell &cell, const std::string &missing)
   if (const auto *text = std::get_if<std::string>(&cell))
     return *text;
   return missing;
-}
-
-std::string csv_field(const std::string &text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
 }
 
 } // namespace
@@ -60,14 +51,17 @@ std::string data_tables(const std::vector<Table> &tables)
 
 std::string csv_table(const Table &table)
 {
-  std::string text;
-  const auto add = [&](std::size_t c, const std::string &field)
-  { text += csv_field(field) + (c + 1 < table.columns.size() ? "," : "\r\n"); };
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    add(c, with_unit(table.columns[c].quantity.name, table.columns[c].quantity.unit));
+  std::vector<std::string> header;
+  for (const Column &column : table.columns)
+    header.push_back(with_unit(column.quantity.name, column.quantity.unit));
+  std::string text = csv_record(header);
   for (std::size_t row = 0; row < table.n_rows(); ++row)
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      add(c, exact(table.columns[c].cells.at(row), ""));
+  {
+    std::vector<std::string> fields;
+    for (const Column &column : table.columns)
+      fields.push_back(exact(column.cells.at(row), ""));
+    text += csv_record(fields);
+  }
   return text;
 }
 
