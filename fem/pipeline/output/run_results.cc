@@ -21,12 +21,12 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr char truncation_title_of_tables[] = "The answer with the load cut off after some harmonics";
 /// Terminal spin and torque by the number of harmonics.
-Table truncation_table(const SpinStudy &spin)
+Table truncation_table(const SpinStudy &spin,
+                       const std::string &title = "The answer with the load cut off after some harmonics")
 {
   return spin_table(spin.rows).with(
-    "", "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
+    title, "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
 }
 
 /// A first-harmonic load under each moment balance.
@@ -46,7 +46,6 @@ Table closure_table(const SpinStudy &spin)
 
 // ---- summary.json
 
-/// "closures": by name.
 Json closure_summary(const SpinStudy &spin)
 {
   Table table =
@@ -240,14 +239,12 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
 
 ReportSection truncation_section(const SpinStudy &spin)
 {
-  Table truncations = truncation_table(spin);
-  truncations.title = truncation_title_of_tables;
   return { "Fewer harmonics",
            "The torque at rest is that of the first harmonic. The terminal spin is that of the ring under "
            "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
            "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
            { truncation_plot(spin.rows) },
-           { truncations } };
+           { truncation_table(spin) } };
 }
 
 ReportSection closure_section(const SpinStudy &spin)
@@ -276,7 +273,6 @@ ReportSection contact_section(const Study &study, const FootReport &foot)
 std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &spin)
 {
   Table truncations = truncation_table(spin);
-  truncations.title = truncation_title_of_tables;
   truncations["relative_change"].name += ", nan where that is 0";
   std::vector<ResultFile> files = {
     { "summary.json", "all numbers, for programs" },
@@ -308,10 +304,11 @@ std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &s
 Report report_of(const Study &study, const ContactReport &contact, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files)
 {
-  Report report = { title(study), run_answer(study, contact, spin, bands), {} };
-  ReportSection models = { "What changes the spin" };
-  models.tables = { model_table(study, contact, spin) };
-  report.sections = { models, load_section(contact.load, bands), spin_section(study, contact, spin) };
+  Report report = { title(study),
+                    run_answer(study, contact, spin, bands),
+                    { { "What changes the spin", "", {}, { model_table(study, contact, spin) } },
+                      load_section(contact.load, bands),
+                      spin_section(study, contact, spin) } };
   if (contact.load.rings.n_harmonics() > 1)
     report.sections.push_back(truncation_section(spin));
   report.sections.push_back(closure_section(spin));
@@ -334,7 +331,7 @@ Results run_results(const Study &study, const ContactReport &report, const SpinS
   results.console = { { joined({ results.report.answer, lift_off_remark(report.load),
                                  narrow_contact_remark(study, report.foot),
                                  waviness_remark(study, spin.phases) }) },
-                      { "", truncation_table(spin) } };
+                      { "", truncation_table(spin, "") } };
   results.findings = findings_of(study, report, spin, bands);
   if (report.foot)
     results.fields = report.foot->fields;
