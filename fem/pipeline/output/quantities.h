@@ -84,12 +84,12 @@ inline const Quantity lambda_first("", "lambda, first harmonic", "N/rad");
 inline const Quantity lambda("", "lambda", "N/rad");
 inline const Quantity load_over_mean("", "lambda / a_0");
 inline const Quantity under_load("", "1 under load, nan elsewhere");
-inline const Quantity omega("", "omega", "rad/s");
+inline const Quantity omega("", "omega", "rad/s", "spin ω");
 inline const Quantity slip_ratio("", "slip ratio omega R / v");
 inline const Quantity tau_z("torque", "tau_z, all harmonics", "N m", "τ_z");
 inline const Quantity force_x("force[]", "T_x", "N", "T_x");
 inline const Quantity force_y("force[]", "T_y", "N", "T_y");
-inline const Quantity time("", "time", "s");
+inline const Quantity time("", "time", "s", "time");
 inline const Quantity omega_adaptive("", "omega, adaptive", "rad/s");
 inline const Quantity omega_euler("", "omega, forward Euler", "rad/s");
 inline const Quantity omega_first("", "omega, first harmonic alone, adaptive", "rad/s");
@@ -157,5 +157,15 @@ inline const Quantity regression("regression", "regression", "1", "standardised 
                                  fixed<3>);
 inline const Quantity first_order("first_order", "first-order share", "1",
                                   "first-order share of the variance", "", fixed<3>);
+
+// ---- axes of plots that are of no column, or in other units
+namespace axis
+{
+inline constexpr char azimuth[] = "θ from the direction of travel (degrees)";
+inline constexpr char distance_to_rim[] = "r - R (µm)";
+inline constexpr char torque[] = "torque τ_z (mN m)";
+inline constexpr char time[] = "t (s)";
+inline constexpr char deviation[] = "|ω_n - ω_all| (rad/s)";
+} // namespace axis
 
 } // namespace stemware::pipeline::quantity

@@ -231,9 +231,9 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
   return { "Torque and spin",
            text + ".",
            { torque_plot(spin.torque, spin.rows),
-             spin_up_plot(curves.time, { { "all harmonics", curves.adaptive },
-                                         { "first harmonic", curves.first_harmonic },
-                                         { "the paper's model", curves.paper } }) },
+             spin_up_plot({ { "all harmonics", curves.time, curves.adaptive },
+                            { "first harmonic", curves.time, curves.first_harmonic },
+                            { "the paper's model", curves.time, curves.paper } }) },
            { friction_table(study, report, all) } };
 }
 

@@ -107,14 +107,16 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study)
 // ---- report
 
 /// Spin-ups with 1, 2, 3 and all harmonics, in the colours of torque_plot(), and the paper's.
-std::vector<SpinUp> shown_spin_ups(const TruncationTable &table, const std::vector<double> &paper)
+std::vector<Curve> shown_spin_ups(const TruncationStudy &study, const TruncationTable &table)
 {
+  const auto curve = [&](const std::string &title, const std::vector<double> &omega, unsigned int line_type)
+  { return Curve{ title, study.time, omega, CurveStyle::line, {}, line_type }; };
   const unsigned int n_all = table.all().harmonics;
-  std::vector<SpinUp> curves = { { truncation_title(n_all, n_all), table.all().spin_up, 1 } };
+  std::vector<Curve> curves = { curve(truncation_title(n_all, n_all), table.all().spin_up, 1) };
   for (const SpinRow &row : table.rows)
     if (row.harmonics <= 3 && row.harmonics < n_all && !row.spin_up.empty())
-      curves.push_back({ truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1 });
-  curves.push_back({ "the paper's model", paper, 7 });
+      curves.push_back(curve(truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1));
+  curves.push_back(curve("the paper's model", study.paper, 7));
   return curves;
 }
 
@@ -133,7 +135,7 @@ ReportSection table_section(const std::string &text, const TruncationStudy &stud
 {
   ReportSection section = { way.heading, text + reasons(way.table) };
   section.plots = { torque_plot(way.table.torque, way.table.rows, "torque" + way.suffix),
-                    spin_up_plot(study.time, shown_spin_ups(way.table, study.paper), "spin_up" + way.suffix,
+                    spin_up_plot(shown_spin_ups(study, way.table), "spin_up" + way.suffix,
                                  "Spin-up from rest, n harmonics kept, beside the paper's result.") };
   if (way.table.rows.size() > 1)
     section.plots.push_back(deviation_plot("deviation" + way.suffix, way.how, study.time, way.table));

@@ -17,17 +17,10 @@ namespace
 /// Cuts that are drawn of a footprint with many: a picture needs no more.
 constexpr std::size_t n_drawn_cuts = 72;
 
-/// Largest pressure decides between kPa and MPa.
 struct PressureUnit
 {
-  explicit PressureUnit(double largest)
-      : pascals(largest < 1e6 ? 1e3 : 1e6)
-      , name(largest < 1e6 ? "kPa" : "MPa")
-  {
-  }
-
   double pascals;
-  const char *name;
+  std::string name;
 };
 
 double largest_pressure(const fem::PressureMap &footprint)
@@ -108,7 +101,7 @@ std::pair<double, double> height_of(const Table &points)
 Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
 {
   const double largest = largest_pressure(footprint);
-  const PressureUnit unit(largest);
+  const PressureUnit unit = largest < 1e6 ? PressureUnit{ 1e3, "kPa" } : PressureUnit{ 1e6, "MPa" };
   const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
   const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
                                         : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
@@ -116,9 +109,9 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
     "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
   const Table points = drawn_points(caption, drawn_cuts(footprint), contact_radius, unit);
   return { "footprint", caption,
-           axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
-             axis_commands("y", { "r - R (µm)", false, height_of(points) }) +
-             colour_commands(std::string("pressure (") + unit.name + ")", 0, largest / unit.pascals) +
+           axis_commands("x", { quantity::axis::azimuth, false, std::pair(0., 360.) }) +
+             axis_commands("y", { quantity::axis::distance_to_rim, false, height_of(points) }) +
+             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
              "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
            data_table(points) };
 }

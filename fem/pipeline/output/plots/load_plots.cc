@@ -126,7 +126,7 @@ Plot higher_harmonics_plot(const ring::RingStack &load)
   CurvePlot plot = {
     "higher_harmonics",
     "What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.",
-    { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) },
+    { quantity::axis::azimuth, false, std::pair(0., 360.) },
     { "(λ - λ_1) / a_0" },
     {},
     "set xtics 90; set xzeroaxis lt 8\n"

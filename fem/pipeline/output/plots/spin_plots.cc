@@ -47,8 +47,9 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, con
   CurvePlot plot = { name,
                      "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
                      "vanishes (points).",
-                     { "spin ω (rad/s)", false, std::pair(curve.omega.front(), curve.omega.back()) },
-                     { "torque τ_z (mN m)" },
+                     { heading_with_unit(quantity::omega), false,
+                       std::pair(curve.omega.front(), curve.omega.back()) },
+                     { quantity::axis::torque },
                      {},
                      "set xzeroaxis lt 8\n" };
   std::vector<double> torques;
@@ -70,13 +71,14 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, con
   return curve_plot(plot);
 }
 
-Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinUp> &curves, const std::string &name,
-                  const std::string &caption)
+Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &name, const std::string &caption)
 {
-  CurvePlot plot = { name, caption, { "time (s)" }, { "spin ω (rad/s)" }, {}, "set xzeroaxis lt 8\n" };
-  for (const SpinUp &curve : curves)
-    plot.curves.push_back({ curve.title, time, curve.omega, CurveStyle::line, {}, curve.line_type });
-  return curve_plot(plot);
+  return curve_plot({ name,
+                      caption,
+                      { heading_with_unit(quantity::time) },
+                      { heading_with_unit(quantity::omega) },
+                      curves,
+                      "set xzeroaxis lt 8\n" });
 }
 
 Plot truncation_plot(const std::vector<SpinRow> &rows)
@@ -113,8 +115,8 @@ Plot deviation_plot(const std::string &name, const std::string &how, const std::
 {
   CurvePlot plot = { name,
                      "How far ω(t) is from that of all harmonics, " + how + ".",
-                     { "t (s)" },
-                     { "|ω_n - ω_all| (rad/s)", true },
+                     { quantity::axis::time },
+                     { quantity::axis::deviation, true },
                      {} };
   const SpinRow &all = table.all();
   const double rounding = 1e-10 * std::abs(all.omega_terminal().value());

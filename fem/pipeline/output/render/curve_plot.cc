@@ -52,15 +52,10 @@ std::string tic_commands(const std::string &which, double low, double high)
     return "";
   // The least of 1, 2 and 5 times a power of ten that leaves no more than four steps.
   int power = static_cast<int>(std::floor(std::log10(range / 4)));
-  double step = std::pow(10, power);
-  for (const double factor : { 1., 2., 5., 10. })
-    if (range / (factor * std::pow(10, power)) <= 4)
-    {
-      step = factor * std::pow(10, power);
-      power += factor == 10 ? 1 : 0;
-      break;
-    }
-  std::string commands = "set " + which + "tics " + to_text(step) + "\n";
+  const double steps = range / std::pow(10, power);
+  const int factor = steps <= 4 ? 1 : steps <= 8 ? 2 : steps <= 20 ? 5 : 10;
+  std::string commands = "set " + which + "tics " + to_text(factor * std::pow(10, power)) + "\n";
+  power += factor == 10 ? 1 : 0;
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest >= 1e-3 && largest < 1e6)
     commands += "set format " + which + " \"%." + std::to_string(std::max(0, -power)) + "f\"\n";
