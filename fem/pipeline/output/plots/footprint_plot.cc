@@ -84,12 +84,11 @@ Table drawn_points(const std::string &title, const std::vector<std::vector<fem::
 /// What the vertical axis has to show; never less than a micrometre to both sides.
 std::pair<double, double> height_of(const Table &points)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (std::size_t row = 0; row < points.n_rows(); ++row)
-  {
-    least = std::min(least, std::get<double>(points.columns[5].cells[row]));
-    most = std::max(most, std::get<double>(points.columns[6].cells[row]));
-  }
+  Extent radii;
+  for (const std::size_t bound : { 5, 6 })
+    for (const Cell &cell : points.columns[bound].cells)
+      radii.include(std::get<double>(cell));
+  const auto [least, most] = radii;
   if (least > most)
     return { -1, 1 };
   const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);

@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/plot_script.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -67,14 +68,10 @@ double value_in(const FinishedCases &cases, std::size_t index, const CaseValue &
 /// Whether there is something to see: values, and not all of them the same.
 bool is_worth_drawing(const FinishedCases &cases, const CaseValue &quantity)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Extent values;
   for (const auto &[index, result] : cases)
-    if (const double value = value_in(cases, index, quantity); std::isfinite(value))
-    {
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-  return most - least > 1e-9 * std::max(std::abs(most), std::abs(least));
+    values.include(value_in(cases, index, quantity));
+  return values.most - values.least > 1e-9 * std::max(std::abs(values.most), std::abs(values.least));
 }
 
 /// Numbers of an entry of numbers.
@@ -89,12 +86,6 @@ std::vector<double> numbers_of(const SweptEntry &entry)
 bool is_numeric(const SweptEntry &entry)
 {
   return !entry.unit.empty() && entry.values.size() > 1;
-}
-
-Axis axis_of(const SweptEntry &entry)
-{
-  const std::string name = entry.path.substr(entry.path.find('/') + 1);
-  return { with_unit(name, entry.unit, false), entry.by_factors };
 }
 
 /// The entries as the axis of curves and the one that tells curves apart, by their positions.
@@ -183,6 +174,16 @@ Plot map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &dr
 }
 
 } // namespace
+
+std::string name_of(const SweptEntry &entry)
+{
+  return entry.path.substr(entry.path.find('/') + 1);
+}
+
+Axis axis_of(const SweptEntry &entry)
+{
+  return { with_unit(name_of(entry), entry.unit, false), entry.by_factors };
+}
 
 std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
 {

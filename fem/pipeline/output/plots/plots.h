@@ -62,6 +62,10 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces);
 /// How many cells of a mesh have which scaled Jacobian.
 Plot quality_plot(const std::vector<double> &jacobians);
 
+/// An entry without its section, and as an axis with its unit.
+std::string name_of(const SweptEntry &entry);
+Axis axis_of(const SweptEntry &entry);
+
 /// The plots of a grid: curves over one entry of numbers, one family of curves for each word or each of a
 /// few values of the other, or maps over both. Nothing where both entries are words.
 std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases);

@@ -57,7 +57,7 @@ Plot tornado(const SweepPlan &plan, const std::string &name, const QuantityFindi
   for (std::size_t i = 0; i < plan.entries.size(); ++i)
   {
     const double change = about.sensitivity->regression[i] * about.band->deviation;
-    bars.push_back({ plan.entries[i].path.substr(plan.entries[i].path.find('/') + 1), -change, change });
+    bars.push_back({ name_of(plan.entries[i]), -change, change });
   }
   return tornado_plot(name + "_tornado",
                       "Change of the " + about.quantity().name +
@@ -71,11 +71,10 @@ Plot scatter(const SweepPlan &plan, const FinishedCases &cases, const std::strin
   const std::vector<double> &shares = about.sensitivity->first_order;
   const auto entry =
     static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
-  const SweptEntry &swept = plan.entries[entry];
   return curve_plot(
     { name + "_samples",
       "All samples over the parameter with the largest first-order share: " + about.quantity().name,
-      { with_unit(swept.path.substr(swept.path.find('/') + 1), swept.unit, false), swept.by_factors },
+      axis_of(plan.entries[entry]),
       { label_of(about) },
       { samples(plan, cases, entry, about.index) } });
 }

@@ -135,14 +135,11 @@ std::string tics_of_narrow_axis(const CurvePlot &plot)
   constexpr double share = 0.02; // labels of more than four digits
   if (plot.x.logarithmic || plot.x.range)
     return "";
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  Extent x_axis;
   for (const Curve &curve : plot.curves)
     for (const double x : curve.x)
-    {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-  return high - low < share ? tic_commands("x", low, high) : "";
+      x_axis.include(x);
+  return x_axis.most - x_axis.least < share ? tic_commands("x", x_axis.least, x_axis.most) : "";
 }
 
 /// Instead of a plot without a single point.

@@ -48,14 +48,11 @@ std::string with_grid_lines(const std::string &table, std::size_t n_columns)
 /// The range of colours for what could be computed; a width of its own for a single value.
 std::pair<double, double> colour_range(const ValueMap &map)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Extent colours;
   for (const std::vector<double> &row : map.values)
     for (const double value : row)
-      if (std::isfinite(value))
-      {
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
+      colours.include(value);
+  const auto [least, most] = colours;
   if (least > most)
     return { 0, 1 };
   const double margin = least < most ? 0 : std::max(1e-6 * std::abs(least), 1e-300);
