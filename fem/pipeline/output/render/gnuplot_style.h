@@ -6,7 +6,7 @@ namespace stemware::pipeline
 /// figures/style.gnuplot: what all plots have in common. Colours are those of Okabe and Ito, which people
 /// who see red and green alike can tell apart; line types differ in their dashes too.
 inline constexpr char gnuplot_style[] = R"gp(# What all figures have in common; each of them loads this file.
-# format = "pdf" draws the PDF instead of the SVG; name, width and height are set by the figure, which reads data.
+# format = "pdf" draws the PDF instead of the SVG. The figure sets name, width and height, and reads data.
 reset
 if (!exists("format")) format = "svg"
 set encoding utf8
