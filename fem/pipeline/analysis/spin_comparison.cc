@@ -8,11 +8,6 @@ namespace stemware::pipeline
 namespace
 {
 
-const SpinRow &row_of(const std::vector<SpinRow> &rows, ring::Closure closure)
-{
-  return *std::find_if(rows.begin(), rows.end(), [=](const SpinRow &row) { return row.closure == closure; });
-}
-
 std::optional<double> relative_change(const std::optional<double> &from, const std::optional<double> &to)
 {
   if (!from || !to || *from == 0)
@@ -32,6 +27,18 @@ std::optional<double> SpinComparison::closure_effect() const
   return relative_change(paper_closure, complete_closure);
 }
 
+std::optional<double> relative_effect(const SpinRow *from, const SpinRow *to)
+{
+  return from && to ? relative_change(from->omega_terminal(), to->omega_terminal()) : std::nullopt;
+}
+
+const SpinRow *row_of(const std::vector<SpinRow> &rows, ring::Closure closure)
+{
+  const auto row =
+    std::find_if(rows.begin(), rows.end(), [=](const SpinRow &each) { return each.closure == closure; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
 SpinComparison compare_spins(const Study &study, const SpinStudy &spin)
 {
   SpinComparison spins =
@@ -44,9 +51,9 @@ SpinComparison compare_spins(const Study &study, const SpinStudy &spin)
 SpinComparison compare_spins(const Study &study, const std::vector<SpinRow> &closures, double all_harmonics,
                              double truncated)
 {
-  const SpinRow &paper = row_of(closures, ring::Closure::paper);
-  const SpinRow &full = row_of(closures, ring::Closure::full);
-  const SpinRow &own = row_of(closures, study.motion.closure);
+  const SpinRow &paper = *row_of(closures, ring::Closure::paper);
+  const SpinRow &full = *row_of(closures, ring::Closure::full);
+  const SpinRow &own = *row_of(closures, study.motion.closure);
   SpinComparison spins;
   spins.all_harmonics = all_harmonics;
   spins.first_harmonic = study.load.is_in_balance() && own.terminal ? own.terminal->omega : truncated;

@@ -24,6 +24,13 @@ struct SpinComparison
   std::optional<double> closure_effect() const;
 };
 
+/// The terminal spin of @p to relative to that of @p from, less 1; nothing where one does not exist or the
+/// first is 0.
+std::optional<double> relative_effect(const SpinRow *from, const SpinRow *to);
+
+/// The row of a moment balance; null where there is none.
+const SpinRow *row_of(const std::vector<SpinRow> &rows, ring::Closure closure);
+
 /// For a load in balance with friction at every spin, the first harmonic is in such a balance too; for a
 /// frozen load it is the first harmonic of that load.
 SpinComparison compare_spins(const Study &study, const SpinStudy &spin);

@@ -322,20 +322,6 @@ unsigned int harmonics_enough(const TruncationTable &table, double share)
   return enough;
 }
 
-std::optional<double> relative_effect(const SpinRow *from, const SpinRow *to)
-{
-  if (!from || !to || !from->omega_terminal() || !to->omega_terminal() || *from->omega_terminal() == 0)
-    return std::nullopt;
-  return *to->omega_terminal() / *from->omega_terminal() - 1;
-}
-
-const SpinRow *row_of(const std::vector<SpinRow> &rows, ring::Closure closure)
-{
-  const auto row =
-    std::find_if(rows.begin(), rows.end(), [=](const SpinRow &each) { return each.closure == closure; });
-  return row == rows.end() ? nullptr : &*row;
-}
-
 std::string joined(const std::vector<std::string> &sentences)
 {
   std::string text;

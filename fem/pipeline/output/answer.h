@@ -55,13 +55,6 @@ std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::s
 /// The least number of harmonics from which on the terminal spin stays within @p share of that of all.
 unsigned int harmonics_enough(const TruncationTable &table, double share);
 
-/// The terminal spin of @p to relative to that of @p from, less 1; nothing where one does not exist or the
-/// first is 0.
-std::optional<double> relative_effect(const SpinRow *from, const SpinRow *to);
-
-/// The row of a moment balance; null where there is none.
-const SpinRow *row_of(const std::vector<SpinRow> &rows, ring::Closure closure);
-
 /// The sentences that are not empty, with a blank between them.
 std::string joined(const std::vector<std::string> &sentences);
 

@@ -108,36 +108,38 @@ std::vector<std::size_t> drawn_quantities(const std::vector<BandedQuantity> &qua
 }
 
 /// Relative distances from the limit, without the levels that are at the limit to within rounding.
-ConvergenceSeries series_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
+Curve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
 {
   const QuantitySequence &sequence = result.quantities[i];
   const double scale = std::abs(sequence.judged.limit);
-  ConvergenceSeries series = { quantity.name, {}, {}, {} };
+  Curve curve = { quantity.name, {}, {}, CurveStyle::line_and_points };
+  curve.is_error = true;
   for (std::size_t l = 0; l < sequence.values.size(); ++l)
   {
     const double error = std::abs(sequence.values[l] - sequence.judged.limit);
     if (error <= quantity.rounding || scale <= quantity.rounding)
       continue;
-    series.size.push_back(result.axis.levels[l].size);
-    series.error.push_back(error / scale);
-    series.band.push_back(sequence.judged.bands[l] / scale);
+    curve.add(result.axis.levels[l].size, error / scale);
+    curve.band.push_back(sequence.judged.bands[l] / scale);
   }
-  return series;
+  return curve;
 }
 
 ReportSection axis_section(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   ReportSection section = { "Refinement: " + result.axis.name, "" };
-  std::vector<ConvergenceSeries> series;
+  CurvePlot plot = { "converge_" + result.axis.key,
+                     "Relative distance from the limit; bars reach up to the error band",
+                     { result.axis.size, result.axis.sizes_double },
+                     { "relative error", true },
+                     {} };
   for (const std::size_t i : drawn_quantities(quantities))
-    if (ConvergenceSeries curve = series_of(result, i, quantities[i].quantity); !curve.size.empty())
-      series.push_back(std::move(curve));
-  if (series.empty())
+    if (const Curve curve = errors_of(result, i, quantities[i].quantity); !curve.x.empty())
+      plot.curves.push_back(curve);
+  if (plot.curves.empty())
     section.text = "All levels agree to within the tolerances of the contact solver.";
   else
-    section.plots = { convergence_plot(
-      "converge_" + result.axis.key, "Relative distance from the limit; bars reach up to the error band",
-      { result.axis.size, result.axis.sizes_double }, "relative error", series) };
+    section.plots = { convergence_plot(plot) };
   section.tables = { without_zeros(level_table(result, quantities), quantities) };
   return section;
 }

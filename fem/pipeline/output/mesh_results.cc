@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/plots/plots.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
@@ -151,28 +150,6 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
     remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
                       " m: is the mesh in metres?");
   return remarks;
-}
-
-void require_usable(const MeshFindings &findings)
-{
-  const fem::MeshCheck &check = findings.check;
-  const std::string mesh = "The mesh (" + findings.origin + ")";
-  if (check.n_inverted > 0)
-    throw BadInput(fmt::format(
-      FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, {:.4g}, "
-                 "{:.4g}); mesh that place anew."),
-      mesh, check.n_inverted, check.worst_place[0], check.worst_place[1], check.worst_place[2]));
-  if (check.upward_share > 0)
-    throw BadInput(
-      fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % looks up; turn the mesh so that "
-                             "the glass stands upright on it, z upwards."),
-                  mesh, 100 * check.upward_share));
-  const double offset = std::hypot(check.centre[0], check.centre[1]);
-  if (offset > 0.01 * check.outer_radius)
-    throw BadInput(
-      fmt::format(FMT_STRING("{} has its contact zone round ({:.4g}, {:.4g}) m; move it so that the "
-                             "axis of the glass is x = y = 0."),
-                  mesh, check.centre[0], check.centre[1]));
 }
 
 } // namespace stemware::pipeline

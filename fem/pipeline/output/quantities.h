@@ -35,7 +35,11 @@ inline const Quantity spin_up_deviation("spin_up_deviation",
 inline const Quantity spin_up_deviation_at_end("spin_up_deviation_at_end", "deviation of omega(t) at the end",
                                                "rad/s", "at the end", "", scientific_or_zero<2>);
 /// The torque at the spin @p omega [rad/s], in a list of such.
-Quantity torque_at(double omega);
+inline Quantity torque_at(double omega)
+{
+  return { "torque[]", "tau_z at omega = " + significant<9>(omega) + " rad/s", "N m",
+           "τ_z at " + significant<6>(omega) + " rad/s", "tau at " + significant<4>(omega) };
+}
 
 // ---- the load on the ring
 inline const Quantity amplitude("amplitude", "amplitude of the highest one over a_0 at rest", "1",
@@ -80,12 +84,12 @@ inline const Quantity lambda_first("", "lambda, first harmonic", "N/rad");
 inline const Quantity lambda("", "lambda", "N/rad");
 inline const Quantity load_over_mean("", "lambda / a_0");
 inline const Quantity under_load("", "1 under load, nan elsewhere");
-inline const Quantity omega("", "omega", "rad/s");
+inline const Quantity omega("", "omega", "rad/s", "spin ω");
 inline const Quantity slip_ratio("", "slip ratio omega R / v");
 inline const Quantity tau_z("torque", "tau_z, all harmonics", "N m", "τ_z");
 inline const Quantity force_x("force[]", "T_x", "N", "T_x");
 inline const Quantity force_y("force[]", "T_y", "N", "T_y");
-inline const Quantity time("", "time", "s");
+inline const Quantity time("", "time", "s", "time");
 inline const Quantity omega_adaptive("", "omega, adaptive", "rad/s");
 inline const Quantity omega_euler("", "omega, forward Euler", "rad/s");
 inline const Quantity omega_first("", "omega, first harmonic alone, adaptive", "rad/s");
@@ -153,5 +157,15 @@ inline const Quantity regression("regression", "regression", "1", "standardised 
                                  fixed<3>);
 inline const Quantity first_order("first_order", "first-order share", "1",
                                   "first-order share of the variance", "", fixed<3>);
+
+// ---- axes of plots that are of no column, or in other units
+namespace axis
+{
+inline constexpr char azimuth[] = "θ from the direction of travel (degrees)";
+inline constexpr char distance_to_rim[] = "r - R (µm)";
+inline constexpr char torque[] = "torque τ_z (mN m)";
+inline constexpr char time[] = "t (s)";
+inline constexpr char deviation[] = "|ω_n - ω_all| (rad/s)";
+} // namespace axis
 
 } // namespace stemware::pipeline::quantity

@@ -12,17 +12,12 @@ namespace stemware::pipeline
 namespace
 {
 
-bool ends_with(const std::string &text, const std::string &end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 std::string text_of(const ResultFile &file)
 {
   if (const auto *text = std::get_if<std::string>(&file.content))
     return *text;
   const Table &table = std::get<Table>(file.content);
-  return ends_with(file.name, ".csv") ? csv_table(table) : data_table(table);
+  return std::filesystem::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
 /// Lines that fit the console as they are, longer ones wrapped.

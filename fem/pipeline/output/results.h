@@ -16,12 +16,6 @@
 namespace stemware::pipeline
 {
 
-/// A number of summary.json, or null where there is none.
-inline nlohmann::ordered_json number_or_null(const std::optional<double> &value)
-{
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
-
 /// What a verb has found out, as programs read it. SI units, or those of the study.
 struct Findings
 {

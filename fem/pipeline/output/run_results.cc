@@ -20,12 +20,12 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr char truncation_title_of_tables[] = "The answer with the load cut off after some harmonics";
 /// Terminal spin and torque by the number of harmonics.
-Table truncation_table(const SpinStudy &spin)
+Table truncation_table(const SpinStudy &spin,
+                       const std::string &title = "The answer with the load cut off after some harmonics")
 {
   return spin_table(spin.rows).with(
-    "", "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
+    title, "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
 }
 
 /// A first-harmonic load under each moment balance.
@@ -45,7 +45,6 @@ Table closure_table(const SpinStudy &spin)
 
 // ---- summary.json
 
-/// "closures": by name.
 Json closure_summary(const SpinStudy &spin)
 {
   Table table =
@@ -174,7 +173,7 @@ Table model_table(const Study &study, const ContactReport &report, const SpinStu
                      effect_cell("harmonics", spins.harmonic_effect()) });
   }
   return words("Terminal spin of the same glass in models of increasing detail",
-               { "load", "moment balance", "terminal spin (rad/s)", "effect" }, rows);
+               { "load", "moment balance", heading_with_unit(quantity::omega_terminal), "effect" }, rows);
 }
 
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, 0 beyond those that are
@@ -231,22 +230,20 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
   return { "Torque and spin",
            text + ".",
            { torque_plot(spin.torque, spin.rows),
-             spin_up_plot(curves.time, { { "all harmonics", curves.adaptive },
-                                         { "first harmonic", curves.first_harmonic },
-                                         { "the paper's model", curves.paper } }) },
+             spin_up_plot({ { "all harmonics", curves.time, curves.adaptive },
+                            { "first harmonic", curves.time, curves.first_harmonic },
+                            { "the paper's model", curves.time, curves.paper } }) },
            { friction_table(study, report, all) } };
 }
 
 ReportSection truncation_section(const SpinStudy &spin)
 {
-  Table truncations = truncation_table(spin);
-  truncations.title = truncation_title_of_tables;
   return { "Fewer harmonics",
            "The torque at rest is that of the first harmonic. The terminal spin is that of the ring under "
            "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
            "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
            { truncation_plot(spin.rows) },
-           { truncations } };
+           { truncation_table(spin) } };
 }
 
 ReportSection closure_section(const SpinStudy &spin)
@@ -275,7 +272,6 @@ ReportSection contact_section(const Study &study, const FootReport &foot)
 std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &spin)
 {
   Table truncations = truncation_table(spin);
-  truncations.title = truncation_title_of_tables;
   truncations["relative_change"].name += ", nan where that is 0";
   std::vector<ResultFile> files = {
     { "summary.json", "all numbers, for programs" },
@@ -307,10 +303,11 @@ std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &s
 Report report_of(const Study &study, const ContactReport &contact, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files)
 {
-  Report report = { title(study), run_answer(study, contact, spin, bands), {} };
-  ReportSection models = { "What changes the spin" };
-  models.tables = { model_table(study, contact, spin) };
-  report.sections = { models, load_section(contact.load, bands), spin_section(study, contact, spin) };
+  Report report = { title(study),
+                    run_answer(study, contact, spin, bands),
+                    { { "What changes the spin", "", {}, { model_table(study, contact, spin) } },
+                      load_section(contact.load, bands),
+                      spin_section(study, contact, spin) } };
   if (contact.load.rings.n_harmonics() > 1)
     report.sections.push_back(truncation_section(spin));
   report.sections.push_back(closure_section(spin));
@@ -333,7 +330,7 @@ Results run_results(const Study &study, const ContactReport &report, const SpinS
   results.console = { { joined({ results.report.answer, lift_off_remark(report.load),
                                  narrow_contact_remark(study, report.foot),
                                  waviness_remark(study, spin.phases) }) },
-                      { "", truncation_table(spin) } };
+                      { "", truncation_table(spin, "") } };
   results.findings = findings_of(study, report, spin, bands);
   if (report.foot)
     results.fields = report.foot->fields;

@@ -16,10 +16,23 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// The table that the answer is about.
-const TruncationTable &main_table(const TruncationStudy &study)
+/// One of the two ways of leaving harmonics out.
+struct Way
 {
-  return study.self_consistent ? *study.self_consistent : study.frozen;
+  const TruncationTable &table;
+  std::string heading, how, name;
+  std::string suffix; ///< of its files and plots
+};
+
+/// Afterwards, and in the loop where there is a balance.
+std::vector<Way> ways_of(const TruncationStudy &study)
+{
+  std::vector<Way> ways = { { study.frozen, "Truncated afterwards (moment unchanged)", "truncated afterwards",
+                              "Afterwards", "" } };
+  if (study.self_consistent)
+    ways.push_back({ *study.self_consistent, "Truncated in the loop (moment recomputed)",
+                     "truncated in the loop", "In the loop", "_self_consistent" });
+  return ways;
 }
 
 constexpr char json_columns[] = "harmonics amplitude tau_at_rest torque[] omega_terminal relative_change "
@@ -65,7 +78,7 @@ Table spin_up_table(const std::vector<double> &time, const TruncationTable &trun
 Findings findings_of(const LoadReport &load, const TruncationStudy &study)
 {
   const bool balanced = study.self_consistent.has_value();
-  const TruncationTable &best = main_table(study);
+  const TruncationTable &best = balanced ? *study.self_consistent : study.frozen;
   const auto change_of_first = [](const TruncationTable &table)
   { return json_number(table.rows.front().relative_change); };
   const auto rows_of = [&](const TruncationTable &table)
@@ -94,14 +107,16 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study)
 // ---- report
 
 /// Spin-ups with 1, 2, 3 and all harmonics, in the colours of torque_plot(), and the paper's.
-std::vector<SpinUp> shown_spin_ups(const TruncationTable &table, const std::vector<double> &paper)
+std::vector<Curve> shown_spin_ups(const TruncationStudy &study, const TruncationTable &table)
 {
+  const auto curve = [&](const std::string &title, const std::vector<double> &omega, unsigned int line_type)
+  { return Curve{ title, study.time, omega, CurveStyle::line, {}, line_type }; };
   const unsigned int n_all = table.all().harmonics;
-  std::vector<SpinUp> curves = { { truncation_title(n_all, n_all), table.all().spin_up, 1 } };
+  std::vector<Curve> curves = { curve(truncation_title(n_all, n_all), table.all().spin_up, 1) };
   for (const SpinRow &row : table.rows)
     if (row.harmonics <= 3 && row.harmonics < n_all && !row.spin_up.empty())
-      curves.push_back({ truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1 });
-  curves.push_back({ "the paper's model", paper, 7 });
+      curves.push_back(curve(truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1));
+  curves.push_back(curve("the paper's model", study.paper, 7));
   return curves;
 }
 
@@ -115,23 +130,18 @@ std::string reasons(const TruncationTable &table)
   return text;
 }
 
-/// Everything about one way of truncating; @p suffix makes the names of its plots its own.
-ReportSection table_section(const std::string &heading, const std::string &text, const std::string &suffix,
-                            const TruncationStudy &study, const TruncationTable &truncations)
+/// Everything about one way of truncating.
+ReportSection table_section(const std::string &text, const TruncationStudy &study, const Way &way)
 {
-  const bool in_the_loop = !suffix.empty();
-  ReportSection section = { heading, text + reasons(truncations) };
-  section.plots = { torque_plot(truncations.torque, truncations.rows, "torque" + suffix),
-                    spin_up_plot(study.time, shown_spin_ups(truncations, study.paper), "spin_up" + suffix,
+  ReportSection section = { way.heading, text + reasons(way.table) };
+  section.plots = { torque_plot(way.table.torque, way.table.rows, "torque" + way.suffix),
+                    spin_up_plot(shown_spin_ups(study, way.table), "spin_up" + way.suffix,
                                  "Spin-up from rest, n harmonics kept, beside the paper's result.") };
-  if (truncations.rows.size() > 1)
-    section.plots.push_back(deviation_plot("deviation" + suffix,
-                                           in_the_loop ? "truncated in the loop" : "truncated afterwards",
-                                           study.time, truncations));
-  const std::string name = in_the_loop ? "In the loop" : "Afterwards";
-  const Table table = truncation_table(truncations, study.omega);
-  section.tables = { table.with(name + ": the spin", spin_columns),
-                     table.with(name + ": torque and load, the worse of rest and terminal spin",
+  if (way.table.rows.size() > 1)
+    section.plots.push_back(deviation_plot("deviation" + way.suffix, way.how, study.time, way.table));
+  const Table table = truncation_table(way.table, study.omega);
+  section.tables = { table.with(way.name + ": the spin", spin_columns),
+                     table.with(way.name + ": torque and load, the worse of rest and terminal spin",
                                 load_columns) };
   return section;
 }
@@ -139,7 +149,6 @@ ReportSection table_section(const std::string &heading, const std::string &text,
 ReportSection frozen_section(const TruncationStudy &study)
 {
   return table_section(
-    "Truncated afterwards (moment unchanged)",
     std::string(study.same_whole_load
                   ? "The load of all harmonics loses some of them at every spin. "
                   : "The load at rest, kept at every spin, loses some of its harmonics. ") +
@@ -147,23 +156,22 @@ ReportSection frozen_section(const TruncationStudy &study)
       "is solved: μ R Σ |K_n(ε)| √(a_n² + b_n²) over what is left out, at the terminal spin of all "
       "harmonics. A load that is negative somewhere would have to pull on the table; all harmonics of a foot "
       "that lifts off still leave a little of that, where their series overshoots.",
-    "", study, study.frozen);
+    study, ways_of(study).front());
 }
 
 ReportSection balance_section(const TruncationStudy &study)
 {
-  const std::string heading = "Truncated in the loop (moment recomputed)";
   if (!study.self_consistent)
-    return { heading, study.why_not };
+    return { "Truncated in the loop (moment recomputed)", study.why_not };
+  const Way way = ways_of(study).back();
   if (!study.acts_back)
-    return { heading, "In this moment balance friction does not act back on the load: truncation changes "
-                      "nothing in the balance, and the tables above are these too." };
+    return { way.heading, "In this moment balance friction does not act back on the load: truncation changes "
+                          "nothing in the balance, and the tables above are these too." };
   return table_section(
-    heading,
     "The friction T of the truncated load enters the moment M_N that the table has to provide, M_N the "
     "contact, and the contact's load is truncated again, at every spin. The first harmonic alone is the "
     "formal first harmonic on a ring of the contact's radius.",
-    "_self_consistent", study, *study.self_consistent);
+    study, way);
 }
 
 ReportSection load_section(const LoadReport &load)
@@ -179,28 +187,20 @@ ReportSection load_section(const LoadReport &load)
 
 std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &study)
 {
-  const auto data = [&](const TruncationTable &table)
+  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
+                                    { "parameters.prm", "the study, to be run again" },
+                                    { "harmonics.dat",
+                                      "Fourier coefficients of the load at rest; Load/File reads them",
+                                      load_file_text(load.rings) } };
+  for (const Way &way : ways_of(study))
   {
-    return truncation_table(table, study.omega)
-      .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns);
-  };
-  std::vector<ResultFile> files = {
-    { "summary.json", "all numbers, for programs" },
-    { "parameters.prm", "the study, to be run again" },
-    { "harmonics.dat", "Fourier coefficients of the load at rest; Load/File reads them",
-      load_file_text(load.rings) },
-    { "truncation.dat", "the answer by the number of harmonics, truncated afterwards", data(study.frozen) },
-    { "spin_up.dat", "the spin against time by the number of harmonics, truncated afterwards",
-      spin_up_table(study.time, study.frozen) }
-  };
-  if (study.self_consistent)
-  {
-    files.push_back({ "truncation_self_consistent.dat",
-                      "the answer by the number of harmonics, truncated in the loop",
-                      data(*study.self_consistent) });
-    files.push_back({ "spin_up_self_consistent.dat",
-                      "the spin against time by the number of harmonics, truncated in the loop",
-                      spin_up_table(study.time, *study.self_consistent) });
+    files.push_back(
+      { "truncation" + way.suffix + ".dat", "the answer by the number of harmonics, " + way.how,
+        truncation_table(way.table, study.omega)
+          .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns) });
+    files.push_back({ "spin_up" + way.suffix + ".dat",
+                      "the spin against time by the number of harmonics, " + way.how,
+                      spin_up_table(study.time, way.table) });
   }
   files.push_back({ "timings.json", "how long it took" });
   return files;
@@ -208,15 +208,13 @@ std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &
 
 std::vector<ConsoleBlock> console_of(const std::string &answer, const TruncationStudy &study)
 {
-  const auto block = [&](const std::string &text, const TruncationTable &table) -> ConsoleBlock {
-    return { text, truncation_table(table, study.omega).with("", console_columns) };
-  };
-  std::vector<ConsoleBlock> blocks = { { answer },
-                                       block("Truncated afterwards (moment unchanged):", study.frozen) };
+  std::vector<ConsoleBlock> blocks = { { answer } };
+  for (const Way &way : ways_of(study))
+    if (way.suffix.empty() || study.acts_back)
+      blocks.push_back(
+        { way.heading + ":", truncation_table(way.table, study.omega).with("", console_columns) });
   if (!study.self_consistent)
     blocks.push_back({ study.why_not });
-  else if (study.acts_back)
-    blocks.push_back(block("Truncated in the loop (moment recomputed):", *study.self_consistent));
   return blocks;
 }
 

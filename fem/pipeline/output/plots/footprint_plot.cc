@@ -17,17 +17,10 @@ namespace
 /// Cuts that are drawn of a footprint with many: a picture needs no more.
 constexpr std::size_t n_drawn_cuts = 72;
 
-/// Largest pressure decides between kPa and MPa.
 struct PressureUnit
 {
-  explicit PressureUnit(double largest)
-      : pascals(largest < 1e6 ? 1e3 : 1e6)
-      , name(largest < 1e6 ? "kPa" : "MPa")
-  {
-  }
-
   double pascals;
-  const char *name;
+  std::string name;
 };
 
 double largest_pressure(const fem::PressureMap &footprint)
@@ -59,16 +52,8 @@ std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &
 Table drawn_points(const std::string &title, const std::vector<std::vector<fem::PressurePoint>> &cuts,
                    double contact_radius, const PressureUnit &unit)
 {
-  constexpr double overlap = 1.03;
-  Table table = { title, {} };
-  for (const auto &[name, its_unit] : { std::pair("theta", "degrees"),
-                                        { "r - R", "µm" },
-                                        { "pressure", unit.name },
-                                        { "from theta", "degrees" },
-                                        { "to", "degrees" },
-                                        { "from r - R", "µm" },
-                                        { "to", "µm" } })
-    table.columns.push_back(numbers(name, its_unit, {}));
+  constexpr double overlap = 1.03, degree = boost::math::double_constants::degree;
+  std::vector<std::vector<double>> rows;
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
     const double azimuth = cuts[c].front().azimuth;
@@ -80,29 +65,30 @@ Table drawn_points(const std::string &title, const std::vector<std::vector<fem::
       if (!(point.pressure > 0))
         continue;
       const double r = point.radius - contact_radius;
-      const double row[] = { point.azimuth / boost::math::double_constants::degree,
-                             1e6 * r,
-                             point.pressure / unit.pascals,
-                             (azimuth - overlap * before / 2) / boost::math::double_constants::degree,
-                             (azimuth + overlap * after / 2) / boost::math::double_constants::degree,
-                             1e6 * (r - overlap * half_step),
-                             1e6 * (r + overlap * half_step) };
-      for (std::size_t i = 0; i < table.columns.size(); ++i)
-        table.columns[i].cells.push_back(row[i]);
+      rows.push_back({ point.azimuth / degree, 1e6 * r, point.pressure / unit.pascals,
+                       (azimuth - overlap * before / 2) / degree, (azimuth + overlap * after / 2) / degree,
+                       1e6 * (r - overlap * half_step), 1e6 * (r + overlap * half_step) });
     }
   }
-  return table;
+  return number_rows(title,
+                     { { "theta", "degrees" },
+                       { "r - R", "µm" },
+                       { "pressure", unit.name },
+                       { "from theta", "degrees" },
+                       { "to", "degrees" },
+                       { "from r - R", "µm" },
+                       { "to", "µm" } },
+                     rows);
 }
 
 /// What the vertical axis has to show; never less than a micrometre to both sides.
 std::pair<double, double> height_of(const Table &points)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (std::size_t row = 0; row < points.n_rows(); ++row)
-  {
-    least = std::min(least, std::get<double>(points.columns[5].cells[row]));
-    most = std::max(most, std::get<double>(points.columns[6].cells[row]));
-  }
+  Extent radii;
+  for (const std::size_t bound : { 5, 6 })
+    for (const Cell &cell : points.columns[bound].cells)
+      radii.include(std::get<double>(cell));
+  const auto [least, most] = radii;
   if (least > most)
     return { -1, 1 };
   const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);
@@ -114,22 +100,18 @@ std::pair<double, double> height_of(const Table &points)
 Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
 {
   const double largest = largest_pressure(footprint);
-  const PressureUnit unit(largest);
+  const PressureUnit unit = largest < 1e6 ? PressureUnit{ 1e3, "kPa" } : PressureUnit{ 1e6, "MPa" };
   const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
   const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
                                         : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
   const std::string caption =
     "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
   const Table points = drawn_points(caption, drawn_cuts(footprint), contact_radius, unit);
-  return { "footprint",
-           caption,
-           "data = \"figures/footprint.dat\"\n" +
-             axis_commands("x", { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) }) +
-             axis_commands("y", { "r - R (µm)", false, height_of(points) }) +
-             colour_commands(std::string("pressure (") + unit.name + ")", 0, largest / unit.pascals) +
+  return { "footprint", caption,
+           axis_commands("x", { quantity::axis::azimuth, false, std::pair(0., 360.) }) +
+             axis_commands("y", { quantity::axis::distance_to_rim, false, height_of(points) }) +
+             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
              "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
-           540,
-           360,
            data_table(points) };
 }
 

@@ -1,4 +1,6 @@
 #include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/plot_script.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -12,21 +14,23 @@ namespace stemware::pipeline
 namespace
 {
 
+using CaseValue = std::function<std::optional<double>(const CaseResult &)>;
+
 /// Something to draw: a quantity of the table, or a harmonic's amplitude.
 struct Drawing
 {
   std::string name;  ///< of the plot
   std::string label; ///< of the axis, with its unit
   std::string caption;
-  std::function<std::optional<double>(const CaseResult &)> value;
+  CaseValue value;
 };
 
-std::function<std::optional<double>(const CaseResult &)> value_of(const std::string &quantity)
+CaseValue value_of(const std::string &quantity)
 {
   return [index = quantity_index(quantity)](const CaseResult &result) { return result.values[index]; };
 }
 
-std::function<std::optional<double>(const CaseResult &)> amplitude_of(unsigned int n)
+CaseValue amplitude_of(unsigned int n)
 {
   const std::string tail = std::to_string(n) + "/a_0";
   return [a = quantity_index("a_" + tail), b = quantity_index("b_" + tail)](const CaseResult &result)
@@ -35,8 +39,8 @@ std::function<std::optional<double>(const CaseResult &)> amplitude_of(unsigned i
 
 std::vector<Drawing> drawings()
 {
-  return { { "terminal_spin", "terminal spin (rad/s)", "Terminal spin under all harmonics of the load",
-             value_of("terminal spin") },
+  return { { "terminal_spin", heading_with_unit(quantity::omega_terminal),
+             "Terminal spin under all harmonics of the load", value_of("terminal spin") },
            { "harmonic_effect", "harmonic effect (%)",
              "How much faster the harmonics of the load beyond the first make the glass",
              value_of("harmonic effect") },
@@ -46,8 +50,8 @@ std::vector<Drawing> drawings()
              amplitude_of(3) },
            { "contact_fraction", "share of the rim that carries load", "Share of the rim that carries load",
              value_of("contact fraction") },
-           { "torque_at_rest", "τ_z at rest (N m)", "Torque of friction on the glass that does not spin yet",
-             value_of("torque at rest") } };
+           { "torque_at_rest", heading_with_unit(quantity::tau_at_rest),
+             "Torque of friction on the glass that does not spin yet", value_of("torque at rest") } };
 }
 
 double nan_where_missing(const std::optional<double> &value)
@@ -55,23 +59,19 @@ double nan_where_missing(const std::optional<double> &value)
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-double value_in(const FinishedCases &cases, std::size_t index, const Drawing &drawing)
+double value_in(const FinishedCases &cases, std::size_t index, const CaseValue &value)
 {
   const CaseResult &result = cases.at(index);
-  return nan_where_missing(result.is_solved() ? drawing.value(result) : std::nullopt);
+  return nan_where_missing(result.is_solved() ? value(result) : std::nullopt);
 }
 
 /// Whether there is something to see: values, and not all of them the same.
-bool is_worth_drawing(const FinishedCases &cases, const Drawing &drawing)
+bool is_worth_drawing(const FinishedCases &cases, const CaseValue &quantity)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Extent values;
   for (const auto &[index, result] : cases)
-    if (const double value = value_in(cases, index, drawing); std::isfinite(value))
-    {
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-  return most - least > 1e-9 * std::max(std::abs(most), std::abs(least));
+    values.include(value_in(cases, index, quantity));
+  return values.most - values.least > 1e-9 * std::max(std::abs(values.most), std::abs(values.least));
 }
 
 /// Numbers of an entry of numbers.
@@ -86,12 +86,6 @@ std::vector<double> numbers_of(const SweptEntry &entry)
 bool is_numeric(const SweptEntry &entry)
 {
   return !entry.unit.empty() && entry.values.size() > 1;
-}
-
-Axis axis_of(const SweptEntry &entry)
-{
-  const std::string name = entry.path.substr(entry.path.find('/') + 1);
-  return { with_unit(name, entry.unit, false), entry.by_factors };
 }
 
 /// The entries as the axis of curves and the one that tells curves apart, by their positions.
@@ -111,21 +105,30 @@ std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along
   return first * plan.entries[1].values.size() + second;
 }
 
+/// A quantity over one entry, at the value @p across of the other.
+Curve curve_over(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
+                 const CaseValue &value)
+{
+  Curve curve;
+  std::size_t i = 0;
+  for (const double x : numbers_of(plan.entries[roles.along]))
+    curve.add(x, value_in(cases, case_at(plan, roles, i++, across), value));
+  return curve;
+}
+
 Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
                  const Drawing &drawing)
 {
-  const SweptEntry &along = plan.entries[roles.along];
-  CurvePlot plot = { drawing.name, drawing.caption, axis_of(along), { drawing.label }, {} };
+  CurvePlot plot = {
+    drawing.name, drawing.caption, axis_of(plan.entries[roles.along]), { drawing.label }, {}
+  };
   const std::size_t n_curves = roles.across ? plan.entries[*roles.across].values.size() : 1;
   for (std::size_t across = 0; across < n_curves; ++across)
   {
-    Curve curve;
+    Curve curve = curve_over(plan, cases, roles, across, drawing.value);
     if (roles.across)
       curve.title =
         axis_of(plan.entries[*roles.across]).label + " = " + plan.entries[*roles.across].values[across];
-    curve.x = numbers_of(along);
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-      curve.y.push_back(value_in(cases, case_at(plan, roles, i, across), drawing));
     curve.style = curve.x.size() <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
     plot.curves.push_back(curve);
   }
@@ -135,13 +138,12 @@ Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles 
 /// Terminal spins of the models side by side, over one entry.
 Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
 {
-  const Roles roles;
   CurvePlot plot = {
     "terminal_spin",
     "Terminal spin under all harmonics of the load, under the first alone, and of a first-harmonic load "
     "in balance at every spin",
     axis_of(plan.entries[0]),
-    { "terminal spin (rad/s)" },
+    { heading_with_unit(quantity::omega_terminal) },
     {}
   };
   for (const auto &[title, quantity] :
@@ -149,13 +151,8 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
          std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
          std::pair("first harmonic of the closure", "terminal spin of the closure's first harmonic") })
   {
-    const Drawing drawing = { "", "", "", value_of(quantity) };
-    Curve curve;
-    curve.title = title;
-    curve.x = numbers_of(plan.entries[0]);
-    for (std::size_t i = 0; i < curve.x.size(); ++i)
-      curve.y.push_back(value_in(cases, case_at(plan, roles, i, 0), drawing));
-    plot.curves.push_back(curve);
+    plot.curves.push_back(curve_over(plan, cases, {}, 0, value_of(quantity)));
+    plot.curves.back().title = title;
   }
   return curve_plot(plot);
 }
@@ -172,15 +169,21 @@ Plot map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &dr
                    {} };
   const Roles roles = { 0, 1 };
   for (std::size_t j = 0; j < map.y_values.size(); ++j)
-  {
-    std::vector<double> &row = map.values.emplace_back();
-    for (std::size_t i = 0; i < map.x_values.size(); ++i)
-      row.push_back(value_in(cases, case_at(plan, roles, i, j), drawing));
-  }
+    map.values.push_back(curve_over(plan, cases, roles, j, drawing.value).y);
   return map_plot(map);
 }
 
 } // namespace
+
+std::string name_of(const SweptEntry &entry)
+{
+  return entry.path.substr(entry.path.find('/') + 1);
+}
+
+Axis axis_of(const SweptEntry &entry)
+{
+  return { with_unit(name_of(entry), entry.unit, false), entry.by_factors };
+}
 
 std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
 {
@@ -201,7 +204,7 @@ std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
 
   std::vector<Plot> plots;
   for (const Drawing &drawing : drawings())
-    if (!is_worth_drawing(cases, drawing))
+    if (!is_worth_drawing(cases, drawing.value))
       continue;
     else if (as_map)
       plots.push_back(map_of(plan, cases, drawing));

@@ -64,8 +64,8 @@ Table contact_arc(const ring::RingStack &load, std::vector<fem::AzimuthLoad> sam
 }
 
 /// The rim has radius 1 and the load is drawn outwards from it, its mean as half a radius.
-constexpr char view_from_above[] = R"gp(data = "figures/load.dat"
-x(theta, load) = (1 + load / 2.) * cos(theta) # the rim has radius 1, the mean load half of that
+constexpr char view_from_above[] =
+  R"gp(x(theta, load) = (1 + load / 2.) * cos(theta) # the rim has radius 1, the mean load half of that
 y(theta, load) = (1 + load / 2.) * sin(theta)
 set size ratio -1
 set lmargin at screen 0.02; set rmargin at screen 0.65; set tmargin at screen 0.97; set bmargin at screen 0.03
@@ -110,12 +110,11 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
   blocks.push_back(contact_arc(load, pointwise));
   return { "load",
            "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of "
-           "travel, n the "
-           "harmonics kept. A curve inside the rim would pull on the table.",
+           "travel, n the harmonics kept. A curve inside the rim would pull on the table.",
            "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
+           data_tables(blocks),
            540,
-           380,
-           data_tables(blocks) };
+           380 };
 }
 
 Plot higher_harmonics_plot(const ring::RingStack &load)
@@ -127,7 +126,7 @@ Plot higher_harmonics_plot(const ring::RingStack &load)
   CurvePlot plot = {
     "higher_harmonics",
     "What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.",
-    { "θ from the direction of travel (degrees)", false, std::pair(0., 360.) },
+    { quantity::axis::azimuth, false, std::pair(0., 360.) },
     { "(λ - λ_1) / a_0" },
     {},
     "set xtics 90; set xzeroaxis lt 8\n"
@@ -149,8 +148,7 @@ Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band)
   Curve curve = { "", {}, {}, CurveStyle::points };
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
   {
-    curve.x.push_back(n);
-    curve.y.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
+    curve.add(n, std::hypot(load.a(n), load.b(n)) / load.a(0));
     if (!band.empty())
       curve.band.push_back(band.at(n));
   }

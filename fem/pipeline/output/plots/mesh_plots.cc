@@ -21,10 +21,10 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces)
   return { "contact_zone",
            caption,
            "set size ratio -1\nset xlabel \"x (mm)\"; set ylabel \"y (mm)\"\nunset key\n"
-           "plot \"figures/contact_zone.dat\" with lines lt 1 lw 0.8\n",
+           "plot data with lines lt 1 lw 0.8\n",
+           data,
            540,
-           540,
-           data };
+           540 };
 }
 
 Plot quality_plot(const std::vector<double> &jacobians)
@@ -44,11 +44,11 @@ Plot quality_plot(const std::vector<double> &jacobians)
            caption,
            "set xlabel \"scaled Jacobian\"; set ylabel \"cells\"\nset xrange [0:1]; set yrange [0:*]\n"
            "unset key\nset boxwidth 0.9 relative; set style fill solid noborder\n"
-           "plot \"figures/quality.dat\" using 1:2 with boxes lt 1\n",
-           540,
-           300,
+           "plot data using 1:2 with boxes lt 1\n",
            data_table(
-             { caption, { numbers("middle of the bin", "1", bins), numbers("cells", "1", counts) } }) };
+             { caption, { numbers("middle of the bin", "1", bins), numbers("cells", "1", counts) } }),
+           540,
+           300 };
 }
 
 } // namespace stemware::pipeline

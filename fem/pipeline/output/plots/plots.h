@@ -39,17 +39,8 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows,
                  const std::string &name = "torque");
 
-/// A spin-up to be drawn.
-struct SpinUp
-{
-  std::string title;
-  std::vector<double> omega;  ///< [rad/s], one per time
-  unsigned int line_type = 0; ///< as in Curve
-};
-
-/// omega(t) of several models of one glass.
-Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinUp> &curves,
-                  const std::string &name = "spin_up",
+/// omega(t) of several models of one glass, over the time [s].
+Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &name = "spin_up",
                   const std::string &caption = "Spin-up of the glass from rest.");
 
 /// How fast the terminal spin approaches that of all harmonics.
@@ -70,6 +61,10 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces);
 
 /// How many cells of a mesh have which scaled Jacobian.
 Plot quality_plot(const std::vector<double> &jacobians);
+
+/// An entry without its section, and as an axis with its unit.
+std::string name_of(const SweptEntry &entry);
+Axis axis_of(const SweptEntry &entry);
 
 /// The plots of a grid: curves over one entry of numbers, one family of curves for each word or each of a
 /// few values of the other, or maps over both. Nothing where both entries are words.

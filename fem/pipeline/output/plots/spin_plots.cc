@@ -1,4 +1,5 @@
 #include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,7 @@ Curve change_curve(const std::string &title, const std::vector<SpinRow> &rows, d
   Curve curve = { title, {}, {}, CurveStyle::line_and_points };
   for (const SpinRow &row : rows)
     if (row.relative_change && std::abs(*row.relative_change) > rounding)
-    {
-      curve.x.push_back(row.harmonics);
-      curve.y.push_back(std::abs(*row.relative_change));
-    }
+      curve.add(row.harmonics, std::abs(*row.relative_change));
   return curve;
 }
 
@@ -34,14 +32,11 @@ Curve change_curve(const std::string &title, const std::vector<SpinRow> &rows, d
 /// relative to the spin.
 Curve bound_curve(const TruncationTable &table, double slope, double rounding)
 {
-  Curve curve = { "a-priori bound, to first order", {}, {}, CurveStyle::line };
+  Curve curve = { "a-priori bound, to first order" };
   const double scale = slope * std::abs(table.all().omega_terminal().value());
   for (const SpinRow &row : table.rows)
     if (row.bound && *row.bound / scale > rounding)
-    {
-      curve.x.push_back(row.harmonics);
-      curve.y.push_back(*row.bound / scale);
-    }
+      curve.add(row.harmonics, *row.bound / scale);
   return curve;
 }
 
@@ -52,8 +47,9 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, con
   CurvePlot plot = { name,
                      "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
                      "vanishes (points).",
-                     { "spin ω (rad/s)", false, std::pair(curve.omega.front(), curve.omega.back()) },
-                     { "torque τ_z (mN m)" },
+                     { heading_with_unit(quantity::omega), false,
+                       std::pair(curve.omega.front(), curve.omega.back()) },
+                     { quantity::axis::torque },
                      {},
                      "set xzeroaxis lt 8\n" };
   std::vector<double> torques;
@@ -75,13 +71,14 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, con
   return curve_plot(plot);
 }
 
-Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinUp> &curves, const std::string &name,
-                  const std::string &caption)
+Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &name, const std::string &caption)
 {
-  CurvePlot plot = { name, caption, { "time (s)" }, { "spin ω (rad/s)" }, {}, "set xzeroaxis lt 8\n" };
-  for (const SpinUp &curve : curves)
-    plot.curves.push_back({ curve.title, time, curve.omega, CurveStyle::line, {}, curve.line_type });
-  return curve_plot(plot);
+  return curve_plot({ name,
+                      caption,
+                      { heading_with_unit(quantity::time) },
+                      { heading_with_unit(quantity::omega) },
+                      curves,
+                      "set xzeroaxis lt 8\n" });
 }
 
 Plot truncation_plot(const std::vector<SpinRow> &rows)
@@ -118,21 +115,18 @@ Plot deviation_plot(const std::string &name, const std::string &how, const std::
 {
   CurvePlot plot = { name,
                      "How far ω(t) is from that of all harmonics, " + how + ".",
-                     { "t (s)" },
-                     { "|ω_n - ω_all| (rad/s)", true },
+                     { quantity::axis::time },
+                     { quantity::axis::deviation, true },
                      {} };
   const SpinRow &all = table.all();
   const double rounding = 1e-10 * std::abs(all.omega_terminal().value());
   for (const SpinRow &row : table.rows)
   {
-    Curve curve = { truncation_title(row.harmonics, all.harmonics), {}, {} };
+    Curve curve = { truncation_title(row.harmonics, all.harmonics) };
     curve.line_type = static_cast<unsigned int>(plot.curves.size()) + 2; // all harmonics have the first
     for (std::size_t i = 1; i < row.spin_up.size(); ++i)
       if (const double deviation = std::abs(row.spin_up[i] - all.spin_up[i]); deviation > rounding)
-      {
-        curve.x.push_back(time[i]);
-        curve.y.push_back(deviation);
-      }
+        curve.add(time[i], deviation);
     if (!curve.x.empty() && plot.curves.size() < 6)
       plot.curves.push_back(curve);
   }
@@ -147,7 +141,7 @@ Plot comparison_plot(const Comparison &comparison)
       loads.push_back(row.load);
   CurvePlot plot = { "terminal_spins",
                      "Terminal spin by load, all its harmonics kept, and by moment balance (colours).",
-                     { "terminal spin (rad/s)" },
+                     { heading_with_unit(quantity::omega_terminal) },
                      { "", false, std::pair(0.5, static_cast<double>(loads.size()) + 0.5) },
                      {} };
   // The SVG terminal of gnuplot takes texts for wider than they are: too much room would be left for the
@@ -161,10 +155,7 @@ Plot comparison_plot(const Comparison &comparison)
     Curve curve = { ring::to_string(closure), {}, {}, CurveStyle::points };
     for (std::size_t i = 0; i < loads.size(); ++i)
       if (const SpinRow *row = comparison.find(closure, loads[i]); row && row->omega_terminal())
-      {
-        curve.x.push_back(*row->omega_terminal());
-        curve.y.push_back(static_cast<double>(loads.size() - i));
-      }
+        curve.add(*row->omega_terminal(), static_cast<double>(loads.size() - i));
     if (!curve.x.empty())
       plot.curves.push_back(curve);
   }

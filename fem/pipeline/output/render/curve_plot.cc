@@ -52,15 +52,10 @@ std::string tic_commands(const std::string &which, double low, double high)
     return "";
   // The least of 1, 2 and 5 times a power of ten that leaves no more than four steps.
   int power = static_cast<int>(std::floor(std::log10(range / 4)));
-  double step = std::pow(10, power);
-  for (const double factor : { 1., 2., 5., 10. })
-    if (range / (factor * std::pow(10, power)) <= 4)
-    {
-      step = factor * std::pow(10, power);
-      power += factor == 10 ? 1 : 0;
-      break;
-    }
-  std::string commands = "set " + which + "tics " + to_text(step) + "\n";
+  const double steps = range / std::pow(10, power);
+  const int factor = steps <= 4 ? 1 : steps <= 8 ? 2 : steps <= 20 ? 5 : 10;
+  std::string commands = "set " + which + "tics " + to_text(factor * std::pow(10, power)) + "\n";
+  power += factor == 10 ? 1 : 0;
   const double largest = std::max(std::abs(low), std::abs(high));
   if (largest >= 1e-3 && largest < 1e6)
     commands += "set format " + which + " \"%." + std::to_string(std::max(0, -power)) + "f\"\n";
@@ -95,24 +90,26 @@ Table points_of(const CurvePlot &plot, const Curve &curve)
                   { column(plot.x, curve.x), column(plot.y, curve.y) } };
   if (!curve.band.empty())
     table.columns.push_back(
-      numbers("half-width of its error band", table.columns.back().quantity.unit, curve.band));
+      numbers(curve.is_error ? "half-width of the error band" : "half-width of its error band",
+              table.columns.back().quantity.unit, curve.band));
   return table;
 }
 
 /// The parts of gnuplot's plot command that draw one curve.
-std::string drawing(const std::string &data, const Curve &curve, std::size_t index, unsigned int line_type)
+std::string drawing(const Curve &curve, std::size_t index, unsigned int line_type)
 {
   std::ostringstream plot;
   const std::string title = curve.title.empty() ? "notitle" : "title " + gnuplot_text(curve.title);
   const std::string type = " lt " + std::to_string(line_type) + " ";
-  const std::string block = data + " index " + std::to_string(index) + " using ";
+  const std::string block = "data index " + std::to_string(index) + " using ";
   if (!curve.band.empty())
   {
     if (curve.style == CurveStyle::line)
       plot << block << "1:($2 - $3):($2 + $3) with filledcurves fs transparent solid 0.2 noborder" << type
            << "notitle, ";
     else
-      plot << block << "1:2:3 with yerrorbars" << type << "dt 1 lw 1 notitle, ";
+      plot << block << (curve.is_error ? "1:2:2:3" : "1:2:3") << " with yerrorbars" << type << "dt 1 lw 1 "
+           << (curve.is_error ? "ps 0 " : "") << "notitle, ";
   }
   const char *style = curve.style == CurveStyle::line     ? "with lines"
                       : curve.style == CurveStyle::points ? "with points"
@@ -138,14 +135,11 @@ std::string tics_of_narrow_axis(const CurvePlot &plot)
   constexpr double share = 0.02; // labels of more than four digits
   if (plot.x.logarithmic || plot.x.range)
     return "";
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  Extent x_axis;
   for (const Curve &curve : plot.curves)
     for (const double x : curve.x)
-    {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-  return high - low < share ? tic_commands("x", low, high) : "";
+      x_axis.include(x);
+  return x_axis.most - x_axis.least < share ? tic_commands("x", x_axis.least, x_axis.most) : "";
 }
 
 /// Instead of a plot without a single point.
@@ -167,13 +161,24 @@ Plot curve_plot(const CurvePlot &plot)
     const Curve &curve = plot.curves[i];
     blocks.push_back(points_of(plot, curve));
     is_empty = is_empty && !has_points(plot, curve);
-    drawings += (i == 0 ? "" : ", \\\n     ") + drawing("\"figures/" + plot.name + ".dat\"", curve, i,
-                                                        curve.line_type > 0 ? curve.line_type : ++line_type);
+    drawings +=
+      (i == 0 ? "" : ", \\\n     ") + drawing(curve, i, curve.line_type > 0 ? curve.line_type : ++line_type);
   }
   const std::string script = axis_commands("x", plot.x) + axis_commands("y", plot.y) +
                              tics_of_narrow_axis(plot) + plot.commands +
                              (is_empty ? nothing_to_show : "plot " + drawings + "\n");
-  return { plot.name, plot.caption, script, 540, 360, data_tables(blocks) };
+  return { plot.name, plot.caption, script, data_tables(blocks) };
+}
+
+Plot convergence_plot(CurvePlot plot)
+{
+  std::string sizes;
+  for (const Curve &curve : plot.curves)
+    for (const double size : curve.x)
+      sizes += (sizes.empty() ? "" : ", ") + to_text(size);
+  plot.commands =
+    "set xtics (" + sizes + ") format \"%g\"\nset autoscale xfix; set offsets graph 0.05, graph 0.05\n";
+  return curve_plot(plot);
 }
 
 } // namespace stemware::pipeline

@@ -29,10 +29,17 @@ enum class CurveStyle
 struct Curve
 {
   std::string title; ///< in the key; empty: not there
-  std::vector<double> x, y;
+  std::vector<double> x = {}, y = {};
   CurveStyle style = CurveStyle::line;
   std::vector<double> band = {}; ///< half-width of the error of each y; empty: none
   unsigned int line_type = 0;    ///< of figures/style.gnuplot; 0: the next one
+  bool is_error = false;         ///< y is an error itself: bars reach from it up to the band
+
+  void add(double at, double value)
+  {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// Curves over one axis.
@@ -46,19 +53,9 @@ struct CurvePlot
 
 Plot curve_plot(const CurvePlot &plot);
 
-/// Distance of a quantity from its limit, level by level.
-struct ConvergenceSeries
-{
-  std::string title;
-  std::vector<double> size;      ///< cells, order, lines ... of each level
-  std::vector<double> error;     ///< |value - limit|
-  std::vector<double> band = {}; ///< half-width of the error band of each level; empty: none
-};
-
-/// Differences to the limit, on a logarithmic scale, over the resolution. Bars reach from them up to the
-/// half-width of the error band: a bar that points downwards is a band that was too narrow.
-Plot convergence_plot(const std::string &name, const std::string &caption, const Axis &resolution,
-                      const std::string &quantity, const std::vector<ConvergenceSeries> &series);
+/// Curves of errors over the resolution, with a tic at each level. A bar that points downwards is a band that
+/// was too narrow.
+Plot convergence_plot(CurvePlot plot);
 
 /// A quantity over two parameters.
 struct ValueMap

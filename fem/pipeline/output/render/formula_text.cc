@@ -24,24 +24,22 @@ bool ends_symbol(const std::string &text, std::size_t end)
 
 } // namespace
 
-std::vector<TextPiece> formula_pieces(const std::string &text)
+std::string with_subscripts(const std::string &text, std::string (*safe)(const std::string &),
+                            const std::string &begin, const std::string &end)
 {
-  std::vector<TextPiece> pieces = { {} };
+  std::string marked;
+  std::size_t written = 0;
   for (std::size_t i = 0; i < text.size(); ++i)
-  {
     if (text[i] == '_' && ends_symbol(text, i) && is_word(text, i + 1))
     {
-      std::size_t end = i + 1;
-      while (is_word(text, end))
-        ++end;
-      pieces.push_back({ text.substr(i + 1, end - i - 1), true });
-      pieces.emplace_back();
-      i = end - 1;
+      marked += safe(text.substr(written, i - written));
+      const std::size_t first = i + 1;
+      while (is_word(text, i + 1))
+        ++i;
+      written = i + 1;
+      marked += begin + safe(text.substr(first, written - first)) + end;
     }
-    else
-      pieces.back().text += text[i];
-  }
-  return pieces;
+  return marked + safe(text.substr(written));
 }
 
 } // namespace stemware::pipeline

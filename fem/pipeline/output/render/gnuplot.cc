@@ -6,6 +6,8 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -25,19 +27,12 @@ fs::path plot_file(const Plot &plot, const std::string &extension)
   return fs::path("figures") / (plot.name + "." + extension);
 }
 
-std::string as_comment(const std::string &text)
-{
-  std::string comment = "# ";
-  for (const char character : text)
-    comment += character == '\n' ? std::string("\n# ") : std::string(1, character);
-  return comment + "\n";
-}
-
 std::string script_of(const Plot &plot)
 {
   const std::string file = plot_file(plot, "gp").string();
   std::ostringstream script;
-  script << as_comment(plot.caption) << "# Drawn again, as SVG or as PDF, in the folder of the results:\n"
+  script << "# " << boost::replace_all_copy(plot.caption, "\n", "\n# ")
+         << "\n# Drawn again, as SVG or as PDF, in the folder of the results:\n"
          << "#   gnuplot " << file << "\n#   gnuplot -e 'format = \"pdf\"' " << file << "\n"
          << "name = \"" << plot.name << "\"; width = " << plot.width << "; height = " << plot.height
          << "\nload \"figures/style.gnuplot\"\n\n"
@@ -150,10 +145,7 @@ std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)
 
 std::string gnuplot_text(const std::string &text)
 {
-  std::string quoted = "\"";
-  for (const TextPiece &piece : formula_pieces(text))
-    quoted += piece.subscript ? "_{" + quotable(piece.text) + "}" : quotable(piece.text);
-  return quoted + "\"";
+  return '"' + with_subscripts(text, quotable, "_{", "}") + '"';
 }
 
 } // namespace stemware::pipeline

@@ -15,7 +15,7 @@ namespace stemware::pipeline
 std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
 
 /// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the
-/// subscripts of formula_pieces().
+/// subscripts of with_subscripts().
 std::string gnuplot_text(const std::string &text);
 
 } // namespace stemware::pipeline

@@ -6,7 +6,7 @@ namespace stemware::pipeline
 /// figures/style.gnuplot: what all plots have in common. Colours are those of Okabe and Ito, which people
 /// who see red and green alike can tell apart; line types differ in their dashes too.
 inline constexpr char gnuplot_style[] = R"gp(# What all figures have in common; each of them loads this file.
-# format = "pdf" draws the PDF instead of the SVG; name, width and height are set by the figure.
+# format = "pdf" draws the PDF instead of the SVG. The figure sets name, width and height, and reads data.
 reset
 if (!exists("format")) format = "svg"
 set encoding utf8
@@ -17,6 +17,7 @@ if (format eq "pdf") {
 }
 set termoption enhanced
 set output "figures/" . name . "." . format
+data = "figures/" . name . ".dat"
 
 set linetype 1 lc rgb "#0072b2" lw 2 dt 1 pt 7 ps 0.6          # blue
 set linetype 2 lc rgb "#d55e00" lw 2 dt (9,4) pt 5 ps 0.6      # vermillion

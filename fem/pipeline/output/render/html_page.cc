@@ -5,8 +5,9 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/program.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
-#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -80,12 +81,6 @@ std::string section(const ReportSection &section, const std::map<std::string, st
                                         : heading + content));
 }
 
-/// The document's own beginning up to its root element, which begins at the position returned.
-std::size_t root_of(const std::string &svg)
-{
-  return std::min(svg.find("<svg"), svg.size());
-}
-
 std::string attribute(const std::string &tag, const std::string &name)
 {
   const auto begin = tag.find(" " + name + "=\"");
@@ -93,12 +88,6 @@ std::string attribute(const std::string &tag, const std::string &name)
     return "";
   const auto value = begin + name.size() + 3;
   return tag.substr(value, tag.find('"', value) - value);
-}
-
-void replace_all(std::string &text, const std::string &old, const std::string &by)
-{
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + by.size()))
-    text.replace(at, old.size(), by);
 }
 
 /// Removes the first element with this tag.
@@ -114,53 +103,31 @@ void remove_element(std::string &text, const std::string &tag)
 
 std::string html_text(const std::string &text)
 {
-  std::string safe;
-  for (const char character : text)
-    switch (character)
-    {
-    case '&':
-      safe += "&amp;";
-      break;
-    case '<':
-      safe += "&lt;";
-      break;
-    case '>':
-      safe += "&gt;";
-      break;
-    case '"':
-      safe += "&quot;";
-      break;
-    case '\'':
-      safe += "&#39;";
-      break;
-    default:
-      safe += character;
-    }
+  std::string safe = text;
+  for (const auto &[character, entity] : { std::pair("&", "&amp;"), // first: the others bring it along
+                                           { "<", "&lt;" },
+                                           { ">", "&gt;" },
+                                           { "\"", "&quot;" },
+                                           { "'", "&#39;" } })
+    boost::replace_all(safe, character, entity);
   return safe;
 }
 
 std::string html_formula(const std::string &text)
 {
-  std::string html;
-  for (const TextPiece &piece : formula_pieces(text))
-    html += piece.subscript ? "<sub>" + html_text(piece.text) + "</sub>" : html_text(piece.text);
-  return html;
+  return with_subscripts(text, html_text, "<sub>", "</sub>");
 }
 
 std::string inline_svg(const std::string &svg, const std::string &name, const std::string &label)
 {
-  const std::size_t root = root_of(svg);
+  const std::size_t root = std::min(svg.find("<svg"), svg.size()); // after the document's own beginning
   const std::size_t content = std::min(svg.find('>', root), svg.size() - 1) + 1;
   const std::string tag = svg.substr(root, content - root);
   std::string body = svg.substr(content);
   remove_element(body, "title"); // browsers would show these when the mouse rests
   remove_element(body, "desc");
-  for (const char *quote : { "'", "\"" })
-  {
-    replace_all(body, " id=" + std::string(quote), " id=" + std::string(quote) + name + "-");
-    replace_all(body, "href=" + std::string(quote) + "#", "href=" + std::string(quote) + "#" + name + "-");
-  }
-  replace_all(body, "url(#", "url(#" + name + "-");
+  for (const std::string beginning : { " id='", " id=\"", "href='#", "href=\"#", "url(#" })
+    boost::replace_all(body, beginning, beginning + name + "-");
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"" +
          attribute(tag, "viewBox") + "\" role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
 }

@@ -16,7 +16,7 @@ std::string html_page(const Report &report, const std::map<std::string, std::str
 /// A text without what means something to HTML, in elements and in quoted attributes.
 std::string html_text(const std::string &text);
 
-/// html_text() with the subscripts of formula_pieces().
+/// html_text() with the subscripts of with_subscripts().
 std::string html_formula(const std::string &text);
 
 /// An SVG document of gnuplot as an element of a page: as wide as the page allows, with ids that begin with

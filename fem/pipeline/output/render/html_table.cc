@@ -1,6 +1,8 @@
 #include "fem/pipeline/output/render/html_page.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cctype>
 
@@ -18,18 +20,10 @@ bool is_number(const std::string &cell)
          (digit != std::string::npos && digit < 2 && std::isdigit(static_cast<unsigned char>(cell[digit])));
 }
 
-/// A unit that is not broken at the end of a line.
-std::string unbroken(const std::string &unit)
-{
-  std::string text;
-  for (const char letter : unit)
-    text += letter == ' ' ? "\u00a0" : std::string(1, letter);
-  return text;
-}
-
+/// With a unit that is not broken at the end of a line.
 std::string heading_of(const Quantity &quantity)
 {
-  return with_unit(quantity.heading, unbroken(quantity.unit), false);
+  return with_unit(quantity.heading, boost::replace_all_copy(quantity.unit, " ", "\u00a0"), false);
 }
 
 } // namespace

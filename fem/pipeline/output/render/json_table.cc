@@ -1,5 +1,7 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 namespace stemware::pipeline
 {
 
@@ -32,7 +34,7 @@ Json json_row(const Table &table, std::size_t row)
   {
     const std::string &key = column.quantity.key;
     const Json value = json_cell(column.cells.at(row));
-    if (key.size() > list.size() && key.compare(key.size() - list.size(), list.size(), list) == 0)
+    if (boost::ends_with(key, list))
       object[key.substr(0, key.size() - list.size())].push_back(value);
     else if (!key.empty())
       object[key] = value;

@@ -48,14 +48,11 @@ std::string with_grid_lines(const std::string &table, std::size_t n_columns)
 /// The range of colours for what could be computed; a width of its own for a single value.
 std::pair<double, double> colour_range(const ValueMap &map)
 {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Extent colours;
   for (const std::vector<double> &row : map.values)
     for (const double value : row)
-      if (std::isfinite(value))
-      {
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
+      colours.include(value);
+  const auto [least, most] = colours;
   if (least > most)
     return { 0, 1 };
   const double margin = least < most ? 0 : std::max(1e-6 * std::abs(least), 1e-300);
@@ -68,29 +65,23 @@ Plot map_plot(const ValueMap &map)
 {
   const std::vector<double> x = cell_bounds(map.x_values, map.x.logarithmic);
   const std::vector<double> y = cell_bounds(map.y_values, map.y.logarithmic);
-  Table table = { map.caption, {} };
-  for (const auto &[name, unit] : { std::pair(map.x.label, "x"),
-                                    std::pair(map.y.label, "y"),
-                                    std::pair(map.quantity, "value"),
+  std::vector<std::vector<double>> rows;
+  for (std::size_t j = 0; j < map.y_values.size(); ++j)
+    for (std::size_t i = 0; i < map.x_values.size(); ++i)
+      rows.push_back(
+        { map.x_values[i], map.y_values[j], map.values.at(j).at(i), x[i], x[i + 1], y[j], y[j + 1] });
+  const Table table = number_rows(map.caption,
+                                  { { map.x.label, "x" },
+                                    { map.y.label, "y" },
+                                    { map.quantity, "value" },
                                     { "left bound of the cell", "x" },
                                     { "right bound", "x" },
                                     { "lower bound", "y" },
-                                    { "upper bound", "y" } })
-    table.columns.push_back(numbers(name, unit, {}));
-  for (std::size_t j = 0; j < map.y_values.size(); ++j)
-    for (std::size_t i = 0; i < map.x_values.size(); ++i)
-    {
-      const double row[] = { map.x_values[i], map.y_values[j], map.values.at(j).at(i), x[i], x[i + 1], y[j],
-                             y[j + 1] };
-      for (std::size_t c = 0; c < table.columns.size(); ++c)
-        table.columns[c].cells.push_back(row[c]);
-    }
-  const auto range = [](const std::vector<double> &bounds)
-  { return std::pair(bounds.front(), bounds.back()); };
+                                    { "upper bound", "y" } },
+                                  rows);
   Axis x_axis = map.x, y_axis = map.y;
-  x_axis.range = range(x);
-  y_axis.range = range(y);
-  const std::string file = "\"figures/" + map.name + ".dat\"";
+  x_axis.range = std::pair(x.front(), x.back());
+  y_axis.range = std::pair(y.front(), y.back());
   const auto [least, most] = colour_range(map);
   std::string logscales;
   for (const auto &[which, axis] : { std::pair("x", map.x), std::pair("y", map.y) })
@@ -100,18 +91,17 @@ Plot map_plot(const ValueMap &map)
     R"gp(# Contour lines first: the table of their points would heed the formats of the axes.
 set contour base; unset surface; set cntrparam levels auto 8
 set table $contours
-splot )gp" +
-    file + R"gp( using 1:2:3 notitle
+splot data using 1:2:3 notitle
 unset table
 )gp";
   const std::string drawing = R"gp(unset grid; unset key; set border 15; set tics out
 set style fill solid noborder
-plot )gp" + file + R"gp( using 1:2:4:5:6:7:3 with boxxyerror lc palette, \
+plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette, \
      $contours using 1:2 with lines lc rgb "#ffffff" lw 1.2 dt 1
 )gp";
   const std::string script = logscales + contours + axis_commands("x", x_axis) + axis_commands("y", y_axis) +
                              colour_commands(map.quantity, least, most) + drawing;
-  return { map.name, map.caption, script, 540, 380, with_grid_lines(data_table(table), map.x_values.size()) };
+  return { map.name, map.caption, script, with_grid_lines(data_table(table), map.x_values.size()), 540, 380 };
 }
 
 Plot tornado_plot(const std::string &name, const std::string &caption, const std::string &quantity,
@@ -130,27 +120,25 @@ Plot tornado_plot(const std::string &name, const std::string &caption, const std
     high.push_back(item.high);
     tics += (tics.empty() ? "" : ", ") + gnuplot_text(item.parameter) + " " + to_text(place.back());
   }
-  const std::string file = "\"figures/" + name + ".dat\"";
   const double widest = sensitivities.empty() ? 0 : reach(sensitivities.back());
-  const std::string script =
-    "set xlabel " + gnuplot_text(quantity) + "\n" + tic_commands("x", -widest, widest) + "set ytics (" +
-    tics + ")\nset yrange [0.4:" + std::to_string(sensitivities.size()) + R"gp(.6]
+  const std::string script = "set xlabel " + gnuplot_text(quantity) + "\n" +
+                             tic_commands("x", -widest, widest) + "set ytics (" + tics +
+                             ")\nset yrange [0.4:" + std::to_string(sensitivities.size()) + R"gp(.6]
 unset border; set border 1; set grid noytics; set xzeroaxis; set yzeroaxis lt 7
 set key at screen 0.98, screen 0.97 right top horizontal; set tmargin 3
 set style fill solid noborder
-plot )gp" +
-    file +
-    " using (0):1:(0):2:($1 - 0.35):($1 + 0.35) with boxxyerror lt 1 title \"parameter down\", \\\n     " +
-    file + " using (0):1:(0):3:($1 - 0.35):($1 + 0.35) with boxxyerror lt 2 title \"parameter up\"\n";
+plot data using (0):1:(0):2:($1 - 0.35):($1 + 0.35) with boxxyerror lt 1 title "parameter down", \
+     data using (0):1:(0):3:($1 - 0.35):($1 + 0.35) with boxxyerror lt 2 title "parameter up"
+)gp";
   return { name,
            caption,
            script,
-           540,
-           120 + 40. * static_cast<double>(sensitivities.size()),
            data_table(
              { caption,
                { numbers("place from below", "1", place), numbers("change when it goes down", quantity, low),
-                 numbers("change when it goes up", quantity, high) } }) };
+                 numbers("change when it goes up", quantity, high) } }),
+           540,
+           120 + 40. * static_cast<double>(sensitivities.size()) };
 }
 
 } // namespace stemware::pipeline

@@ -12,11 +12,11 @@ namespace stemware::pipeline
 /// A picture of a report, drawn by gnuplot as SVG and as PDF.
 struct Plot
 {
-  std::string name;    ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
-  std::string caption; ///< below the picture, and its name for those who do not see it
-  std::string script;  ///< gnuplot commands without terminal and output; the results folder is where they run
+  std::string name;      ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
+  std::string caption;   ///< below the picture, and its name for those who do not see it
+  std::string script;    ///< gnuplot commands without terminal and output; data names the .dat
+  std::string data = ""; ///< content of figures/<name>.dat; empty: no such file is written
   double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
-  std::string data = "";            ///< content of figures/<name>.dat; empty: no such file is written
 };
 
 /// A file of the results to which a report links.

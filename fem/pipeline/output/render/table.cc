@@ -35,6 +35,16 @@ Column numbers(const std::string &name, const std::string &unit, const std::vect
   return column(Quantity("", name, unit), values);
 }
 
+Table number_rows(const std::string &title, const std::vector<std::pair<std::string, std::string>> &columns,
+                  const std::vector<std::vector<double>> &rows)
+{
+  Table table = { title, {} };
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    table.columns.push_back(column(Quantity("", columns[c].first, columns[c].second), rows,
+                                   [=](const std::vector<double> &row) { return row.at(c); }));
+  return table;
+}
+
 Table words(const std::string &title, const std::vector<std::string> &headings,
             const std::vector<std::vector<std::string>> &rows)
 {
@@ -49,14 +59,18 @@ Table as_list(const Table &table)
 {
   std::vector<std::vector<std::string>> rows;
   for (const Column &column : table.columns)
-    rows.push_back(
-      { with_unit(column.quantity.heading, column.quantity.unit, false), shown(column, 0, "–") });
+    rows.push_back({ heading_with_unit(column.quantity), shown(column, 0, "–") });
   return words(table.title, { "", "" }, rows);
 }
 
 std::string with_unit(const std::string &name, const std::string &unit, bool ones)
 {
   return unit.empty() || (unit == "1" && !ones) ? name : name + " (" + unit + ")";
+}
+
+std::string heading_with_unit(const Quantity &quantity)
+{
+  return with_unit(quantity.heading, quantity.unit, false);
 }
 
 std::string shown(const Column &column, std::size_t row, const std::string &missing, bool on_console)

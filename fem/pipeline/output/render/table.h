@@ -128,6 +128,10 @@ struct Table
   Quantity &operator[](const std::string &key);
 };
 
+/// Numbers for a data file alone, row by row; @p columns are their names and units.
+Table number_rows(const std::string &title, const std::vector<std::pair<std::string, std::string>> &columns,
+                  const std::vector<std::vector<double>> &rows);
+
 /// A table of words for people, row by row. Cells that look like numbers are aligned as numbers are.
 Table words(const std::string &title, const std::vector<std::string> &headings,
             const std::vector<std::vector<std::string>> &rows);
@@ -137,6 +141,9 @@ Table as_list(const Table &table);
 
 /// "name (unit)"; the name alone where there is no unit, or the unit is 1 and @p ones is false.
 std::string with_unit(const std::string &name, const std::string &unit, bool ones = true);
+
+/// What reports call a quantity, with its unit unless that is 1.
+std::string heading_with_unit(const Quantity &quantity);
 
 /// A cell as people read it on the console or in a report; @p missing where there is none.
 std::string shown(const Column &column, std::size_t row, const std::string &missing, bool on_console = false);

@@ -163,8 +163,8 @@ TEST(Plots, TruncationThatChangesNothing)
 TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
-  const Plot plot =
-    spin_up_plot({ 0, 1, 2 }, { { "elastic foot", { 0, -1, -1.5 } }, { "the paper", { 0, -0.9, -1.4 } } });
+  const Plot plot = spin_up_plot(
+    { { "elastic foot", { 0, 1, 2 }, { 0, -1, -1.5 } }, { "the paper", { 0, 1, 2 }, { 0, -0.9, -1.4 } } });
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("the paper"), std::string::npos);
 }
@@ -172,9 +172,12 @@ TEST(Plots, SpinUp)
 TEST(Plots, Convergence)
 {
   const ScratchFolder scratch;
-  const Plot plot =
-    convergence_plot("mesh", "Refinement.", { "cells", true }, "|a_2 - limit| / a_0",
-                     { { "a_2 / a_0", { 8, 16, 32 }, { 1e-2, 1e-3, 0 }, { 2e-2, 2e-3, 1e-4 } } });
+  Curve curve = {
+    "a_2 / a_0", { 8, 16, 32 }, { 1e-2, 1e-3, 0 }, CurveStyle::line_and_points, { 2e-2, 2e-3, 1e-4 }
+  };
+  curve.is_error = true;
+  const Plot plot = convergence_plot(
+    { "mesh", "Refinement.", { "cells", true }, { "|a_2 - limit| / a_0", true }, { curve } });
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_EQ(data_of(plot, scratch)[2], (std::vector<double>{ 2e-2, 2e-3, 1e-4 }));
 }

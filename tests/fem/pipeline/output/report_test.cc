@@ -28,14 +28,11 @@ using test::ScratchFolder;
 Report small_report()
 {
   const std::string data = "# parabola\n# 1: x (1)\n# 2: y (1)\n0 0\n1 1\n2 4\n";
-  const Plot first = { "first",
-                       "τ_z & \"more\"",
+  const Plot first = { "first", "τ_z & \"more\"",
                        "set title " + gnuplot_text("<τ_z> & {more}_1") +
-                         "\nplot 'figures/first.dat' with linespoints title 'λ(θ)'",
-                       540,
-                       360,
+                         "\nplot data with linespoints title 'λ(θ)'",
                        data };
-  const Plot second = { "second", "twice", "plot 'figures/second.dat' with points", 400, 300, data };
+  const Plot second = { "second", "twice", "plot data with points", data, 400, 300 };
   const Table table = words("numbers", { "name", "a_2" }, { { "x < y", "1.5" }, { "spin_up", "-2e-3" } });
   return { "A <title>",
            "The answer is -3.5 ± 0.1 rad/s & no more.",
