@@ -36,7 +36,7 @@ std::string quoted(const std::string &word)
 RunningProgram start(const std::vector<std::string> &command, const fs::path &folder)
 {
   // The shell tells its number, which is that of the program once that has taken its place.
-  std::string line = "cd " + quoted(folder) + " && echo $$ && exec";
+  std::string line = "cd " + quoted(fs::absolute(folder)) + " && echo $$ && exec";
   for (const std::string &word : command)
     line += " " + quoted(word);
   line += " 2>&1 >/dev/null </dev/null";

@@ -66,10 +66,8 @@ std::vector<std::string> tree_of(const fs::path &folder)
 /// Whether a folder is one in which files are listed, as "figures" is where figures/load.svg is.
 bool is_listed_folder(const std::string &name, const Json &files)
 {
-  const auto is_within = [&](const auto &item)
-  { return item.key().compare(0, name.size() + 1, name + '/') == 0; };
   for (const auto &item : files.items())
-    if (is_within(item))
+    if (item.key().compare(0, name.size() + 1, name + '/') == 0)
       return true;
   return false;
 }

@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <algorithm>
@@ -31,13 +32,9 @@ fs::path folder_beside(const fs::path &results)
 /// cases-0.jsonl, cases-1.jsonl, ...
 bool is_log_name(const std::string &name)
 {
-  const std::string start = "cases-", end = ".jsonl";
-  if (name.size() <= start.size() + end.size() || name.compare(0, start.size(), start) != 0 ||
-      name.compare(name.size() - end.size(), end.size(), end) != 0)
-    return false;
-  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(start.size()),
-                     name.end() - static_cast<std::ptrdiff_t>(end.size()),
-                     [](char letter) { return '0' <= letter && letter <= '9'; });
+  const auto digits = std::min(name.find_first_of("0123456789"), name.size());
+  const auto rank = parse_count(name.substr(digits, name.find('.') - digits));
+  return rank && SweepFolder::log_of("", *rank) == name;
 }
 
 /// The logs that are in the folder; none where it is gone.
