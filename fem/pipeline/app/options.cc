@@ -74,7 +74,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   watch_for_interruption();
   Study study = read_study(options.study_file, options.overrides);
   study.required_resultants(); // refuses a glass that would tip
-  if (needs_mpi || study.load.source == LoadSource::contact)
+  if (needs_mpi || study.load.is_from_contact())
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"

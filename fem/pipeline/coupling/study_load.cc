@@ -184,7 +184,7 @@ BalancedLoad load_from_file(const std::string &file)
 
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress)
 {
-  if (study.load.source != LoadSource::contact)
+  if (!study.load.is_from_contact())
     return nullptr;
   auto foot = std::make_shared<ElasticFoot>(make_foot(study, cache), study.glass.profile.contact_radius);
   progress.stage_done("mesh_and_stiffness");

@@ -239,8 +239,8 @@ std::string narrow_contact_remark(const Study &study, const std::optional<FootRe
     return "";
   return fmt::format(
     FMT_STRING("Note: the contact is at most {} nodes wide: {}."), foot->at_rest.solution.n_nodes_across,
-    study.table.kind == TableKind::rigid
-      ? "on a rigid table the load then depends on the mesh; give more Radial cells on a narrower land"
+    study.table.is_hard()
+      ? "on a hard table the load then depends on the mesh; give more Radial cells on a narrower land"
       : "the pressure is integrated exactly across it, but the mesh does not resolve how the foot yields "
         "just above it");
 }

@@ -60,7 +60,7 @@ double moment_ratio(const fem::Resultants &load, double contact_radius)
 
 std::string friction_note(const Study &study)
 {
-  if (study.load.source != LoadSource::contact || !study.table.is_hard())
+  if (!study.load.is_from_contact() || !study.table.is_hard())
     return "";
   if (study.friction_deforms_foot())
     return "deforms the foot: on this hard table it decides the second harmonic";

@@ -125,12 +125,11 @@ struct LoadSection
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file
 
+  bool is_from_contact() const { return source == LoadSource::contact; }
+  /// Whether the moment is given, instead of following from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
   /// Whether the load is one of a contact in balance with friction at every spin.
-  bool is_in_balance() const
-  {
-    return source == LoadSource::contact && !is_static() && coupling != LoadCoupling::frozen;
-  }
+  bool is_in_balance() const { return is_from_contact() && !is_static() && coupling != LoadCoupling::frozen; }
 };
 
 /// Everything that a study file says: one member per subsection. SI units, or any other consistent set.

@@ -114,7 +114,7 @@ void require_known_waviness(const Study &study)
     require(abilities(study.contact.body).is_of_revolution,
             entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
               " empty and draw the foot in a mesh file.");
-    require(study.load.source == LoadSource::contact,
+    require(study.load.is_from_contact(),
             entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
     require(study.load.coupling != LoadCoupling::response,
             entry + " makes the load depend on more than the moment, which Load/Coupling = response does not "

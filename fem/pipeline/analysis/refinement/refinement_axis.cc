@@ -160,7 +160,7 @@ std::vector<RefinementAxis> axes_of_solid(const Study &study, unsigned int n_lev
 
 std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_levels)
 {
-  if (study.load.source != LoadSource::contact)
+  if (!study.load.is_from_contact())
     throw BadInput("This study's load does not come from a contact, so it has no discretisation to refine; "
                    "set Load/Source = contact.");
   if (study.has_waviness())

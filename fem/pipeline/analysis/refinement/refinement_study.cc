@@ -178,7 +178,7 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
 
 bool has_quick_error_bands(const Study &study)
 {
-  return study.load.source == LoadSource::contact && abilities(study.contact.body).is_of_revolution &&
+  return study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution &&
          !study.table.is_hard() && !study.has_waviness();
 }
 

@@ -49,7 +49,7 @@ bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
   try
   {
     const Study study = plan.study_of(index);
-    return study.load.source == LoadSource::contact && abilities(study.contact.body).is_collective;
+    return study.load.is_from_contact() && abilities(study.contact.body).is_collective;
   }
   catch (const BadInput &)
   {
