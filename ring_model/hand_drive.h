@@ -19,7 +19,7 @@ namespace stemware::ring
 TimedTorqueFunction driven_torque(Closure closure, const Motion &motion, double radius,
                                   OrbitSpeedTable speeds);
 
-/// The same with any load model; the torque throws as SelfConsistentRing::at().
+/// driven_torque() under the loads of any model; the torque throws as SelfConsistentRing::at().
 TimedTorqueFunction driven_torque(Closure closure, const Motion &motion,
                                   std::shared_ptr<const LoadModel> model, OrbitSpeedTable speeds);
 } // namespace stemware::ring

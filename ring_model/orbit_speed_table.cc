@@ -16,7 +16,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// The same polygon with two more points in every interval: the cubic through them is the polygon where it is
+/// The polygon with two more points in every interval: the cubic through them is the polygon where it is
 /// straight.
 void refine(std::vector<double> &times, std::vector<double> &speeds)
 {

@@ -37,7 +37,7 @@ public:
                 double tolerance = 1e-8);
 
   /**
-   * The same in pieces.
+   * A curve in pieces, each interpolated by itself.
    *
    * @param pieces Each as @p samples above, the first load of a piece being the last one of the piece before.
    * @param chebyshev_nodes Whether the nodes gather at the ends of each piece like Chebyshev's: then the

@@ -75,7 +75,7 @@ void compare(const Study &study, Tally &quick, Tally &full)
   const std::vector<QuantityOfInterest> finer =
     quantities_of_load(finer_study, find_load(finer_study, study_foot(finer_study, cache)), spins, omega);
   std::printf("   run\n");
-  quick.add(error_bands(study, load, omega, cache), finer);
+  quick.add(estimate_bands(study, load, omega, cache), finer);
   std::printf("   converge\n");
   full.add(refine(study, own, spins, refinement_axes(study, 3), cache).quantities, finer);
   std::fflush(stdout);

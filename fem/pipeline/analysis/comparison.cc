@@ -196,7 +196,7 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     own.load.coupling = LoadCoupling::exact;
     if (has_quick_error_bands(own))
       row.band =
-        band_of(error_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
+        band_of(estimate_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
   }
 }
 

@@ -78,7 +78,7 @@ TorqueCurve torque_curves(const std::vector<BalancedLoad> &loads, const std::vec
 /// @p on_the_way is the load of all harmonics for thousands of values between rest and the terminal spins;
 /// empty: every row interpolates its own. Throws std::runtime_error where all harmonics have no terminal spin
 /// or no spin-up.
-TruncationTable tabulate(const TruncatedLoads &load_with, const std::optional<BalancedLoad> &on_the_way,
+TruncationTable solve_table(const TruncatedLoads &load_with, const std::optional<BalancedLoad> &on_the_way,
                          unsigned int n_all, SpinQuestion question, const std::function<void()> &row_done)
 {
   TruncationTable table;
@@ -153,7 +153,7 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
   const BalancedLoad on_the_way =
     load.interpolated(std::min(0., terminal.omega - margin), std::max(0., terminal.omega + margin));
   result.frozen =
-    tabulate([&](unsigned int n) { return load.truncated(n); }, on_the_way, n_all, question, row_done);
+    solve_table([&](unsigned int n) { return load.truncated(n); }, on_the_way, n_all, question, row_done);
   if (!result.why_not.empty())
     return result;
   if (!result.acts_back)
@@ -164,7 +164,7 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
   try
   {
     result.self_consistent =
-      tabulate([&](unsigned int n) { return balance(foot, moment_balance(study), load.report(), n); },
+      solve_table([&](unsigned int n) { return balance(foot, moment_balance(study), load.report(), n); },
                std::nullopt, n_all, question, row_done);
   }
   catch (const std::runtime_error &failure)

@@ -44,7 +44,7 @@ void compare(const StudyOptions &options)
   const Comparison comparison = compare_models(study, announced_foot(study, cache, progress), progress);
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, comparison_results(study, comparison), folder, stopwatch);
+  publish(options, study, tabulate(study, comparison), folder, stopwatch);
 }
 
 } // namespace

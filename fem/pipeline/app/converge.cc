@@ -48,7 +48,7 @@ void converge(const ConvergeOptions &options)
   stopwatch.finish("levels");
 
   // 3. Orders, limits and bands.
-  publish(options, study, convergence_results(options, result), folder, stopwatch);
+  publish(options, study, tabulate(options, result), folder, stopwatch);
 }
 
 } // namespace

@@ -119,7 +119,7 @@ void mesh(const MeshOptions &options)
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
   const Results results =
-    mesh_results(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) }, options.writes);
+    tabulate(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) }, options.writes);
   if (folder)
     publish(options.study, study, results, *folder, stopwatch);
   else if (options.study.json && is_first_rank())

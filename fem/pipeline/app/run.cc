@@ -39,11 +39,11 @@ void run(const StudyOptions &options)
   stopwatch.finish("ring");
   const ContactReport report = describe(study, foot, load, omega_terminal);
   stopwatch.finish("report_of_contact");
-  const ErrorBands bands = error_bands(study, load, omega_terminal, cache);
+  const ErrorBands bands = estimate_bands(study, load, omega_terminal, cache);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, run_results(study, report, spin, bands), folder, stopwatch);
+  publish(options, study, tabulate(study, report, spin, bands), folder, stopwatch);
 }
 
 } // namespace

@@ -197,7 +197,7 @@ void sweep(const SweepOptions &options)
   ResultsFolder folder(options.results_place());
   const FinishedCases finished = cases.all();
   const SweepFindings found = find_out(plan, finished);
-  const Results results = is_first_rank() ? sweep_results(plan, finished, found) : Results();
+  const Results results = is_first_rank() ? tabulate(plan, finished, found) : Results();
   publish(options, plan.base, results, folder, stopwatch);
   cases.remove();
   require_one_solved(finished, found);

@@ -43,11 +43,11 @@ void truncate(const TruncateOptions &options)
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
   stopwatch.finish("truncations");
   SpinRow &all = result.frozen.rows.back();
-  all.band = band_of(error_bands(study, load, all.terminal->omega, cache), "omega_terminal");
+  all.band = band_of(estimate_bands(study, load, all.terminal->omega, cache), "omega_terminal");
   stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, truncation_results(study, load.report(), result), folder, stopwatch);
+  publish(options, study, tabulate(study, load.report(), result), folder, stopwatch);
 }
 
 } // namespace

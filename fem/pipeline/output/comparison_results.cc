@@ -154,7 +154,7 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison
 
 } // namespace
 
-Results comparison_results(const Study &study, const Comparison &comparison)
+Results tabulate(const Study &study, const Comparison &comparison)
 {
   Table csv = spin_table(comparison.rows)
                 .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "

@@ -7,6 +7,6 @@ namespace stemware::pipeline
 {
 
 /// The results of `compare`: loads and truncations beside moment balances.
-Results comparison_results(const Study &study, const Comparison &comparison);
+Results tabulate(const Study &study, const Comparison &comparison);
 
 } // namespace stemware::pipeline

@@ -168,7 +168,7 @@ Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &q
   return table;
 }
 
-Results convergence_results(const StudyOptions &options, const RefinementResult &result)
+Results tabulate(const StudyOptions &options, const RefinementResult &result)
 {
   Results results;
   results.files = { { "summary.json", "everything, for programs" },

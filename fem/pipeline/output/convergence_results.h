@@ -10,7 +10,7 @@ namespace stemware::pipeline
 {
 
 /// The results of `converge`: values, orders and limits along each axis, and the error bands.
-Results convergence_results(const StudyOptions &options, const RefinementResult &result);
+Results tabulate(const StudyOptions &options, const RefinementResult &result);
 
 /// The quantities of one axis by row: key and name, the values on each level (* the study's own), the
 /// observed order where the errors fall algebraically, the band of the study's own level.

@@ -98,8 +98,8 @@ nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
 
 } // namespace
 
-Results mesh_results(const MeshFindings &findings, const MeshPictures &pictures,
-                     const std::vector<std::string> &written)
+Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
+                 const std::vector<std::string> &written)
 {
   const fem::MeshCheck &check = findings.check;
   std::vector<std::string> answer = { fmt::format(

@@ -28,8 +28,8 @@ struct MeshPictures
 
 /// The results of `mesh` for a mesh that can be used; @p written are the names of the files it was written
 /// to.
-Results mesh_results(const MeshFindings &findings, const MeshPictures &pictures,
-                     const std::vector<std::string> &written);
+Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
+                 const std::vector<std::string> &written);
 
 /// What was found, in lines for the console.
 std::string mesh_text(const MeshFindings &findings);

@@ -321,8 +321,8 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 
 } // namespace
 
-Results run_results(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                    const std::vector<BandedQuantity> &bands)
+Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                 const std::vector<BandedQuantity> &bands)
 {
   Results results;
   results.files = files_of(report, spin);

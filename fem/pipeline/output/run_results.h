@@ -12,7 +12,7 @@ namespace stemware::pipeline
 
 /// The results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands are empty
 /// where they have not been estimated.
-Results run_results(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                    const std::vector<BandedQuantity> &bands);
+Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                 const std::vector<BandedQuantity> &bands);
 
 } // namespace stemware::pipeline

@@ -271,7 +271,7 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
   return table;
 }
 
-Results sweep_results(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
+Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
 {
   Results results;
   results.files = files_of(plan, cases, findings);

@@ -8,7 +8,7 @@ namespace stemware::pipeline
 
 /// The results of `sweep`: curves over one entry, a family of curves or maps over two, or the spread of
 /// random samples and what it comes from.
-Results sweep_results(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings);
+Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings);
 
 /// sweep.csv: a row for every case of the plan in its order: case (from 1), the varied entries as they were
 /// given, sweep_quantities(), contact outcome, status ("ok" or "failed") and message. What a case does not

@@ -220,7 +220,7 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Truncation
 
 } // namespace
 
-Results truncation_results(const Study &study, const LoadReport &load, const TruncationStudy &truncations)
+Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations)
 {
   Results results;
   results.files = files_of(load, truncations);

@@ -9,6 +9,6 @@ namespace stemware::pipeline
 
 /// The results of `truncate`: what is left of the answer with fewer harmonics, truncated afterwards and in
 /// the loop of contact, friction and moment balance. @p load is the study's at rest.
-Results truncation_results(const Study &study, const LoadReport &load, const TruncationStudy &truncations);
+Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations);
 
 } // namespace stemware::pipeline

@@ -29,7 +29,7 @@ StudyEntry find_entry(const std::string &option, const std::string &path);
 /// The files that the study reads.
 std::vector<std::string> files_of(const Study &study);
 
-/// The same study with its paths as a study file in @p folder has to write them.
+/// @p study with its paths as a study file in @p folder has to write them.
 Study with_paths_from(const std::filesystem::path &folder, Study study);
 
 /// The study as a .prm file that gives the same study again.

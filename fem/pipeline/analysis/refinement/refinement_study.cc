@@ -182,8 +182,8 @@ bool has_quick_error_bands(const Study &study)
          !study.table.is_hard() && !study.has_waviness();
 }
 
-ErrorBands error_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
-                       fem::ComplianceCache &cache)
+ErrorBands estimate_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
+                          fem::ComplianceCache &cache)
 {
   if (!has_quick_error_bands(study))
     return {};

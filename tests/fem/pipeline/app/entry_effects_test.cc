@@ -149,7 +149,7 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
     const BalancedLoad load = find_load(study, foot);
     const SpinStudy spin = study_spin(load, study);
     const Results results =
-      run_results(study, describe(study, foot, load, spin.all().terminal->omega), spin, {});
+      tabulate(study, describe(study, foot, load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;
     for (const ResultFile &file : results.files)
       if (file.name == "spin_up.dat")

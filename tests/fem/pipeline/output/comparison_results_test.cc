@@ -14,7 +14,7 @@ using namespace test;
 
 Results made_comparison()
 {
-  return comparison_results({}, comparison_by_hand());
+  return tabulate({}, comparison_by_hand());
 }
 
 TEST(ComparisonByHand, Console)

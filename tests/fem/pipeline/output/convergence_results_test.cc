@@ -16,7 +16,7 @@ Results made_convergence()
 {
   StudyOptions options;
   options.study_file = "folder/glass.prm";
-  return convergence_results(options, RefinementByHand().result);
+  return tabulate(options, RefinementByHand().result);
 }
 
 TEST(ConvergenceByHand, Console)

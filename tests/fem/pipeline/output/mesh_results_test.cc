@@ -13,7 +13,7 @@ using namespace test;
 
 Results made_mesh()
 {
-  return mesh_results(mesh_by_hand(), {}, { "a.msh" });
+  return tabulate(mesh_by_hand(), {}, { "a.msh" });
 }
 
 TEST(MeshByHand, Console)

@@ -15,7 +15,7 @@ using namespace test;
 Results made_run()
 {
   const RunByHand by_hand;
-  return run_results(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  return tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
 }
 
 TEST(RunByHand, TruncationsInFourForms)
@@ -416,7 +416,7 @@ TEST(RunByHand, WithoutAContactThereIsNothingAboutOne)
   ContactReport report = by_hand.report;
   report.foot.reset();
   report.coupling.reset();
-  const Results without = run_results(by_hand.study, report, by_hand.spin, {});
+  const Results without = tabulate(by_hand.study, report, by_hand.spin, {});
   for (const char *key : { "contact", "resolved", "coupling" })
     EXPECT_TRUE(without.findings.summary[key].is_null()) << key;
   EXPECT_FALSE(without.findings.summary.contains("error_bands"));

@@ -59,7 +59,7 @@ TEST(SweepFindings, RangesNameTheirCases)
   EXPECT_EQ(spin->most_case, 0u);
   EXPECT_FALSE(spin->band);
   EXPECT_EQ(findings.about("closure effect"), nullptr);
-  const auto summary = sweep_results(grid_of_four(), four_cases(), findings).findings.summary;
+  const auto summary = tabulate(grid_of_four(), four_cases(), findings).findings.summary;
   EXPECT_EQ(summary["quantities"]["terminal spin"]["least_case"], 2);
   EXPECT_EQ(summary["sweep"]["failed"], 1);
   EXPECT_EQ(

@@ -14,7 +14,7 @@ using namespace test;
 Results made(const SweepPlan &plan)
 {
   const FinishedCases cases = cases_by_hand(plan);
-  return sweep_results(plan, cases, find_out(plan, cases));
+  return tabulate(plan, cases, find_out(plan, cases));
 }
 
 TEST(SweepByHand, Console)

@@ -15,7 +15,7 @@ using namespace test;
 Results made_truncation()
 {
   const TruncationByHand by_hand;
-  return truncation_results(by_hand.study, by_hand.load, by_hand.truncations);
+  return tabulate(by_hand.study, by_hand.load, by_hand.truncations);
 }
 
 TEST(TruncationByHand, Console)

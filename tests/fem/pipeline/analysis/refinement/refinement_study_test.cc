@@ -105,7 +105,7 @@ struct Levels
   Levels(const Study &study, const Study &finer_study)
       : load(load_of(study, cache))
       , omega(terminal_spin(load, study.motion.orbit).spin.omega)
-      , quick(error_bands(study, load, omega, cache))
+      , quick(estimate_bands(study, load, omega, cache))
       , finer(quantities_of_load(finer_study, load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
