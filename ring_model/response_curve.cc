@@ -73,7 +73,8 @@ void add_node(const RingStack &sample, std::size_t index, const Rules &rules, No
     nodes.shapes.back().push_back(index > 0 ? turned.a(n) / turned.a(0) : 0.);
 }
 
-/// The nodes together with the mirror images (-m, radius, (-1)^n a_n / a_0) of all nodes but m = 0, which is the first.
+/// The nodes together with the mirror images (-m, radius, (-1)^n a_n / a_0) of all nodes but m = 0, which is
+/// the first.
 Nodes mirrored(const Nodes &nodes)
 {
   Nodes both;

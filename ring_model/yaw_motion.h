@@ -32,8 +32,8 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
                                   const std::vector<double> &times, double accuracy, double spin_scale);
 
 /**
- * yaw_motion() by the paper's forward Euler, from t = 0 and psi = 0 in @p n_steps steps [s]; n_steps + 1 samples.
- * First order in @p time_step.
+ * yaw_motion() by the paper's forward Euler, from t = 0 and psi = 0 in @p n_steps steps [s]; n_steps + 1
+ * samples. First order in @p time_step.
  *
  * @throws std::invalid_argument if the inertia or the step is not positive.
  */

@@ -79,7 +79,7 @@ TorqueCurve torque_curves(const std::vector<BalancedLoad> &loads, const std::vec
 /// empty: every row interpolates its own. Throws std::runtime_error where all harmonics have no terminal spin
 /// or no spin-up.
 TruncationTable solve_table(const TruncatedLoads &load_with, const std::optional<BalancedLoad> &on_the_way,
-                         unsigned int n_all, SpinQuestion question, const std::function<void()> &row_done)
+                            unsigned int n_all, SpinQuestion question, const std::function<void()> &row_done)
 {
   TruncationTable table;
   std::vector<BalancedLoad> loads;
@@ -165,7 +165,7 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
   {
     result.self_consistent =
       solve_table([&](unsigned int n) { return balance(foot, moment_balance(study), load.report(), n); },
-               std::nullopt, n_all, question, row_done);
+                  std::nullopt, n_all, question, row_done);
   }
   catch (const std::runtime_error &failure)
   {
