@@ -24,7 +24,15 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
   }
 
-  double stiffness_scale() const override { return reference_pressure / decay_length; }
+  double stiffness_at(double pressure) const override
+  {
+    return std::min(pressure, reference_pressure) / decay_length;
+  }
+  double penetration_at(double pressure) const override
+  {
+    const double ratio = pressure / reference_pressure;
+    return decay_length * (ratio < 1 ? std::log(ratio) : ratio - 1);
+  }
   std::shared_ptr<const InterfaceLaw> softened(double factor) const override
   {
     return std::make_shared<RoughInterface>(reference_pressure, decay_length * factor);

@@ -14,7 +14,8 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   {
   }
 
-  double stiffness_scale() const override { return modulus; }
+  double stiffness_at(double) const override { return modulus; }
+  double penetration_at(double pressure) const override { return pressure / modulus; }
   std::shared_ptr<const InterfaceLaw> softened(double factor) const override
   {
     return std::make_shared<WinklerInterface>(modulus / factor);

@@ -108,6 +108,19 @@ void BodyOfRevolution::update(double step_length)
   displacement += step_length * moved;
 }
 
+void BodyOfRevolution::set_forces(const Eigen::VectorXd &forces)
+{
+  state = forces.reshaped(state.rows(), state.cols());
+  displacement = response.displacement(state);
+}
+
+Eigen::Vector3d BodyOfRevolution::motion_of_circle(Eigen::Index i) const
+{
+  const Eigen::RowVectorXd modes = response.basis().project(displacement.row(i)) * (2. / response.n_lines());
+  const double radius = response.compliance().radii(i);
+  return { modes(0) / 2, modes(1) / radius, modes(2) / radius };
+}
+
 void BodyOfRevolution::reset()
 {
   state = displacement = Eigen::MatrixXd::Zero(response.n_radii(), response.n_lines());

@@ -47,6 +47,11 @@ public:
   const FourierBasis &fourier_basis() const { return response.basis(); }
   const ContactCompliance &contact_compliance() const { return response.compliance(); }
 
+  /// Takes the displacement under nodal @p forces [N] as the state.
+  void set_forces(const Eigen::VectorXd &forces);
+  /// The displacement under the forces on circle @p i as a table motion: its mean and its tilts.
+  Eigen::Vector3d motion_of_circle(Eigen::Index i) const;
+
   /// The nodal forces whose elastic response the displacement is [N], shape [n_radii, n_lines].
   const Eigen::MatrixXd &forces() const { return state; }
 

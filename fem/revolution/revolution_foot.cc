@@ -100,17 +100,6 @@ ContactControl contact_control()
   return control;
 }
 
-/// Stiffness of a mat that a rigid rim presses a quarter of the land wide [Pa/m].
-double soft_modulus(const GlassProfile &profile, double normal_force)
-{
-  const double line_load =
-    normal_force / (2 * boost::math::double_constants::pi * profile.contact_radius);
-  const double half_width = profile.land_width / 4;
-  const double depth = profile.crown_radius > 0 ? half_width * half_width / (2 * profile.crown_radius)
-                                                : 1e-3 * profile.land_width;
-  return line_load / (half_width * depth);
-}
-
 } // namespace
 
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)
@@ -189,7 +178,10 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   if (setup.imperfection.empty())
     return;
   phase = orientation;
+  const Eigen::VectorXd gap_before = body.contact_surface().node_gap;
   body.set_gap([this](double r, double theta) { return gap(r, theta); });
+  if (before) // the next contact starts from the penetration of the last one
+    before->normal_displacement += gap_before - body.contact_surface().node_gap;
 }
 
 unsigned int RevolutionFoot::n_load_harmonics() const
@@ -200,39 +192,67 @@ unsigned int RevolutionFoot::n_load_harmonics() const
 
 ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions)
 {
+  constexpr double largest_step = 1000; // in stiffness
   const double radius = setup.profile.contact_radius;
+  const ContactSurface &surface = body.contact_surface();
+
+  // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
+  const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
+  const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
+  const double depth = setup.profile.crown_radius > 0
+                         ? half_width * half_width / (2 * setup.profile.crown_radius)
+                         : 1e-3 * half_width;
+  const double pressure = line_load(setup, setup.normal_force) / (2 * half_width);
+  double softness = std::max(1., interface->stiffness_at(pressure) * depth / pressure);
+  std::shared_ptr<const InterfaceLaw> soft = interface->softened(softness);
+  std::unique_ptr<TableLaw> soft_law = soft->make(surface, 0);
+  const Eigen::Vector3d pressed_in(-surface.node_gap.minCoeff() - soft->penetration_at(4 * pressure), 0, 0);
+  ContactStart at;
+  at.motion = rigid_foot_motion(surface, *soft_law, conditions, radius, pressed_in);
+  at.normal_displacement = surface.motion_modes() * at.motion;
+
+  // The displacement under a rigid foot's forces is for the most part a motion, which the table follows.
+  ContactForces rigid;
+  soft_law->evaluate(at.normal_displacement, rigid);
+  body.set_forces(rigid.forces);
+  Eigen::Index most_loaded = 0;
+  body.forces().rowwise().sum().maxCoeff(&most_loaded);
+  at.motion -= body.motion_of_circle(most_loaded);
+
   ContactControl control = contact_control();
-  const double soft = soft_modulus(setup.profile, setup.normal_force);
-  double softness = std::max(1., interface->stiffness_scale() / soft);
-  control.tolerance = 1e-3;
-  control.equilibrium_tolerance = 1e-3;
-  std::optional<Eigen::Vector3d> from;
+  control.tolerance = control.equilibrium_tolerance = 1e-3;
   while (softness > 1)
   {
-    const auto softened = interface->softened(softness);
-    const auto soft_law = softened->make(body.contact_surface(), 0);
-    control.whole_steps = from.has_value();
-    from = solve_contact(body, *soft_law, conditions, radius, control, from ? &*from : nullptr).motion;
-    softness = std::max(1., softness / 30);
+    const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
+    const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
+    const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
+    // Penetrations that shrink with the law's softness leave the pressure what it is.
+    at.motion = solution.motion;
+    at.normal_displacement =
+      -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
+    softness = next;
+    soft_law = interface->softened(softness)->make(surface, 0);
+    control.whole_steps = true;
   }
+  const bool whole_steps = control.whole_steps;
   control = contact_control();
-  control.whole_steps = from.has_value();
-  return solve_contact(body, *law, conditions, radius, control, from ? &*from : nullptr);
+  control.whole_steps = whole_steps;
+  return solve_contact(body, *law, conditions, radius, control, &at);
 }
 
 ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &conditions)
 {
-  if (motion)
+  if (before)
     try
     {
       ContactControl control = contact_control();
       control.whole_steps = true;
       control.max_steps = 15;
-      return solve_contact(body, *law, conditions, setup.profile.contact_radius, control, &*motion);
+      return solve_contact(body, *law, conditions, setup.profile.contact_radius, control, &*before);
     }
     catch (const ContactFailure &failure)
     {
-      motion.reset();
+      before.reset();
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
@@ -248,7 +268,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   if (setup.friction_coefficient > 0)
     body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
   state.solution = solve_from_before(conditions_of(body.contact_surface(), demand));
-  motion = state.solution.motion;
+  before = { state.solution.motion, state.solution.normal_displacement };
   state.load = harmonics_on_lines(body.forces(), compliance->radii, n_load_harmonics(), demand.ring_radii);
 
   const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();

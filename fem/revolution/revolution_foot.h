@@ -84,7 +84,7 @@ private:
   BodyOfRevolution body;
   const std::shared_ptr<const InterfaceLaw> interface; ///< a hard one as a stiff spring
   const std::unique_ptr<TableLaw> law;
-  std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before
+  std::optional<ContactStart> before; ///< the solution before
 };
 
 } // namespace stemware::fem

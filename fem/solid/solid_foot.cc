@@ -96,8 +96,8 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
       progress(iteration);
   };
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
-                                 control, motion ? &*motion : nullptr);
-  motion = state.solution.motion;
+                                 control, before ? &*before : nullptr);
+  before = { state.solution.motion, state.solution.normal_displacement };
   state.load =
     extract_load(*law, state.solution, n_load_harmonics(body.contact_surface()), demand.ring_radii);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);

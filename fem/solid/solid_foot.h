@@ -57,7 +57,7 @@ private:
   const SolidMesh mesh;
   SolidBody body;
   const std::unique_ptr<TableLaw> law;
-  std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before
+  std::optional<ContactStart> before; ///< of the table under the solution before
 };
 
 } // namespace stemware::fem
