@@ -131,7 +131,7 @@ private:
       }
       const Estimate estimate = inverse_interpolation(used);
       const double tolerance = search.tolerance * std::max(estimate.spin, 1e-3 * search.spin_scale);
-      if (estimate.error <= tolerance)
+      if (estimate.error <= tolerance && !(failure && estimate.spin >= barrier))
         return estimate.spin;
       if (far && far->spin - near.spin <= tolerance)
         return (near.spin + far->spin) / 2.;
@@ -226,7 +226,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
 
   const double at_rest = counted(0.);
   if (std::abs(at_rest) <= search.grip_torque)
-    return { 0., true, n_evaluations };
+    return { 0., search.grip_torque > 0., n_evaluations };
   const double direction = at_rest > 0. ? 1. : -1.;
   const std::function<double(double)> push = [&](double spin)
   { return direction * counted(direction * spin) - search.grip_torque; };

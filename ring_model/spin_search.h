@@ -31,7 +31,7 @@ struct SpinSearch
 struct SpinZero
 {
   double omega;               ///< [rad/s]
-  bool held;                  ///< |tau_z(0)| <= tau_g: the fingers keep the glass from spinning; omega = 0
+  bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
   unsigned int n_evaluations; ///< of the torque
 };
 

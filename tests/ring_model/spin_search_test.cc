@@ -116,7 +116,7 @@ TEST(SpinSearch, TheGripHoldsTheGlass)
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
   // Neither driven nor held: upright sliding.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
-  EXPECT_TRUE(upright.omega == 0. && upright.held);
+  EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
 
 TEST(SpinSearch, GivesTheSlope)
@@ -166,6 +166,7 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
   {
     EXPECT_STREQ(failure.what(), "tips");
   }
+  EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), std::runtime_error);
   EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), std::runtime_error);
 }
 
