@@ -71,9 +71,10 @@ public:
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
       // A set that still flips between two balanced iterates flips at places whose force is zero to within
       // the tolerance.
-      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before))
+      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.set_matters))
         return;
-      require_new_set(visited, present_residual);
+      if (control.set_matters)
+        require_new_set(visited, present_residual);
       balanced_before = balanced;
       residual_before = present_residual;
       step();
@@ -101,7 +102,7 @@ public:
   ContactSolution solution() const
   {
     ContactSolution result;
-    result.forces = contact.forces;
+    result.forces = body.elastic_forces(contact.forces);
     result.normal_displacement = normal_displacement;
     result.motion = motion;
     result.n_iterations = n_steps;
@@ -111,8 +112,9 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    result.force_residual = std::abs(condition_residual(0)) / conditions.normal_force();
-    result.moment_residual = condition_residual.tail<2>().norm() / (conditions.normal_force() * radius);
+    const Eigen::Vector3d left = conditions.residual(result.forces, motion);
+    result.force_residual = std::abs(left(0)) / conditions.normal_force();
+    result.moment_residual = left.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
     return result;
   }
@@ -128,7 +130,7 @@ private:
   /// Evaluates the balance of the contact forces.
   void compute_residual()
   {
-    condition_residual = conditions.residual(contact.forces);
+    condition_residual = conditions.residual(contact.forces, motion);
     equilibrium = body.equilibrium_residual(contact.forces);
   }
 
@@ -208,9 +210,9 @@ private:
       require_support();
     const NewtonIncrement increment = solve();
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
-    const double step_length = conditions.are_resultants() ? step_to_least_energy(increment, direction)
-                                                           : step_to_less_residual(direction);
-    motion += step_length * increment.motion;
+    const double step_length = control.whole_steps            ? whole_step(increment, direction)
+                               : conditions.are_resultants() ? step_to_least_energy(increment, direction)
+                                                             : step_to_less_residual(increment, direction);
     normal_displacement += step_length * direction;
     report(increment, step_length, other_contact.active_set);
   }
@@ -227,19 +229,33 @@ private:
     if (step_length != 1)
       law.evaluate(normal_displacement + step_length * direction, other_contact);
     contact.swap(other_contact);
+    motion += step_length * increment.motion;
     compute_residual();
     return step_length;
   }
 
+  double whole_step(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
+  {
+    body.update(1);
+    motion += increment.motion;
+    contact.swap(other_contact);
+    law.evaluate(normal_displacement + direction, contact);
+    compute_residual();
+    if (!std::isfinite(residual()))
+      throw_overflow();
+    return 1;
+  }
+
   /// Takes the longest of the steps 1, 1/2, 1/4 ... that lowers the residual, the shortest of them where none
   /// does; returns its length and leaves the contact forces as step_to_least_energy().
-  double step_to_less_residual(const Eigen::VectorXd &direction)
+  double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
   {
     constexpr double shortest = 1. / 64;
     const double residual_before = residual();
     contact.swap(other_contact);
     double step_length = 1;
     body.update(step_length);
+    motion += increment.motion;
     for (;;)
     {
       law.evaluate(normal_displacement + step_length * direction, contact);
@@ -249,6 +265,7 @@ private:
       if (residual() < residual_before || residual() <= control.tolerance || step_length <= shortest)
         return step_length;
       body.update(-step_length / 2);
+      motion -= step_length / 2 * increment.motion;
       step_length /= 2;
     }
   }
@@ -257,7 +274,7 @@ private:
   {
     try
     {
-      return body.solve(contact.tangent, contact.forces, conditions);
+      return body.solve(contact.tangent, contact.forces, conditions, motion);
     }
     catch (const std::runtime_error &error)
     {

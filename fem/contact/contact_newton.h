@@ -28,7 +28,13 @@ struct ContactControl
   double equilibrium_tolerance = 1e-9;
   /// Final check of the conditions: |sum f - N| / N and the other two over N R.
   double resultant_tolerance = 1e-9;
-  unsigned int max_steps = 100;                           ///< Newton steps in all
+  unsigned int max_steps = 100; ///< Newton steps in all
+  /// Whether every step is taken whole: what a start close to the solution asks for, and where there is no
+  /// energy to descend.
+  bool whole_steps = false;
+  /// Whether the active set has to stay what it is for convergence, and may not come back: complementarity at
+  /// nodes. A pressure that is integrated along lines depends on its edges smoothly.
+  bool set_matters = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
 };
 

@@ -10,6 +10,10 @@ namespace stemware::fem
 struct HardInterface : InterfaceLaw
 {
   bool is_hard() const override { return true; }
+  std::shared_ptr<const InterfaceLaw> softened(double) const override
+  {
+    return std::make_shared<HardInterface>();
+  }
   std::unique_ptr<TableLaw> make(const ContactSurface &surface, double penalty) const override;
 };
 

@@ -18,6 +18,13 @@ public:
   /// the body has modes, a mesh that resolves the Hertz contact, and augmented-Lagrangian updates.
   virtual bool is_hard() const { return false; }
 
+  /// The steepest that pressure rises with penetration near the load that contacts carry, as far as a start
+  /// needs to know [Pa/m].
+  virtual double stiffness_scale() const { return 0; }
+
+  /// A law of the same kind, softer by @p factor >= 1: the way to a solution from afar.
+  virtual std::shared_ptr<const InterfaceLaw> softened(double factor) const = 0;
+
   /// The law on @p surface, to which it keeps a reference. @p penalty [Pa/m] steers a hard law, and only the
   /// path to its solution: E / (cell size) is the natural scale. Throws std::invalid_argument for parameters
   /// that are not allowed.

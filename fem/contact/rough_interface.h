@@ -24,6 +24,12 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
   }
 
+  double stiffness_scale() const override { return reference_pressure / decay_length; }
+  std::shared_ptr<const InterfaceLaw> softened(double factor) const override
+  {
+    return std::make_shared<RoughInterface>(reference_pressure, decay_length * factor);
+  }
+
   double reference_pressure = 1e9; ///< p0, at touching mean planes [Pa]
   double decay_length = 1e-6;      ///< s [m], of the order of the rms roughness
 

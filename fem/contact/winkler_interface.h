@@ -14,6 +14,12 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   {
   }
 
+  double stiffness_scale() const override { return modulus; }
+  std::shared_ptr<const InterfaceLaw> softened(double factor) const override
+  {
+    return std::make_shared<WinklerInterface>(modulus / factor);
+  }
+
   double modulus; ///< k [Pa/m]
 
   double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }

@@ -46,7 +46,7 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  ContactState solve(const Resultants &load, const Slip &slip = {},
+  ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
