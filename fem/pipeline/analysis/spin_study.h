@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_row.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
@@ -60,6 +61,7 @@ struct SpinStudy
   TorqueCurve torque;            ///< from -1.5 v/R to 1.5 v/R
   SpinUpCurves spin_up;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
+  Budget budget;
 
   const SpinRow &all() const { return rows.back(); }
   /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
