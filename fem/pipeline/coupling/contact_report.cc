@@ -35,7 +35,7 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double omega_terminal)
 {
-  ContactReport report = { load.report(), report_of(load.at(omega_terminal)) };
+  ContactReport report = { load.report(), report_of(load.at(omega_terminal)), {}, 0, {}, {} };
   if (!load.follows_spin())
     report.load_at_terminal = load.report();
   if (foot)

@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/answer.h"
 
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/render/number_format.h"
 
 #include <algorithm>
@@ -40,23 +41,66 @@ std::string effect_in_brackets(const std::string &name, const SpinRow *from, con
 
 // ---- run
 
-std::string terminal_spin_sentence(const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
+/// "With the load of rest kept at every spin (one-way), "; empty for a load in balance.
+std::string one_way_beginning(const Study &study)
 {
-  if (!spin.spins_up())
-    return "The glass does not spin up.";
-  return "The glass spins up to " +
+  if (!is_one_way(study))
+    return "";
+  if (study.load.source == LoadSource::file)
+    return "Under the given load (one-way: it is the same at every spin) ";
+  return (study.load.is_static() ? "Under the given moment, with" : "With") +
+         std::string(" the load of rest kept at every spin (one-way), ");
+}
+
+std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
+                                   const std::vector<BandedQuantity> &bands)
+{
+  const std::string beginning = one_way_beginning(study);
+  return beginning + (beginning.empty() ? "The" : "the") + " glass spins up to " +
          with_band(spin.all().omega_terminal().value(), band_of(bands, "omega_terminal")) + " rad/s.";
 }
 
-std::string harmonic_sentence(const SpinComparison &spins, unsigned int n_harmonics)
+/// The row whose step is the largest, those of the harmonics left out; null where none of them is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
 {
-  const auto effect = spins.harmonic_effect();
-  if (!effect || n_harmonics < 2)
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+std::string largest_step_sentence(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
     return "";
-  if (std::abs(*effect) < 1e-9)
-    return "The harmonics of the load beyond the first do not change that.";
-  return "The harmonics of the load beyond the first make it " + faster_or_slower(*effect) +
-         " than the first alone would (" + format::all_significant<6>(spins.first_harmonic) + " rad/s).";
+  const double from = *row->omega_terminal - *row->difference;
+  return "The largest other step from the paper's model to this " +
+         std::string(is_one_way(study) ? "one-way one" : "one") + " is \"" + row->name +
+         "\": " + format::signed_significant<3>(*row->difference) + " rad/s" +
+         (is_spin(study, from) ? " (" + faster_or_slower(*row->difference / from) + ")" : "") +
+         (row->standing == Standing::formal ? ", formally: such a load would have to pull on the table" : "") +
+         ".";
+}
+
+/// What no band contains, with its sizes.
+std::string without_sentence(const Study &study, const Budget &budget, bool has_band)
+{
+  std::vector<std::string> parts;
+  for (const WithoutRow &row : budget.without)
+    if (row.difference)
+      parts.push_back(row.name + " " +
+                      format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
+  if (parts.empty())
+    return "";
+  std::string list;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  return std::string(has_band ? "The band is that of the discretisation; it" : "This") +
+         " does not contain what the " + (is_one_way(study) ? "one-way " : "") +
+         "model leaves open. Left out one at a time, these change the spin by (rad/s): " + list + ".";
 }
 
 // ---- truncate
@@ -201,36 +245,47 @@ std::string failed_cases_sentence(const SweepFindings &findings)
 
 } // namespace
 
-std::string run_answer(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                       const std::vector<BandedQuantity> &bands)
+std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
 {
-  return joined({ terminal_spin_sentence(spin, bands),
-                  harmonic_sentence(compare_spins(study, spin), report.load.rings.n_harmonics()),
-                  closure_sentence(spin.closures) });
+  if (!is_spin(study, spin.all().omega_terminal().value()))
+    return "The glass does not spin up.";
+  const bool has_band = band_of(bands, "omega_terminal").has_value();
+  return joined({ terminal_spin_sentence(study, spin, bands),
+                  spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
+                  largest_step_sentence(study, spin.budget),
+                  without_sentence(study, spin.budget, has_band) });
 }
 
-std::string closure_sentence(const std::vector<SpinRow> &closures)
+bool is_one_way(const Study &study)
 {
-  const SpinRow *paper = row_of(closures, ring::Closure::paper),
-                *full = row_of(closures, ring::Closure::full);
-  const auto effect = relative_effect(paper, full);
-  if (!effect)
+  return study.load.source == LoadSource::file || study.load.is_static() ||
+         (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
+}
+
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
+{
+  if (!effect.absolute)
     return "";
-  return "For scale: the friction that the paper's moment balance leaves out makes the glass " +
-         faster_or_slower(*effect) + " under a first-harmonic load (" +
-         format::all_significant<6>(*full->omega_terminal()) + " instead of " +
-         format::all_significant<6>(*paper->omega_terminal()) + " rad/s" +
-         (paper->pulls() || full->pulls() ? ", formally: such a load would have to pull on the table" : "") +
-         ").";
+  const std::string subject =
+    std::string("The harmonics of the ") + (is_one_way(study) ? "one-way " : "") + "load beyond the first ";
+  if (!is_spin(study, *effect.absolute))
+    return subject + "do not change that.";
+  const std::string size = format::signed_significant<3>(*effect.absolute) + " rad/s";
+  return subject + (effect.relative ? "make it " + faster_or_slower(*effect.relative) + " (" + size + ")."
+                                    : "change it by " + size + ".");
 }
 
 std::string lift_off_remark(const LoadReport &load)
 {
-  if (load.moment_ratio <= 1)
+  if (load.minimum < 0)
+    return "The load is negative somewhere, down to " + format::significant<4>(load.minimum) +
+           " N/rad: the table would have to pull. " + format::percent_fixed<1>(load.contact_fraction) +
+           " of the rim carries load.";
+  if (load.contact_fraction >= 1)
     return "";
-  return "The moment ratio is " + format::significant<4>(load.moment_ratio) +
-         ", above 1: a first-harmonic load would have to pull; " +
-         format::percent_fixed<1>(load.contact_fraction) + " of the rim carries load.";
+  return "The foot has left the table in part: " + format::percent_fixed<1>(load.contact_fraction) +
+         " of the rim carries load, at a moment ratio of " + format::significant<4>(load.moment_ratio) +
+         (load.moment_ratio > 1 ? ", above 1, where a first-harmonic load would have to pull." : ".");
 }
 
 std::string narrow_contact_remark(const Study &study, const std::optional<FootReport> &foot)
@@ -243,6 +298,19 @@ std::string narrow_contact_remark(const Study &study, const std::optional<FootRe
       ? "on a hard table the load then depends on the mesh; give more Radial cells on a narrower land"
       : "the pressure is integrated exactly across it, but the mesh does not resolve how the foot yields "
         "just above it");
+}
+
+std::string layer_remark(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return "";
+  return fmt::format(
+    FMT_STRING("Note: the contact is {:.2g} mm wide, its half-width less than the {:.3g} mm of the layer "
+               "(Table/Layer thickness). A Winkler interface stands for a layer only where the contact is much "
+               "wider than it; take an elastic disc instead (Table/Substrate = elastic)."),
+    2e3 * half_width, 1e3 * layer);
 }
 
 std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> &phases)
@@ -334,9 +402,11 @@ std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))
     return format::all_significant<6>(value);
-  // Rounded up so that the band does not become narrower.
+  // Rounded up, so that what is printed contains all of value -/+ band.
   const double unit = std::pow(10, -decimals_of(*band));
-  return to_spread(value, *band) + " ± " + to_spread(std::ceil(*band / unit * (1 - 1e-9)) * unit, *band);
+  const double shift = std::abs(value - std::round(value / unit) * unit);
+  return to_spread(value, *band) + " ± " +
+         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline

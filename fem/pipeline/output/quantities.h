@@ -41,6 +41,27 @@ inline Quantity torque_at(double omega)
            "τ_z at " + significant<6>(omega) + " rad/s", "tau at " + significant<4>(omega) };
 }
 
+// ---- the budget: rows are models, from the paper's to the study's
+inline const Quantity step_of_budget("step", "step", "", "step", "step");
+inline const Quantity effect_name("name", "name", "");
+inline const Quantity effect("title", "what is added", "", "what is added", "what is added");
+inline const Quantity left_out("name", "without", "", "without", "without");
+inline const Quantity spin_difference("difference", "difference of terminal omega", "rad/s", "difference",
+                                      "difference", signed_significant<4>);
+inline const Quantity relative_difference("relative_difference", "relative difference", "1", "relative",
+                                          "relative", change);
+inline const Quantity spin_band("band", "half-width of the error band of terminal omega", "rad/s", "band",
+                                "band", format::band);
+inline const Quantity budget_state("remark", "", "");
+inline const Quantity formal_flag("formal", "1 if the load is negative somewhere");
+inline const Quantity reason("reason", "", "");
+/// tau_z at a @p place between rest and the complete model's terminal spin, in a list of such.
+inline Quantity torque_of_budget(const std::string &place)
+{
+  return { "torques[]", "tau_z at " + place + " of the last row", "N m", "τ_z at " + place,
+           "tau_z at\n" + place, significant<6> };
+}
+
 // ---- the load on the ring
 inline const Quantity amplitude("amplitude", "amplitude of the highest one over a_0 at rest", "1",
                                 "amplitude of the last / a_0", "last one\nover a_0", scientific<3>,

@@ -23,6 +23,13 @@ std::string all_significant(double value)
   return fmt::format(FMT_STRING("{:#.{}g}"), value, digits);
 }
 
+/// Up to @p digits significant digits with the sign: "+0.0295"; "0" for nothing.
+template <int digits>
+std::string signed_significant(double value)
+{
+  return value == 0 ? "0" : fmt::format(FMT_STRING("{:+.{}g}"), value, digits);
+}
+
 /// "-3.129e+00".
 template <int digits>
 std::string scientific(double value)
