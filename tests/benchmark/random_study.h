@@ -75,7 +75,7 @@ private:
 
   void draw_table(TableSection &table)
   {
-    table.kind = happens(0.25) ? TableKind::rough : TableKind::mat;
+    table.interface = happens(0.25) ? TableInterface::rough : TableInterface::winkler;
     table.foundation_modulus = log_between(1e8, 1e12);
     table.roughness.decay_length = log_between(3e-7, 5e-6);
   }
@@ -103,7 +103,7 @@ private:
       study.load.moment_direction = between(-M_PI, M_PI);
       return;
     }
-    study.load.coupling = LoadCoupling::exact;
+    study.load.coupling = LoadCoupling::two_way;
     ring::Motion &orbit = study.motion.orbit;
     const double half_arm = study.glass.profile.contact_radius / 2;
     do

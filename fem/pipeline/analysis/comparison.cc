@@ -141,7 +141,7 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
     return loads;
   loads.push_back(foot_at_rest(study, foot));
   // Hundreds of contacts: for a foot that takes all ranks together only where the study asks for that.
-  if (!foot->body().capabilities().is_collective || study.load.coupling == LoadCoupling::exact)
+  if (!foot->body().capabilities().is_collective || study.load.coupling == LoadCoupling::two_way)
     loads.push_back(foot_in_balance(study, foot));
   return loads;
 }
@@ -193,7 +193,7 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
       continue;
     Study own = study;
     own.motion.closure = row.closure;
-    own.load.coupling = LoadCoupling::exact;
+    own.load.coupling = LoadCoupling::two_way;
     if (has_quick_error_bands(own))
       row.band =
         band_of(estimate_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");

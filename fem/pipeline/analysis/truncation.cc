@@ -119,9 +119,9 @@ std::string why_no_balance(const Study &study, const std::shared_ptr<ElasticFoot
   if (study.load.is_static())
     return "The moment is given (Load/Moment ratio), so there is no balance of moments for friction to "
            "enter.";
-  if (foot->body().capabilities().is_collective && study.load.coupling == LoadCoupling::frozen)
+  if (foot->body().capabilities().is_collective && study.load.coupling == LoadCoupling::one_way)
     return "The balance without some harmonics takes a thousand contact solutions; for a solid body it is "
-           "computed with Load/Coupling = exact only.";
+           "computed with Load/Coupling = two-way only.";
   return "";
 }
 

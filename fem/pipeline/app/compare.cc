@@ -62,9 +62,9 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
 
 The glass of the study under the closures paper, hand and full, on five kinds of load: the paper's
 first harmonic; a rigid rim, flat and round, on a soft mat; and the elastic foot, with its load at
-rest and in balance with friction at every spin (a solid body with Load/Coupling = exact only). Each
-with 1, 2, 3 and all harmonics. A row that does not exist says why: tips, no balance, no terminal
-spin. "formal" loads would have to pull on the table.
+rest and in balance with friction at every spin (a solid body with Load/Coupling = two-way only).
+Each with 1, 2, 3 and all harmonics. A row that does not exist says why: tips, no balance, no
+terminal spin. "formal" loads would have to pull on the table.
 
   compare.csv        one row for each closure, load and number of harmonics
   report.html, figures/, summary.json, parameters.prm, timings.json)");

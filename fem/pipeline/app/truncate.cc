@@ -62,7 +62,7 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   verb->footer(R"(Examples:
   stemware truncate docs/cookbooks/paper.prm
   stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
-  stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=exact"
+  stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=two-way"
 
 The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where neither
 contact nor friction is solved again; and self-consistent, where the friction of what is left enters

@@ -14,7 +14,7 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   const fem::ContactState &at_rest = *load.contact();
   FootReport report;
   report.foot = foot.body().description();
-  report.friction_coupling = study.friction_deforms_foot() ? "elastic" : "none";
+  report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
   // The fields are those of the state solved last.

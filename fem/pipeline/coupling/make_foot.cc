@@ -21,7 +21,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.material = study.glass.material;
   setup.table = study.table.make();
   setup.imperfection = imperfection_of(study);
-  if (study.friction_deforms_foot())
+  if (study.friction_deforms())
     setup.friction_coefficient = study.motion.orbit.friction_coefficient;
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;

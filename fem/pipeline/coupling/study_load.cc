@@ -1,6 +1,5 @@
 #include "fem/pipeline/coupling/study_load.h"
 
-#include "fem/pipeline/coupling/foot_response_curve.h"
 #include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
@@ -41,37 +40,13 @@ std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise
   return pointwise;
 }
 
-/// Loads by a curve of contact solutions over the moment ratio.
-BalancedLoad response_load(const Study &study, const ElasticFoot &foot, const MomentBalance &moments,
-                           const LoadReport &at_rest)
-{
-  const FootResponseCurve response = measure_response(study, foot);
-  const BalancedLoad load = balance(response.curve, moments, at_rest);
-  BalancedLoad::Parts parts = load.insides();
-  parts.statistics->n_contact_solutions = response.n_solutions;
-  parts.statistics->response_error = response.error;
-  parts.at_spin = [inside = parts.at_spin](double omega)
-  {
-    try
-    {
-      return inside(omega);
-    }
-    catch (const std::out_of_range &failure)
-    {
-      throw std::runtime_error(std::string(failure.what()) + ", or set Load/Coupling = exact.");
-    }
-  };
-  return BalancedLoad(std::move(parts));
-}
-
 /// The load of a contact whose marks stay where they are.
 BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                const MomentBalance &moments, const LoadReport &at_rest, Progress &progress)
 {
-  if (study.load.coupling == LoadCoupling::frozen || !spin_matters(study))
+  if (!study.load.is_in_balance() || !spin_matters(study))
     return constant_load(at_rest);
-  return study.load.coupling == LoadCoupling::exact ? balance(foot, moments, at_rest, all_harmonics, progress)
-                                                    : response_load(study, *foot, moments, at_rest);
+  return balance(foot, moments, at_rest, all_harmonics, progress);
 }
 
 /// Loads of an out-of-flat foot or table, each phase with its own balances, solved as they are asked for.
@@ -130,7 +105,7 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   const PhaseGrids grids = find_phases(exact, phase_periods(imperfection_of(study)));
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
-  const bool follows_spin = study.load.coupling != LoadCoupling::frozen && spin_matters(study);
+  const bool follows_spin = study.load.is_in_balance() && spin_matters(study);
   const double spin_unit = follows_spin ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
   const auto for_mean =
@@ -146,10 +121,6 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
 
 BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
 {
-  if (study.load.coupling == LoadCoupling::response && !foot->body().capabilities().is_isotropic)
-    throw BadInput(
-      "Load/Coupling = response needs a load that depends on the moment ratio alone, but this foot is "
-      "not the same in all directions; use Load/Coupling = exact.");
   const fem::Resultants demand = study.required_resultants();
   const MomentBalance moments = moment_balance(study);
   const auto state = std::make_shared<const fem::ContactState>(foot->solve(
@@ -233,14 +204,14 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius)
 
 bool spin_matters(const Study &study)
 {
-  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms_foot();
+  return ring::friction_arm(study.motion.closure, study.motion.orbit) != 0 || study.friction_deforms();
 }
 
 std::string frozen_note(const Study &study)
 {
   const bool could_follow = !study.load.is_static() && spin_matters(study);
-  return study.load.coupling == LoadCoupling::frozen && could_follow
-           ? "the load is that of rest; Load/Coupling = exact follows it through the spin-up"
+  return study.load.coupling == LoadCoupling::one_way && could_follow
+           ? "the load is that of rest; Load/Coupling = two-way follows it through the spin-up"
            : "";
 }
 

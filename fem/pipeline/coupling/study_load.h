@@ -19,15 +19,14 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
 /// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as
 /// Load/Coupling wants it. @p foot is study_foot().
 ///
-/// A contact is solved at rest. `frozen`: that load at every spin. `exact` and `response`: in balance at
-/// every spin, where friction enters the moment that the table has to carry, the moment enters the contact,
-/// the contact's load enters the friction (docs/theory/closures.md); exact solves the contact for each
-/// moment, response takes a curve of contacts over the moment ratio. Where the spin does not matter to the
-/// load (a moment balance without the moment of friction, no friction that deforms the foot), both are the
-/// load at rest. An out-of-flat rim or table is sampled over its phases.
+/// A contact is solved at rest. `one-way`, and with a given moment: that load at every spin. `two-way`: in
+/// balance at every spin, where friction enters the moment that the table has to carry, the moment enters the
+/// contact, the contact's load enters the friction (docs/theory/closures.md). Where the spin does not matter
+/// to the load (a moment balance without the moment of friction, no friction that deforms the foot), that is
+/// the load at rest. An out-of-flat rim or table is sampled over its phases.
 ///
-/// @p progress must live as long as the load; both keep @p foot. Throws BadInput, fem::ContactFailure, and
-/// std::runtime_error where a curve misses its tolerance; the load throws as balance()'s.
+/// @p progress must live as long as the load; both keep @p foot. Throws BadInput and
+/// fem::ContactFailure; the load throws as balance()'s.
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        Progress &progress = silent_progress());
 

@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/prm_file.h"
 
+#include "fem/pipeline/study/renamed_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text.h"
 
@@ -96,6 +97,8 @@ private:
     require(equal_sign != std::string::npos,
             where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
     const std::string name = boost::trim_copy(assignment.substr(0, equal_sign));
+    const std::string value = boost::trim_copy(assignment.substr(equal_sign + 1));
+    refuse_renamed(where, section + '/' + name, value);
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&](const StudyEntry &candidate)
                                     { return candidate.section == section && candidate.name == name; });
@@ -104,7 +107,7 @@ private:
     const auto [before, is_first] = line_of.emplace(entry->path(), number);
     require(is_first, fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."),
                                   where, entry->path(), before->second));
-    assign(*entry, where, boost::trim_copy(assignment.substr(equal_sign + 1)));
+    assign(*entry, where, value);
   }
 
   const std::string file;

@@ -19,11 +19,15 @@ BodyAbilities abilities(BodyKind body)
   return can;
 }
 
-bool Study::friction_deforms_foot() const
+bool Study::friction_deforms() const
 {
-  if (contact.friction_coupling != FrictionCoupling::automatic)
-    return contact.friction_coupling == FrictionCoupling::elastic;
-  return abilities(contact.body).friction_can_deform && table.is_hard();
+  return contact.friction_coupling == FrictionCoupling::elastic &&
+         abilities(contact.body).friction_can_deform;
+}
+
+bool Study::tilts() const
+{
+  return motion.tilt && motion.closure == ring::Closure::full && load.is_from_contact() && !load.is_static();
 }
 
 fem::Resultants Study::required_resultants() const
@@ -62,7 +66,7 @@ std::string friction_note(const Study &study)
 {
   if (!study.load.is_from_contact() || !study.table.is_hard())
     return "";
-  if (study.friction_deforms_foot())
+  if (study.friction_deforms())
     return "deforms the foot: on this hard table it decides the second harmonic";
   return fmt::format(
     FMT_STRING("does not deform {} foot; on this hard table that would decide the second harmonic"),

@@ -12,6 +12,7 @@
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 
+#include <set>
 #include <string>
 
 namespace stemware::pipeline
@@ -22,40 +23,52 @@ struct MotionSection
 {
   ring::Motion orbit;
   ring::Closure closure = ring::Closure::full;
+  bool tilt = true;         ///< the glass leans on its foot; see Study::tilts()
+  double grip_torque = 0;   ///< of the fingers, against the spin [N m]
   double end_time = 2;      ///< of the spin-up [s]
   double euler_step = 1e-3; ///< largest step of the forward Euler method [s]
 };
 
-/// Subsection Glass: shape and material of the foot.
+/// Subsection Glass: shape and material of the foot, by default the foot of a wine glass.
 struct GlassSection
 {
+  GlassSection() { profile.shape = fem::GlassShape::foot; }
+
   fem::GlassProfile profile;
   fem::ElasticMaterial material;
   Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 };
 
-enum class TableKind
+/// The law by which foot and table touch.
+enum class TableInterface
 {
-  rigid,
-  mat,
-  rough,
-  elastic
+  hard,    ///< Signorini's conditions: no penetration, no tension
+  winkler, ///< pressure proportional to the penetration
+  rough    ///< pressure exponential in the distance
 };
 
-/// Subsection Table.
+/// What lies under the interface.
+enum class TableSubstrate
+{
+  rigid,
+  elastic ///< a disc, held at its bottom
+};
+
+/// Subsection Table: an interface on a substrate.
 struct TableSection
 {
-  TableKind kind = TableKind::mat;
-  double foundation_modulus = 1e10; ///< of the mat [Pa/m]
-  fem::RoughInterface roughness;    ///< of a rough table
-  fem::TableDisc disc;              ///< an elastic table
+  TableInterface interface = TableInterface::winkler;
+  TableSubstrate substrate = TableSubstrate::rigid;
+  double foundation_modulus = 1e10; ///< of the Winkler interface [Pa/m]
+  double layer_thickness = 0;       ///< of the layer that a Winkler interface stands for [m]; 0: not named
+  fem::RoughInterface roughness;
+  fem::TableDisc disc; ///< the elastic substrate
   fem::ElasticMaterial disc_material = { 10e9, 0.3 };
   Waviness waviness; ///< fixed to the ground: positive where the table is lower
 
-  /// The table as the finite elements know it, which is to be asked instead of its kind.
+  /// The table as the finite elements know it, which is to be asked instead of these names.
   fem::Table make() const;
-  /// Whether the surface yields nothing by itself (Signorini's condition): there friction decides the second
-  /// harmonic of a foot that does not lift off (docs/method/revolution.md).
+  /// Whether the interface yields nothing by itself (Signorini's conditions).
   bool is_hard() const;
 };
 
@@ -80,10 +93,8 @@ BodyAbilities abilities(BodyKind body);
 
 enum class FrictionCoupling
 {
-  automatic, ///< elastic for a body of revolution on a hard table, else none; see
-             ///< Study::friction_deforms_foot()
-  none,      ///< friction tractions do not act back on the pressure
-  elastic    ///< they do
+  none,   ///< friction tractions do not act back on the pressure
+  elastic ///< they deform foot and substrate; see Study::friction_deforms()
 };
 
 /// Subsection Contact: the elastic body and its discretisation.
@@ -97,8 +108,10 @@ struct ContactSection
   unsigned int refinements = 0; ///< halvings of every cell of a body of revolution
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
   unsigned int harmonics = 16;  ///< of a body of revolution
-  unsigned int azimuth_lines = 256; ///< on which a body of revolution meets a mat or a rough table
-  FrictionCoupling friction_coupling = FrictionCoupling::automatic;
+  unsigned int azimuth_lines = 256; ///< on which a body of revolution meets the table
+  unsigned int rings = 5;           ///< that take the pressure over
+  unsigned int load_harmonics = 0;  ///< of each ring; 0: as many as the lines resolve and the kernels ask for
+  FrictionCoupling friction_coupling = FrictionCoupling::elastic;
 };
 
 enum class LoadSource
@@ -110,17 +123,15 @@ enum class LoadSource
 
 enum class LoadCoupling
 {
-  frozen,   ///< the load of omega = 0 at every spin
-  response, ///< a curve of loads over the moment ratio, interpolated
-  exact     ///< the contact is solved again, in balance with the friction, at every spin
+  two_way, ///< contact, friction and moments are in balance at every spin
+  one_way  ///< the load of omega = 0 is kept at every spin
 };
 
 /// Subsection Load: where lambda(theta) comes from.
 struct LoadSection
 {
   LoadSource source = LoadSource::contact;
-  LoadCoupling coupling = LoadCoupling::frozen;
-  double response_tolerance = 1e-6;     ///< of coupling = response, over a_0
+  LoadCoupling coupling = LoadCoupling::two_way;
   double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: the closure's
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file
@@ -128,8 +139,21 @@ struct LoadSection
   bool is_from_contact() const { return source == LoadSource::contact; }
   /// Whether the moment is given, instead of following from the moment balance.
   bool is_static() const { return moment_ratio >= 0; }
-  /// Whether the load is one of a contact in balance with friction at every spin.
-  bool is_in_balance() const { return is_from_contact() && !is_static() && coupling != LoadCoupling::frozen; }
+  /// Whether the load is one of a contact in balance with friction at every spin; with a given moment it is
+  /// that of rest, whatever the coupling.
+  bool is_in_balance() const
+  {
+    return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
+  }
+};
+
+/// Parts of the model that a budget leaves out one at a time. They are no entries of a study file.
+struct ModelChoices
+{
+  bool foot_is_rigid = false;        ///< the foot has no compliance
+  bool friction_in_foot = true;      ///< friction deforms the foot, where Study::friction_deforms()
+  bool friction_in_substrate = true; ///< and an elastic substrate
+  bool waviness = true;              ///< rim and table are as wavy as the study says
 };
 
 /// Everything that a study file says: one member per subsection. SI units, or any other consistent set.
@@ -140,13 +164,19 @@ struct Study
   TableSection table;
   ContactSection contact;
   LoadSection load;
+  ModelChoices model;
+  std::set<std::string> given_entries; ///< "Section/Entry" of those that a study file or an option has set
 
   /// Whether rim or table are out of flat: the load then depends on where their marks stand.
-  bool has_waviness() const { return !glass.waviness.empty() || !table.waviness.empty(); }
+  bool has_waviness() const { return model.waviness && (!glass.waviness.empty() || !table.waviness.empty()); }
 
-  /// Whether friction tractions deform the foot: what Contact/Friction coupling asks for, and with
-  /// `automatic` where it matters and the body can, a body of revolution on a hard table.
-  bool friction_deforms_foot() const;
+  /// Whether friction tractions deform foot and substrate: Contact/Friction coupling = elastic, and a body
+  /// that can.
+  bool friction_deforms() const;
+
+  /// Whether the lean of the glass on its foot counts in the balance of moments: Motion/Tilt = included, in
+  /// the closure full, on a contact whose moment is not given.
+  bool tilts() const;
 
   /// What the table's pressure has to balance at omega = 0, where the friction is exactly (-mu N, 0): N = m g
   /// with the closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin,

@@ -25,43 +25,7 @@ void require_able_body(const Study &study)
                                  "or set Contact/Body = revolution."),
                       contact.degree));
   require(can.stands_on_elastic_disc || !study.table.make().substrate,
-          "Table/Kind = elastic needs a body of revolution; set Contact/Body = revolution.");
-  require(can.friction_can_deform || contact.friction_coupling != FrictionCoupling::elastic,
-          "Contact/Friction coupling = elastic needs a body of revolution; set Contact/Body = revolution.");
-}
-
-/// A load in balance with the closure has no moment given beforehand.
-void require_one_moment(const Study &study)
-{
-  if (study.load.coupling == LoadCoupling::frozen)
-    return;
-  const std::string coupling =
-    std::string("Load/Coupling = ") + (study.load.coupling == LoadCoupling::exact ? "exact" : "response");
-  require(!study.load.is_static(),
-          fmt::format(FMT_STRING("Load/Moment ratio = {} contradicts {}, where the closure sets the moment; "
-                                 "leave Moment ratio at -1, or set Coupling = frozen."),
-                      to_text(study.load.moment_ratio), coupling));
-  require(study.load.source != LoadSource::file,
-          coupling +
-            " contradicts Load/Source = file, whose load cannot follow the spin; set Coupling = frozen.");
-}
-
-/// A curve over the moment ratio holds where the load depends on nothing else.
-void require_one_parameter(const Study &study)
-{
-  if (study.load.coupling != LoadCoupling::response)
-    return;
-  require(abilities(study.contact.body).is_of_revolution,
-          "Load/Coupling = response needs a foot that answers a moment in all directions alike, which a mesh "
-          "of cells does not; set Contact/Body = revolution, or Coupling = exact.");
-  const bool is_automatic = study.contact.friction_coupling == FrictionCoupling::automatic;
-  require(
-    !study.friction_deforms_foot(),
-    fmt::format(
-      FMT_STRING(
-        "Load/Coupling = response needs a load that depends on the moment ratio alone, but Contact/Friction "
-        "coupling = {} makes it depend on the spin too; set Coupling = exact, or Friction coupling = none."),
-      is_automatic ? "automatic (elastic on this table)" : "elastic"));
+          "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
 }
 
 void require_steps(const MotionSection &motion)
@@ -116,9 +80,6 @@ void require_known_waviness(const Study &study)
               " empty and draw the foot in a mesh file.");
     require(study.load.is_from_contact(),
             entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
-    require(study.load.coupling != LoadCoupling::response,
-            entry + " makes the load depend on more than the moment, which Load/Coupling = response does not "
-                    "know; set Coupling = exact or frozen.");
     for (const fem::WavinessHarmonic &harmonic : waviness)
       require(
         harmonic.n <= study.contact.harmonics,
@@ -137,8 +98,6 @@ void check_study(const Study &study)
 {
   require_able_body(study);
   require_known_waviness(study);
-  require_one_moment(study);
-  require_one_parameter(study);
   require_steps(study.motion);
   require_load_file(study.load);
   if (study.load.source == LoadSource::file)

@@ -1,8 +1,11 @@
 #include "fem/pipeline/study/study_entries.h"
 
+#include "fem/pipeline/study/renamed_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
+
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -95,7 +98,7 @@ public:
     {
       std::optional<Choice> found;
       for (const auto &[word, choice] : choices)
-        if (word == text)
+        if (boost::iequals(word, text))
           found = choice;
       return found;
     };
@@ -125,7 +128,7 @@ private:
     entry.allowed = allowed;
     entry.help = help;
     entry.text = [&value, print] { return print(value); };
-    if constexpr (std::is_arithmetic_v<Value>)
+    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
       entry.json = [&value] { return nlohmann::ordered_json(value); };
     else
       entry.json = [&value, print] { return nlohmann::ordered_json(print(value)); };
@@ -171,6 +174,14 @@ void add_motion(EntryList &list, MotionSection &motion)
               "Which moments the table's pressure has to balance. paper: the centripetal part of the hand's "
               "force only; hand: the whole force of the hand; full: also the moment of the friction about "
               "the centre of mass");
+  list.choice(
+    "Tilt", motion.tilt, { { "included", true }, { "neglected", false } },
+    "Whether the lean of the glass on its foot shifts the centre of mass in the balance of moments. "
+    "Acts in the closure full, on a contact whose moment is not given");
+  list.number(
+    "Grip torque", motion.grip_torque, not_negative, "N m",
+    "Friction of the fingers on the stem, against the spin: at most the friction coefficient of the "
+    "fingers times the hand's force times the stem's radius; 0: the stem slips through without");
   list.number("End time", motion.end_time, positive, "s", "How long the spin-up is followed");
   list.number("Euler step", motion.euler_step, positive, "s",
               "Largest step of the forward Euler method that is shown beside the adaptive one");
@@ -218,27 +229,35 @@ void add_glass(EntryList &list, GlassSection &glass)
 void add_table(EntryList &list, TableSection &table)
 {
   list.enter("Table");
+  list.choice("Interface", table.interface,
+              { { "hard", TableInterface::hard },
+                { "Winkler", TableInterface::winkler },
+                { "rough", TableInterface::rough } },
+              "How foot and table touch. hard: without penetration; Winkler: pressure proportional to the "
+              "penetration, a layer much thinner than the contact is wide; rough: asperities, pressure "
+              "exponential in the distance");
   list.choice(
-    "Kind", table.kind,
-    { { "rigid", TableKind::rigid },
-      { "mat", TableKind::mat },
-      { "rough", TableKind::rough },
-      { "elastic", TableKind::elastic } },
-    "rigid: a hard plane; mat: a thin elastic layer on it; rough: a hard plane with asperities, pressure "
-    "exponential in the distance; elastic: a thick disc of a material of its own (body of revolution only)");
+    "Substrate", table.substrate,
+    { { "rigid", TableSubstrate::rigid }, { "elastic", TableSubstrate::elastic } },
+    "What lies under the interface. elastic: a disc of a material of its own, held at its bottom: a "
+    "table top, or a layer of cork (body of revolution only)");
   list.number("Foundation modulus", table.foundation_modulus, positive, "Pa/m",
-              "Pressure of the mat per depth of penetration");
+              "Pressure of a Winkler interface per depth of penetration");
+  list.number(
+    "Layer thickness", table.layer_thickness, not_negative, "m",
+    "Thickness of the layer that a Winkler interface stands for, 0 where it stands for none. Changes "
+    "no result: it lets the study say where the contact is too narrow for such an interface");
   list.number("Reference pressure", table.roughness.reference_pressure, positive, "Pa",
-              "Pressure of a rough table where the mean planes of the two surfaces touch");
+              "Pressure of a rough interface where the mean planes of the two surfaces touch");
   list.number("Decay length", table.roughness.decay_length, positive, "m",
-              "Distance over which a rough table's pressure falls by e, about its rms roughness");
-  list.number("Disc radius", table.disc.radius, positive, "m", "Radius of an elastic table");
+              "Distance over which a rough interface's pressure falls by e, about its rms roughness");
+  list.number("Disc radius", table.disc.radius, positive, "m", "Radius of the disc of an elastic substrate");
   list.number("Disc thickness", table.disc.thickness, positive, "m",
-              "Thickness of an elastic table, which is held at its bottom");
+              "Thickness of that disc, which is held at its bottom");
   list.number("Disc Young modulus", table.disc_material.young_modulus, positive, "Pa",
-              "Young's modulus of an elastic table (hardwood 10e9)");
+              "Young's modulus of the disc (hardwood 10e9, cork 5e6)");
   list.number("Disc Poisson ratio", table.disc_material.poisson_ratio, between(-1, 0.5), "",
-              "Poisson's ratio of an elastic table");
+              "Poisson's ratio of the disc (cork 0)");
   list.waviness(
     "Waviness", table.waviness,
     "How the table is out of flat: harmonics of its depth, fixed to the ground and positive where it is "
@@ -279,15 +298,19 @@ void add_contact(EntryList &list, ContactSection &contact)
   list.count("Harmonics", contact.harmonics, 1, 1000,
              "Elastic harmonics of a body of revolution; without effect on a solid body");
   list.count("Azimuth lines", contact.azimuth_lines, 16, 100000,
-             "Azimuths at which a body of revolution meets a mat or a rough table, more than twice the "
-             "harmonics; without effect on a solid body");
-  list.choice("Friction coupling", contact.friction_coupling,
-              { { "automatic", FrictionCoupling::automatic },
-                { "none", FrictionCoupling::none },
-                { "elastic", FrictionCoupling::elastic } },
-              "none: friction does not act back on the pressure; elastic: its tractions deform the foot "
-              "(body of revolution only); automatic: elastic for a body of revolution on a rigid or elastic "
-              "table, where friction decides the second harmonic, else none");
+             "Azimuths at which a body of revolution meets the table, more than twice the harmonics; without "
+             "effect on a solid body");
+  list.count(
+    "Rings", contact.rings, 1, 64,
+    "Circles that take the pressure over, with all its radial moments below that number; 1: one ring "
+    "of the radius that the moment asks for");
+  list.count("Load harmonics", contact.load_harmonics, 0, 1000,
+             "Harmonics of each ring's load; 0: as many as the lines resolve and the torque asks for");
+  list.choice(
+    "Friction coupling", contact.friction_coupling,
+    { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
+    "elastic: the friction's tractions deform the foot and an elastic substrate (body of revolution; "
+    "without effect on a solid one); none: friction does not act back on the pressure");
 }
 
 void add_load(EntryList &list, LoadSection &load)
@@ -300,14 +323,10 @@ void add_load(EntryList &list, LoadSection &load)
               "contact: the finite-element contact; first harmonic: the paper's ansatz, in balance with the "
               "closure at every spin; file: Fourier coefficients from a file");
   list.choice("Coupling", load.coupling,
-              { { "frozen", LoadCoupling::frozen },
-                { "response", LoadCoupling::response },
-                { "exact", LoadCoupling::exact } },
-              "frozen: the load of the glass that does not spin yet, at every spin; exact: a contact in "
-              "balance with the friction at every spin; response: the same from a curve of contact solutions "
-              "over the moment ratio (body of revolution, no friction coupling)");
-  list.number("Response tolerance", load.response_tolerance, positive, "",
-              "How far such a curve may miss a contact solution, over a_0; used with Coupling = response");
+              { { "two-way", LoadCoupling::two_way }, { "one-way", LoadCoupling::one_way } },
+              "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the "
+              "glass that does not spin yet is kept at every spin, as a given moment and a load from a file "
+              "are by nature");
   list.number("Moment ratio", load.moment_ratio, not_tipping, "",
               "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
               "moment. The foot tips at 2");
@@ -329,12 +348,21 @@ std::vector<StudyEntry> study_entries(Study &study)
   add_table(list, study.table);
   add_contact(list, study.contact);
   add_load(list, study.load);
+  for (StudyEntry &entry : list.entries)
+    entry.assign = [&study, path = entry.path(), assign = entry.assign](const std::string &text)
+    {
+      const bool is_allowed = assign(text);
+      if (is_allowed)
+        study.given_entries.insert(path);
+      return is_allowed;
+    };
   return list.entries;
 }
 
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
                            const std::string &path)
 {
+  refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
   require(entry != entries.end(), fmt::format(FMT_STRING("{}there is no entry \"{}\"{}"), origin,
@@ -347,6 +375,13 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
   require(entry.assign(value),
           fmt::format(FMT_STRING("{}{} = {} is not allowed; give {}."), origin, entry.path(),
                       value.empty() ? "(nothing)" : shortened(value), entry.allowed));
+}
+
+void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
+            const std::string &value)
+{
+  refuse_renamed(origin, path, value);
+  assign(entry_at(entries, origin, path), origin, value);
 }
 
 std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word)

@@ -29,7 +29,8 @@ struct StudyEntry
   std::string path() const { return section + '/' + name; }
 };
 
-/// All entries of @p study in the order of the study file. They refer to the study, which must outlive them.
+/// All entries of @p study in the order of the study file. They refer to the study, which must outlive them
+/// and remembers those that are assigned.
 std::vector<StudyEntry> study_entries(Study &study);
 
 /// The entry of that path; throws BadInput, with a suggestion, where there is none. @p origin begins the
@@ -39,6 +40,11 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
 
 /// Sets an entry from a text; throws BadInput where it does not take it. @p origin begins the sentence.
 void assign(const StudyEntry &entry, const std::string &origin, const std::string &value);
+
+/// Sets the entry of that path from a text; throws BadInput where there is none, or it does not take the
+/// text.
+void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
+            const std::string &value);
 
 /// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
 /// likeliest one; @p word may be meant for an entry's name or path.

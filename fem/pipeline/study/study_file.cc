@@ -60,7 +60,7 @@ void read_json(const std::string &file, const std::string &text, const std::vect
               FMT_STRING("{}: \"{}\" is not an object of entries; write {{\"{}\": {{\"Entry\": value}}}}."),
               file, shortened(section), shortened(section)));
     for (const auto &[name, value] : values.items())
-      assign(entry_at(entries, file + ": ", section + '/' + name), file + ": ",
+      assign(entries, file + ": ", section + '/' + name,
              value.is_string() ? value.get<std::string>() : value.dump());
   }
 }
@@ -73,8 +73,7 @@ void apply(const std::string &override_text, const std::vector<StudyEntry> &entr
           "--set \"" + shortened(override_text) +
             "\" is not an assignment; write --set \"Section/Entry=value\".");
   const std::string path = boost::trim_copy(override_text.substr(0, equal_sign));
-  assign(entry_at(entries, "--set: ", path),
-         "--set: ", boost::trim_copy(override_text.substr(equal_sign + 1)));
+  assign(entries, "--set: ", path, boost::trim_copy(override_text.substr(equal_sign + 1)));
 }
 
 /// The entries that name files.
@@ -108,7 +107,7 @@ Study with_values(Study study, const std::string &option,
 {
   const std::vector<StudyEntry> entries = study_entries(study);
   for (const auto &[path, value] : values)
-    assign(entry_at(entries, option + ": ", path), option + ": ", value);
+    assign(entries, option + ": ", path, value);
   check_study(study);
   return study;
 }

@@ -171,8 +171,6 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
 {
   QuantityNoise noise;
   noise.n_azimuths = n_contact_azimuths(study);
-  if (study.load.coupling == LoadCoupling::response)
-    noise.relative = std::max(noise.relative, study.load.response_tolerance);
   return quantities_of_interest(load, study.motion.orbit, spins, near, noise);
 }
 

@@ -20,7 +20,7 @@ Study coarse_study_in_balance()
   Study study;
   study.contact.harmonics = 6;
   study.contact.azimuth_lines = 64;
-  study.load.coupling = LoadCoupling::exact;
+  study.load.coupling = LoadCoupling::two_way;
   return study;
 }
 
@@ -64,7 +64,7 @@ TEST(ContactReport, FrictionAtTheTerminalSpinIsThatOfThePressureThere)
 TEST(ContactReport, FrictionOfAWavyFootKeepsToCoulombsBound)
 {
   Study study = coarse_study_in_balance();
-  study.load.coupling = LoadCoupling::frozen;
+  study.load.coupling = LoadCoupling::one_way;
   study.table.waviness = *parse_waviness("2: 5e-6");
   const FootReport foot = *Described(study).report.foot;
   const double bound = study.motion.orbit.friction_coefficient * study.motion.orbit.normal_force();

@@ -39,9 +39,11 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Motion/Friction coefficient", "0.3" },
     { "Motion/Gravity", "9.81" },
     { "Motion/Closure", "full" },
+    { "Motion/Tilt", "included" },
+    { "Motion/Grip torque", "0" },
     { "Motion/End time", "2" },
     { "Motion/Euler step", "0.001" },
-    { "Glass/Shape", "step" },
+    { "Glass/Shape", "foot" },
     { "Glass/Rim waviness", "" },
     { "Glass/Contact radius", "0.03" },
     { "Glass/Foot radius", "0.034" },
@@ -56,8 +58,10 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Glass/Stem height", "0.01" },
     { "Glass/Young modulus", "7e10" },
     { "Glass/Poisson ratio", "0.22" },
-    { "Table/Kind", "mat" },
+    { "Table/Interface", "Winkler" },
+    { "Table/Substrate", "rigid" },
     { "Table/Foundation modulus", "1e10" },
+    { "Table/Layer thickness", "0" },
     { "Table/Reference pressure", "1e9" },
     { "Table/Decay length", "1e-6" },
     { "Table/Disc radius", "0.15" },
@@ -76,10 +80,11 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Linear solver", "automatic" },
     { "Contact/Harmonics", "16" },
     { "Contact/Azimuth lines", "256" },
-    { "Contact/Friction coupling", "automatic" },
+    { "Contact/Rings", "5" },
+    { "Contact/Load harmonics", "0" },
+    { "Contact/Friction coupling", "elastic" },
     { "Load/Source", "contact" },
-    { "Load/Coupling", "frozen" },
-    { "Load/Response tolerance", "1e-6" },
+    { "Load/Coupling", "two-way" },
     { "Load/Moment ratio", "-1" },
     { "Load/Moment direction", "-1.5707963" },
     { "Load/File", "" },
@@ -134,10 +139,10 @@ TEST(StudyFile, CommentedDefaultsAreAStudyOfDefaults)
 TEST(StudyFile, JsonSaysTheSameAsPrm)
 {
   const ScratchFolder scratch;
-  const Study prm = read_study(scratch.write("a.prm", "subsection Table\n  set Kind = rigid\nend\n"
+  const Study prm = read_study(scratch.write("a.prm", "subsection Table\n  set Interface = hard\nend\n"
                                                       "subsection Contact\n  set Degree = 1\nend\n"));
   const Study json =
-    read_study(scratch.write("a.json", R"({"Table": {"Kind": "rigid"}, "Contact": {"Degree": 1}})"));
+    read_study(scratch.write("a.json", R"({"Table": {"Interface": "hard"}, "Contact": {"Degree": 1}})"));
   EXPECT_EQ(study_as_json(json), study_as_json(prm));
 }
 
@@ -222,9 +227,9 @@ TEST(StudyFile, NamesTheLineOfWhatIsWrong)
     "subsection Table\n  set Contact radius = 0.03\nend\n",
     ", line 2: there is no entry \"Contact radius\" in this subsection; did you mean Glass/Contact "
     "radius? (`stemware defaults` lists what there is.)");
-  expect_refusal("subsection Table\n  set Kind = " + std::string(100000, 'x') + "\nend\n",
-                 ", line 2: Table/Kind = " + std::string(80, 'x') +
-                   "... is not allowed; give one of rigid, mat, rough or elastic.");
+  expect_refusal("subsection Table\n  set Interface = " + std::string(100000, 'x') + "\nend\n",
+                 ", line 2: Table/Interface = " + std::string(80, 'x') +
+                   "... is not allowed; give one of hard, Winkler or rough.");
 }
 
 TEST(StudyFile, SaysWhatWasGivenAndWhatIsAllowed)

@@ -59,7 +59,8 @@ TEST(RefinementAxes, KeepToWhatIsAllowed)
   EXPECT_EQ(axes[0].own, 1u);
   EXPECT_EQ(sizes(axes[1]), (Sizes{ 10, 20 })); // 40 harmonics need 81 lines
   EXPECT_EQ(sizes(axes[2]), (Sizes{ 64, 128, 256 }));
-  study.table.kind = TableKind::elastic;
+  study.table.interface = TableInterface::hard;
+  study.table.substrate = TableSubstrate::elastic;
   EXPECT_EQ(sizes(refinement_axes(study, 3)[1]), (Sizes{ 10, 20, 40 }));
   EXPECT_EQ(refinement_axes(study, 3).size(), 2u); // the lines follow the harmonics
 }
