@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/study/study.h"
 
 #include <array>
 #include <optional>
@@ -14,39 +15,64 @@ namespace stemware::pipeline
 struct BudgetRow
 {
   std::string step; ///< "1", "2", "2a", "3", "3a", "4", ...
-  /// Of the difference to the row above: "" (row 1: "paper"), "moment balance" or "given moment", "grip",
-  /// "where the foot touches", "tilt", "harmonics".
+  /// Of the difference to the row above: "paper" in the first one, then "moment balance" or "given moment",
+  /// "grip", "where the foot touches", "tilt", "harmonics".
   std::string name;
-  std::optional<unsigned int> harmonics;                                 ///< kept; none: all
-  std::optional<double> omega_terminal = {}, difference = {}, band = {}; ///< [rad/s]
-  /// tau_z [N m] at 0, half and all of the complete model's terminal spin.
-  std::array<std::optional<double>, 3> torques = {};
-  Standing standing = Standing::no_balance;
-  std::string reason = {}; ///< why something is missing
+  std::optional<unsigned int> harmonics = {};      ///< that act on the ring; nothing: all
+  std::optional<double> omega_terminal = {};       ///< [rad/s]
+  std::optional<double> difference = {};           ///< of the terminal spin to that of the row above [rad/s]
+  std::optional<double> band = {};                 ///< half-width, of the terminal spin [rad/s]
+  std::array<std::optional<double>, 3> torques = {}; ///< yaw_torque() at Budget::shown_spins [N m]
+  Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
+  std::string reason = {};                           ///< why something is missing; empty where nothing is
 };
 
-/// The complete model with one thing left out.
+/// The complete model with one of its effects left out.
 struct WithoutRow
 {
-  std::string name;                                           ///< "tilt", ...
-  std::optional<double> omega_terminal = {}, difference = {}; ///< to the complete model [rad/s]
-  std::string reason = {};                                    ///< why there is none: "not defined", ...
+  std::string name; ///< "friction in the foot", "tilt", ...: ModelVariant::name
+  std::optional<double> omega_terminal = {}; ///< [rad/s]
+  std::optional<double> difference = {};     ///< of the terminal spin to that of the complete model [rad/s]
+  std::string reason = {}; ///< why there is none: "not defined" without any compliance, ...
 };
 
-/// Row `all` against row 3a (3 where the tilt is off).
+/// What the harmonics beyond the first do to the terminal spin: all of them against the first alone, each in
+/// its own balance of contact, friction and moments. The one definition of every verb.
 struct HarmonicEffect
 {
-  std::optional<double> absolute = {}; ///< [rad/s]
-  std::optional<double> relative = {};
+  std::optional<double> absolute = {}; ///< [rad/s]; nothing where one of the two has no terminal spin
+  std::optional<double> relative = {}; ///< to the first alone; nothing where that does not spin
 };
 
 /// What each step from the paper's model to the study's does to the terminal spin.
+///
+/// Rows 1, 2 and 2a are first harmonics on a ring of the contact radius, in closed form. In rows 3 and on the
+/// contact is solved with its whole pressure; the friction force and the torque, also in the balance of
+/// moments, are those of the rings' harmonics up to BudgetRow::harmonics. A study without a contact ends
+/// where its load does: a first harmonic with row 2 or 2a; one from a file has no row 2, and no "without".
 struct Budget
 {
-  std::vector<BudgetRow> rows;
+  std::vector<BudgetRow> rows; ///< the last one is the study itself
   std::vector<WithoutRow> without;
   HarmonicEffect harmonics;
-  std::vector<double> omega, torque_all, torque_first; ///< [rad/s], [N m]
+
+  std::array<double, 3> shown_spins = {}; ///< 0, half and all of the study's terminal spin [rad/s]
+
+  /// yaw_torque() of all harmonics and of the first alone over the spin, from 0 to 1.2 times the terminal
+  /// spin [rad/s, N m]; NaN where there is no balance.
+  std::vector<double> omega, torque_all, torque_first;
 };
+
+/// @p difference relative to @p reference; nothing where one is missing or the reference does not spin,
+/// |reference| < 1e-9 @p spin_unit (spin_unit() of the study, all in rad/s).
+std::optional<double> relative_to(const std::optional<double> &reference,
+                                  const std::optional<double> &difference, double spin_unit);
+
+/// The effect from the terminal spins of the first harmonic alone and of all harmonics [rad/s].
+HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
+                               double spin_unit);
+
+/// v / R with the contact radius of the study's glass [rad/s]: spins below 1e-9 of it are rounding.
+double spin_unit(const Study &study);
 
 } // namespace stemware::pipeline

@@ -168,6 +168,19 @@ std::vector<SpinRow> closure_rows(const Study &study)
   return rows;
 }
 
+std::optional<double> relative_to(const std::optional<double> &reference,
+                                  const std::optional<double> &difference, double unit)
+{
+  if (!reference || !difference || !(std::abs(*reference) >= 1e-9 * unit))
+    return std::nullopt;
+  return *difference / *reference;
+}
+
+double spin_unit(const Study &study)
+{
+  return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
+}
+
 namespace
 {
 
@@ -199,6 +212,7 @@ Budget stub_budget(const SpinStudy &spin, const BalancedLoad &load, const Study 
   budget.harmonics.absolute = all - first;
   if (std::abs(first) > 1e-9 * load.spin_scale(motion))
     budget.harmonics.relative = all / first - 1;
+  budget.shown_spins = { 0, all / 2, all };
   budget.without = { { "friction in the foot", all + 1e-3, 1e-3, "" },
                      { "elasticity of the foot", all - 3e-4, -3e-4, "" },
                      { "compliance of the interface", {}, {}, "not defined" },

@@ -24,12 +24,12 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const std::vec
 /// a file.
 bool is_one_way(const Study &study);
 
-/// Says what the harmonics of the load beyond the first do to the spin; empty where there is no such effect to
-/// speak of.
+/// Says what the harmonics of the load beyond the first do to the spin; empty where there is no such effect
+/// to speak of.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);
 
-/// Says that the load has left part of the rim, or, where it is given, that it would have to pull; empty where
-/// it does neither.
+/// Says that the load has left part of the rim, or, where it is given, that it would have to pull; empty
+/// where it does neither.
 std::string lift_off_remark(const LoadReport &load);
 
 /// Says that the contact is narrower than what its nodes can show; empty where it is not.
@@ -42,13 +42,15 @@ std::string layer_remark(const Study &study, double half_width);
 /// Says what an out-of-flat rim or table does to the spin; empty for flat ones.
 std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> &phases);
 
-/// The answer of `truncate`: what the harmonics do to the terminal spin, how many of them are enough, and
-/// what the paper's moment balance leaves out.
-std::string truncation_answer(const TruncationStudy &study);
+/// The answer of `truncate`: what the harmonics do to the terminal spin, and how many of them are enough.
+std::string truncation_answer(const Study &study, const TruncationStudy &truncations);
 
 /// The answer of `compare`: what the harmonics do to the terminal spin, beside what the paper's moment
 /// balance leaves out.
 std::string comparison_answer(const Comparison &comparison);
+
+/// A load of `compare` by the name that it is shown with, which says what is one-way.
+std::string name_of_load(const std::string &load);
 
 /// The answer of `converge` in a sentence or two.
 std::string refinement_answer(const RefinementResult &result);
@@ -59,8 +61,9 @@ std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings);
 /// Position of the quantity with that key; throws std::out_of_range where there is none.
 std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key);
 
-/// The least number of harmonics from which on the terminal spin stays within @p share of that of all.
-unsigned int harmonics_enough(const TruncationTable &table, double share);
+/// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
+/// is the last of @p rows.
+unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share);
 
 /// The sentences that are not empty, with a blank between them.
 std::string joined(const std::vector<std::string> &sentences);

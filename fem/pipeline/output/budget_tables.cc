@@ -16,16 +16,7 @@ using Json = nlohmann::ordered_json;
 /// A spin that nothing is related to [rad/s].
 double rounding_of_spins(const Study &study)
 {
-  return 1e-9 * spin_scale(study);
-}
-
-/// @p difference over the spin that it starts from; nothing where one is missing or that is none.
-std::optional<double> relative_difference(const Study &study, const std::optional<double> &from,
-                                          const std::optional<double> &difference)
-{
-  if (!from || !difference || !is_spin(study, *from))
-    return std::nullopt;
-  return *difference / *from;
+  return 1e-9 * spin_unit(study);
 }
 
 /// "formal", or why a row has no spin; empty for what stands as it is.
@@ -55,7 +46,7 @@ std::string row_comments(const std::vector<Row> &rows, Title title)
 
 std::string title_of(const BudgetRow &row, const std::string &at_most)
 {
-  if (row.name.empty() || row.name == "paper")
+  if (row.name == "paper")
     return "the paper's model";
   if (row.name != "harmonics")
     return row.name;
@@ -71,9 +62,8 @@ Table budget_table(const Study &study, const Budget &budget)
   const auto harmonics = [](const Row &row) { return row.harmonics ? Json(*row.harmonics) : Json("all"); };
   const auto relative = [&](const Row &row)
   {
-    return relative_difference(
-      study, row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt,
-      row.difference);
+    const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+    return relative_to(above, row.difference, spin_unit(study));
   };
   const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
   Table table = {
@@ -115,19 +105,18 @@ Table without_table(const Study &study, const Budget &budget)
              column(quantity::spin_difference, rows, &Row::difference, rounding_of_spins(study)),
              column(
                quantity::relative_difference, rows,
-               [&](const Row &row) { return relative_difference(study, complete, row.difference); }, 1e-9),
+               [&](const Row &row) { return relative_to(complete, row.difference, spin_unit(study)); }, 1e-9),
              column(quantity::budget_state, rows, &Row::reason),
              column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) } };
 }
 
 std::string budget_file_text(const Study &study, const Budget &budget)
 {
-  const Table chain =
-    budget_table(study, budget)
-      .with("From the paper's model to the study's; the rows are" +
-              row_comments(budget.rows,
-                           [](const BudgetRow &row) { return row.step + ", " + title_of(row, "<="); }),
-            "harmonics_kept omega_terminal difference band formal torques[]");
+  const Table chain = budget_table(study, budget)
+                        .with("From the paper's model to the study's; the rows are" +
+                                row_comments(budget.rows, [](const BudgetRow &row)
+                                             { return row.step + ", " + title_of(row, "<="); }),
+                              "harmonics_kept omega_terminal difference band formal torques[]");
   const Table without =
     without_table(study, budget)
       .with("The complete model without one thing at a time; the rows are" +
@@ -138,9 +127,8 @@ std::string budget_file_text(const Study &study, const Budget &budget)
 
 Json budget_summary(const Study &study, const Budget &budget)
 {
-  return json_table(
-    budget_table(study, budget)
-      .with("", "step name harmonics omega_terminal difference band torques[] state reason"));
+  return json_table(budget_table(study, budget)
+                      .with("", "step name harmonics omega_terminal difference band torques[] state reason"));
 }
 
 Json without_summary(const Study &study, const Budget &budget)
@@ -151,11 +139,6 @@ Json without_summary(const Study &study, const Budget &budget)
 Json harmonic_effect_summary(const HarmonicEffect &effect)
 {
   return { { "absolute", json_number(effect.absolute) }, { "relative", json_number(effect.relative) } };
-}
-
-double spin_scale(const Study &study)
-{
-  return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
 }
 
 bool is_spin(const Study &study, double omega)

@@ -38,9 +38,6 @@ nlohmann::ordered_json without_summary(const Study &study, const Budget &budget)
 /// "harmonic_effect" of summary.json: absolute [rad/s] and relative.
 nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
 
-/// v / R [rad/s] with the contact radius R: the spin at which the rim is as fast as the glass.
-double spin_scale(const Study &study);
-
 /// Whether a spin is more than rounding: |omega| >= 1e-9 v/R.
 bool is_spin(const Study &study, double omega);
 

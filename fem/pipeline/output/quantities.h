@@ -27,6 +27,10 @@ inline const Quantity relative_change("relative_change", "relative change of ter
                                       "1", "change of spin", "change\nof spin", change);
 inline const Quantity difference_to_paper("difference_to_paper", "relative difference to the paper", "1",
                                           "to the paper's", "to the\npaper's", change, change_fixed);
+inline const Quantity harmonic_effect("harmonic_effect", "harmonic effect", "rad/s", "harmonic effect",
+                                      "harmonic\neffect", signed_significant<4>);
+inline const Quantity harmonic_effect_relative("harmonic_effect_relative", "relative harmonic effect", "1",
+                                               "harmonic effect", "harmonic\neffect", change);
 inline const Quantity bound("bound", "a-priori bound on the change of tau_z at the terminal spin", "N m",
                             "bound on Δτ_z", "bound on torque", scientific_or_zero<2>, scientific_or_zero<3>);
 inline const Quantity spin_up_deviation("spin_up_deviation",
@@ -58,8 +62,10 @@ inline const Quantity reason("reason", "", "");
 /// tau_z at a @p place between rest and the complete model's terminal spin, in a list of such.
 inline Quantity torque_of_budget(const std::string &place)
 {
-  return { "torques[]", "tau_z at " + place + " of the last row", "N m", "τ_z at " + place,
-           "tau_z at\n" + place, significant<6> };
+  return {
+    "torques[]",   "tau_z at " + place + " of the last row", "N m", "τ_z at " + place, "tau_z at\n" + place,
+    significant<6>
+  };
 }
 
 // ---- the load on the ring

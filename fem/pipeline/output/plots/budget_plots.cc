@@ -92,8 +92,7 @@ void add_bars(const std::vector<Bar> &bars, bool faster, bool formal, std::vecto
 {
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < bars.size(); ++i)
-    if (const Bar &bar = bars[i];
-        bar.from && bar.to && bar.is_faster() == faster && bar.is_formal == formal)
+    if (const Bar &bar = bars[i]; bar.from && bar.to && bar.is_faster() == faster && bar.is_formal == formal)
       rows.push_back({ static_cast<double>(bars.size() - i), *bar.from, *bar.to });
   if (rows.empty())
     return;
@@ -178,11 +177,12 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band)
     blocks.push_back(number_rows("Models that no bar leads to",
                                  { { "place from below", "1" }, { "omega", "rad/s" } }, totals));
   const auto [low, high] = spin_range(bars);
-  const std::string script =
-    "set xlabel " + gnuplot_text(heading_with_unit(quantity::omega_terminal)) + "\nset xrange [" +
-    to_text(low) + ":" + to_text(high) + "]\n" + tic_commands("x", low, high) + rows_of_names(names, texts) +
-    "set label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font \",12\" textcolor rgb \"#555555\"\n" +
-    drawing;
+  const std::string script = "set xlabel " + gnuplot_text(heading_with_unit(quantity::omega_terminal)) +
+                             "\nset xrange [" + to_text(low) + ":" + to_text(high) + "]\n" +
+                             tic_commands("x", low, high) + rows_of_names(names, texts) +
+                             "set label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font \",12\" "
+                             "textcolor rgb \"#555555\"\n" +
+                             drawing;
   return { "waterfall",
            "From the paper's terminal spin to that of this study, one step of the model after the other; "
            "the numbers are the differences in rad/s, from top to bottom.",
@@ -204,12 +204,12 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
   std::vector<Effect> effects;
   const std::vector<Bar> bars = bars_of(budget, {});
   for (std::size_t i = 1; i + 1 < bars.size(); ++i)
-    effects.push_back({ bars[i].title,
-                        bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from)
-                                                   : std::nullopt,
-                        "–", true });
+    effects.push_back(
+      { bars[i].title, bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from) : std::nullopt,
+        "–", true });
   for (const WithoutRow &row : budget.without)
-    effects.push_back({ "without " + row.name, row.difference, row.reason.empty() ? "–" : row.reason, false });
+    effects.push_back(
+      { "without " + row.name, row.difference, row.reason.empty() ? "–" : row.reason, false });
 
   std::vector<std::string> names, texts;
   std::vector<std::vector<double>> steps, without;
@@ -219,9 +219,9 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
     const Effect &effect = effects[i];
     const double size = std::abs(effect.difference.value_or(0));
     names.push_back(effect.name);
-    texts.push_back(!effect.difference ? effect.reason
-                                       : number_text(format::signed_significant<3>(
-                                           size < rounding ? 0 : *effect.difference)));
+    texts.push_back(!effect.difference
+                      ? effect.reason
+                      : number_text(format::signed_significant<3>(size < rounding ? 0 : *effect.difference)));
     if (size < rounding || size == 0)
       continue;
     sizes.include(size);
@@ -242,9 +242,8 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
                std::to_string(blocks.size()) + " using " + style + " title \"" + title + "\"";
     blocks.push_back(block);
   };
-  const std::vector<std::pair<std::string, std::string>> columns = {
-    { "place from below", "1" }, { "size of the difference", "rad/s" }
-  };
+  const std::vector<std::pair<std::string, std::string>> columns = { { "place from below", "1" },
+                                                                     { "size of the difference", "rad/s" } };
   if (!steps.empty())
     add("steps of the model", "2:1 with points lt 1 ps 1", number_rows("Steps of the model", columns, steps));
   if (!without.empty())
@@ -256,19 +255,21 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
                     { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } }));
   if (drawing.empty())
     drawing = "plot NaN notitle";
-  return { "effects",
-           "How large each effect is: steps from the paper's model to this study's, and what leaving out one "
-           "thing of the complete model changes (numbers in rad/s). The error band of the terminal spin "
-           "contains none of them.",
-           "set xlabel \"|difference of terminal spins| (rad/s)\"\nset logscale x; set format x "
-           "\"10^{%T}\"; set mxtics 1\nset xrange [" +
-             to_text(low) + ":" + to_text(high) + "]\n" + rows_of_names(names, texts) +
-             "set lmargin at screen 0.4\nset label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font "
-             "\",12\" textcolor rgb \"#555555\"\n" +
-             drawing + "\n",
-           data_tables(blocks),
-           600,
-           110 + 30. * static_cast<double>(effects.size()) };
+  return {
+    "effects",
+    "How large each effect is: steps from the paper's model to this study's, and what leaving out one "
+    "thing of the complete model changes (numbers in rad/s). The error band of the terminal spin "
+    "contains none of them.",
+    "set xlabel \"|difference of terminal spins| (rad/s)\"\nset logscale x; set format x "
+    "\"10^{%T}\"; set mxtics 1\nset xrange [" +
+      to_text(low) + ":" + to_text(high) + "]\n" + rows_of_names(names, texts) +
+      "set lmargin at screen 0.4\nset label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font "
+      "\",12\" textcolor rgb \"#555555\"\n" +
+      drawing + "\n",
+    data_tables(blocks),
+    600,
+    110 + 30. * static_cast<double>(effects.size())
+  };
 }
 
 Plot harmonic_torque_plot(const Budget &budget)
@@ -286,12 +287,15 @@ Plot harmonic_torque_plot(const Budget &budget)
   // Differences of rounding would fill the lower panel with noise.
   const bool is_zero = !(differences.most > 1e-9 * torques.most);
   const std::string torque_scale = torques.most >= 1e-4 ? "1e3" : "1e6";
-  const std::string scale = differences.most >= 1e-4 ? "1e3" : differences.most >= 1e-7 || is_zero ? "1e6"
-                                                                                                    : "1e9";
-  const auto unit = [](const std::string &factor)
-  { return factor == "1e3" ? "mN m" : factor == "1e6" ? "µN m" : "nN m"; };
+  const std::string scale = differences.most >= 1e-4              ? "1e3"
+                            : differences.most >= 1e-7 || is_zero ? "1e6"
+                                                                  : "1e9";
+  const auto unit = [](const std::string &factor) {
+    return factor == "1e3" ? "mN m" : factor == "1e6" ? "µN m" : "nN m";
+  };
   const std::string script =
-    std::string("set multiplot\nset lmargin at screen 0.14; set rmargin at screen 0.96\nset xzeroaxis lt 8\n") +
+    std::string(
+      "set multiplot\nset lmargin at screen 0.14; set rmargin at screen 0.96\nset xzeroaxis lt 8\n") +
     "set tmargin at screen 0.9; set bmargin at screen 0.5\nset format x \"\"\nset ylabel \"τ_z (" +
     unit(torque_scale) + ")\"\nplot data using 1:($2 * " + torque_scale +
     ") with lines lt 1 title \"all harmonics\", \\\n     data using 1:($3 * " + torque_scale +

@@ -19,7 +19,8 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band = {}
 /// @p rounding [rad/s] is not drawn.
 Plot effects_plot(const Budget &budget, const std::optional<double> &band, double rounding);
 
-/// tau_z(omega) of all harmonics and of the first alone, and below it what the harmonics beyond the first add.
+/// tau_z(omega) of all harmonics and of the first alone, and below it what the harmonics beyond the first
+/// add.
 Plot harmonic_torque_plot(const Budget &budget);
 
 /// @p plot with a remark in it and at the end of its caption: the load is the one of rest at every spin.
