@@ -3,6 +3,7 @@
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -85,12 +86,21 @@ Table budget_table(const Study &study, const Budget &budget)
       column(quantity::formal_flag, rows, [](const Row &row) { return row.standing == Standing::formal; }),
       column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) }
   };
-  const char *places[] = { "0", "half the terminal spin", "the terminal spin" };
+  const char *places[] = { "rest", "half the terminal spin", "the terminal spin" };
   for (std::size_t i = 0; i < 3; ++i)
     table.columns.push_back(column(
       quantity::torque_of_budget(places[i]), rows, [=](const Row &row) { return row.torques[i]; },
       1e-9 * std::abs(torque_at_rest)));
   return table;
+}
+
+Table shown_budget_table(const Study &study, const Budget &budget)
+{
+  Budget shown = budget;
+  const auto changes_nothing = [&](const BudgetRow &row)
+  { return row.name == "harmonics" && row.harmonics && row.difference && !is_spin(study, *row.difference); };
+  shown.rows.erase(std::remove_if(shown.rows.begin(), shown.rows.end(), changes_nothing), shown.rows.end());
+  return budget_table(study, shown);
 }
 
 Table without_table(const Study &study, const Budget &budget)

@@ -22,6 +22,9 @@ std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 /// difference is less than 1e-9 v/R.
 Table budget_table(const Study &study, const Budget &budget);
 
+/// budget_table() without the numbers of harmonics that change nothing.
+Table shown_budget_table(const Study &study, const Budget &budget);
+
 /// The complete model with one thing left out at a time, beside the complete model.
 Table without_table(const Study &study, const Budget &budget);
 

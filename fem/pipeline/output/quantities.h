@@ -62,10 +62,7 @@ inline const Quantity reason("reason", "", "");
 /// tau_z at a @p place between rest and the complete model's terminal spin, in a list of such.
 inline Quantity torque_of_budget(const std::string &place)
 {
-  return {
-    "torques[]",   "tau_z at " + place + " of the last row", "N m", "τ_z at " + place, "tau_z at\n" + place,
-    significant<6>
-  };
+  return { "torques[]", "tau_z at " + place + " of the last row", "N m", place, place, significant<6> };
 }
 
 // ---- the load on the ring

@@ -150,6 +150,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
 {
   const Budget &budget = spin.budget;
   const auto band = band_of(bands, "omega_terminal");
+  const Table rows = shown_budget_table(study, budget);
   ReportSection section = {
     "From the paper's model to this study's",
     joined({ lift_off_remark(report.load), layer_remark(study, report.half_width),
@@ -159,9 +160,8 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
       "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
     { waterfall_plot(budget, band), effects_plot(budget, band, 1e-9 * spin_unit(study)) },
-    { budget_table(study, budget)
-        .with("Terminal spin in models of increasing detail",
-              "step title omega_terminal difference relative_difference band remark torques[]") }
+    { rows.with("Terminal spin in models of increasing detail",
+                "step title omega_terminal difference relative_difference band remark") }
   };
   if (budget.rows.back().name == "harmonics" && !budget.omega.empty())
     section.plots.push_back(harmonic_torque_plot(budget));
@@ -169,6 +169,8 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
     section.tables.push_back(without_table(study, budget)
                                .with("The complete model without one thing at a time",
                                      "name omega_terminal difference relative_difference remark"));
+  section.tables.push_back(rows.with("Torque τ_z at rest, at half and at all of this study's terminal spin",
+                                     "step title torques[]"));
   return section;
 }
 

@@ -5,6 +5,7 @@
 #include "fem/pipeline/output/render/plot_script.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -69,21 +70,30 @@ std::string value_text(const Bar &bar, bool is_total)
                               : format::signed_significant<3>(*bar.to - *bar.from));
 }
 
-/// Names of the rows from above on the vertical axis, and a column of texts to the right of it.
+constexpr double width = 540; ///< of the plots [points]
+
+/// Names of the rows from above on the vertical axis, and a column of numbers in rad/s to the right of it.
 std::string rows_of_names(const std::vector<std::string> &names, const std::vector<std::string> &texts)
 {
+  constexpr double points_per_character = 7.3;
+  std::size_t longest = 0;
   std::string tics, labels;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     const std::string place = std::to_string(names.size() - i);
+    longest = std::max(longest, width_of(names[i]));
     tics += (i ? ", " : "") + gnuplot_text(names[i]) + " " + place;
-    labels += "set label " + std::to_string(i + 1) + " " + gnuplot_text(texts[i]) + " at graph 1.2, first " +
-              place + " right font \",14\"\n";
+    labels += "set label " + std::to_string(i + 1) + " " + gnuplot_text(texts[i]) +
+              " at screen 0.97, first " + place + " right font \",14\"\n";
   }
-  return "set ytics (" + tics + ") scale 0\nset yrange [0.4:" + std::to_string(names.size()) + ".6]\n" +
-         labels +
-         "set lmargin at screen 0.33; set rmargin at screen 0.83\nunset border; set border 1; set grid x "
-         "noytics\n";
+  // Places on the page: terminals differ in the room that they think a text needs.
+  const double left = (points_per_character * static_cast<double>(longest) + 15) / width;
+  return "set ytics (" + tics + ") scale 0 font \",14\"\nset yrange [0.4:" + std::to_string(names.size()) +
+         ".6]\n" + labels + "set lmargin at screen " + to_short_text(std::min(left, 0.5)) +
+         "; set rmargin at screen 0.83; set tmargin 3; set bmargin 4\n" +
+         "set label 90 \"rad/s\" at screen 0.97, graph 1 right offset 0,0.6 font \",12\" textcolor rgb "
+         "\"#555555\"\nunset border; set border 1; set grid x noytics\nset key at screen 0.02, screen 0.985 "
+         "left top horizontal\n";
 }
 
 /// Bars of one kind as a block of the data file, with the part of the plot command that draws them.
@@ -99,8 +109,8 @@ void add_bars(const std::vector<Bar> &bars, bool faster, bool formal, std::vecto
   const std::string title = std::string(faster ? "faster" : "slower") + (formal ? ", formally" : "");
   drawing += "data index " + std::to_string(blocks.size()) +
              " using 2:1:2:3:($1 - 0.32):($1 + 0.32) with boxxyerror lt " + (faster ? "1" : "5") +
-             (formal ? " lw 1 fs pattern 5 border" : " fs solid 0.85 border") + " title \"" + title +
-             "\", \\\n     ";
+             (formal ? " dt 1 lw 1 fs pattern 5 border" : " dt 1 lw 1 fs solid 0.85 border") + " title \"" +
+             title + "\", \\\n     ";
   blocks.push_back(number_rows(
     title, { { "place from below", "1" }, { "from omega", "rad/s" }, { "to omega", "rad/s" } }, rows));
 }
@@ -179,17 +189,14 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band)
   const auto [low, high] = spin_range(bars);
   const std::string script = "set xlabel " + gnuplot_text(heading_with_unit(quantity::omega_terminal)) +
                              "\nset xrange [" + to_text(low) + ":" + to_text(high) + "]\n" +
-                             tic_commands("x", low, high) + rows_of_names(names, texts) +
-                             "set label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font \",12\" "
-                             "textcolor rgb \"#555555\"\n" +
-                             drawing;
+                             tic_commands("x", low, high) + rows_of_names(names, texts) + drawing;
   return { "waterfall",
            "From the paper's terminal spin to that of this study, one step of the model after the other; "
            "the numbers are the differences in rad/s, from top to bottom.",
            script,
            data_tables(blocks),
-           600,
-           110 + 34. * static_cast<double>(bars.size()) };
+           width,
+           110 + 32. * static_cast<double>(bars.size()) };
 }
 
 Plot effects_plot(const Budget &budget, const std::optional<double> &band, double rounding)
@@ -255,21 +262,16 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
                     { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } }));
   if (drawing.empty())
     drawing = "plot NaN notitle";
-  return {
-    "effects",
-    "How large each effect is: steps from the paper's model to this study's, and what leaving out one "
-    "thing of the complete model changes (numbers in rad/s). The error band of the terminal spin "
-    "contains none of them.",
-    "set xlabel \"|difference of terminal spins| (rad/s)\"\nset logscale x; set format x "
-    "\"10^{%T}\"; set mxtics 1\nset xrange [" +
-      to_text(low) + ":" + to_text(high) + "]\n" + rows_of_names(names, texts) +
-      "set lmargin at screen 0.4\nset label 90 \"rad/s\" at graph 1.2, graph 1 right offset 0,0.6 font "
-      "\",12\" textcolor rgb \"#555555\"\n" +
-      drawing + "\n",
-    data_tables(blocks),
-    600,
-    110 + 30. * static_cast<double>(effects.size())
-  };
+  return { "effects",
+           "How large each effect is: steps from the paper's model to this study's, and what leaving out one "
+           "thing of the complete model changes (numbers in rad/s). The error band of the terminal spin "
+           "contains none of them.",
+           "set xlabel \"|difference of terminal spins| (rad/s)\"\nset logscale x; set format x "
+           "\"10^{%T}\"; set mxtics 1\nset xrange [" +
+             to_text(low) + ":" + to_text(high) + "]\n" + rows_of_names(names, texts) + drawing + "\n",
+           data_tables(blocks),
+           width,
+           110 + 28. * static_cast<double>(effects.size()) };
 }
 
 Plot harmonic_torque_plot(const Budget &budget)
@@ -295,12 +297,12 @@ Plot harmonic_torque_plot(const Budget &budget)
   };
   const std::string script =
     std::string(
-      "set multiplot\nset lmargin at screen 0.14; set rmargin at screen 0.96\nset xzeroaxis lt 8\n") +
-    "set tmargin at screen 0.9; set bmargin at screen 0.5\nset format x \"\"\nset ylabel \"τ_z (" +
+      "set multiplot\nset lmargin at screen 0.16; set rmargin at screen 0.96\nset xzeroaxis lt 8\n") +
+    "set tmargin at screen 0.9; set bmargin at screen 0.53\nset format x \"\"\nset ylabel \"τ_z (" +
     unit(torque_scale) + ")\"\nplot data using 1:($2 * " + torque_scale +
     ") with lines lt 1 title \"all harmonics\", \\\n     data using 1:($3 * " + torque_scale +
     ") with lines lt 2 title \"first harmonic\"\n" +
-    "set tmargin at screen 0.45; set bmargin at screen 0.14\nset format x\nset xlabel " +
+    "set tmargin at screen 0.47; set bmargin at screen 0.17\nset format x\nset xlabel " +
     gnuplot_text(heading_with_unit(quantity::omega)) + "\nset ylabel \"Δτ_z (" + unit(scale) + ")\"\n" +
     (is_zero ? "set yrange [-1:1]\n" : "") + "plot data using 1:(" + (is_zero ? "0" : "$4 * " + scale) +
     ") with lines lt 3 notitle\nunset multiplot\n";
@@ -321,7 +323,7 @@ Plot harmonic_torque_plot(const Budget &budget)
 Plot one_way(Plot plot)
 {
   plot.caption += " One-way: the load of rest is kept at every spin.";
-  plot.script = "set label 99 \"one-way: load of rest kept\" at screen 0.99, screen 0.03 right font \",11\" "
+  plot.script = "set label 99 \"one-way: load of rest kept\" at screen 0.01, screen 0.03 left font \",11\" "
                 "textcolor rgb \"#555555\"\n" +
                 plot.script;
   return plot;

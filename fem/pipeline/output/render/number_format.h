@@ -65,10 +65,10 @@ std::string percent_fixed(double share)
   return fmt::format(FMT_STRING("{:.{}f} %"), 100 * share, digits);
 }
 
-/// A change in per cent with its sign, to three significant digits: "+0.274 %".
+/// A change in per cent with its sign, to three significant digits: "+0.274 %"; "0 %" for none.
 inline std::string change(double share)
 {
-  return fmt::format(FMT_STRING("{:+.3g} %"), 100 * share);
+  return share == 0 ? "0 %" : fmt::format(FMT_STRING("{:+.3g} %"), 100 * share);
 }
 
 /// A change in per cent with its sign and three decimals: "+17.900 %".
