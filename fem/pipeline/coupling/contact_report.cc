@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/coupling/study_load.h"
 
 namespace stemware::pipeline
 {
@@ -60,7 +61,10 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double omega_terminal)
 {
-  ContactReport report = { load.report(), std::nullopt, std::nullopt };
+  ContactReport report = { load.report(), report_of(load.at(omega_terminal)), std::nullopt, std::nullopt };
+  if (foot)
+    report.load_at_terminal =
+      report_of(state_at(*foot, load, study.motion.orbit, omega_terminal), foot->radius());
   if (foot)
     report.foot = describe_foot(study, *foot, load, omega_terminal);
   report.coupling = load.statistics();

@@ -54,6 +54,7 @@ struct CouplingStatistics
 struct ContactReport
 {
   LoadReport load;                            ///< at rest
+  LoadReport load_at_terminal;                ///< at the terminal spin
   std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
   std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
 };
