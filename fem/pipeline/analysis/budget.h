@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/spin_row.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/revolution/compliance_cache.h"
 
 #include <array>
 #include <optional>
@@ -18,10 +18,10 @@ struct BudgetRow
   /// Of the difference to the row above: "paper" in the first one, then "moment balance" or "given moment",
   /// "grip", "where the foot touches", "tilt", "harmonics".
   std::string name;
-  std::optional<unsigned int> harmonics = {};      ///< that act on the ring; nothing: all
-  std::optional<double> omega_terminal = {};       ///< [rad/s]
-  std::optional<double> difference = {};           ///< of the terminal spin to that of the row above [rad/s]
-  std::optional<double> band = {};                 ///< half-width, of the terminal spin [rad/s]
+  std::optional<unsigned int> harmonics = {}; ///< that act on the ring; nothing: all
+  std::optional<double> omega_terminal = {};  ///< [rad/s]
+  std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
+  std::optional<double> band = {};            ///< half-width, of the terminal spin [rad/s]
   std::array<std::optional<double>, 3> torques = {}; ///< yaw_torque() at Budget::shown_spins [N m]
   Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
   std::string reason = {};                           ///< why something is missing; empty where nothing is
@@ -30,10 +30,10 @@ struct BudgetRow
 /// The complete model with one of its effects left out.
 struct WithoutRow
 {
-  std::string name; ///< "friction in the foot", "tilt", ...: ModelVariant::name
+  std::string name;                          ///< "friction in the foot", "tilt", ...: ModelVariant::name
   std::optional<double> omega_terminal = {}; ///< [rad/s]
   std::optional<double> difference = {};     ///< of the terminal spin to that of the complete model [rad/s]
-  std::string reason = {}; ///< why there is none: "not defined" without any compliance, ...
+  std::string reason = {};                   ///< why there is none: "not defined" without any compliance, ...
 };
 
 /// What the harmonics beyond the first do to the terminal spin: all of them against the first alone, each in
@@ -72,7 +72,12 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_unit);
 
-/// v / R with the contact radius of the study's glass [rad/s]: spins below 1e-9 of it are rounding.
-double spin_unit(const Study &study);
+/// The budget of a study. A row that fails says why and does not stop the others. Throws as
+/// rows_by_harmonics() where the study itself has no answer.
+Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress = silent_progress());
+
+/// The budget from rows that are already known: @p by_harmonics is rows_by_harmonics() of @p study.
+Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                   fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

@@ -34,7 +34,7 @@ void run(const StudyOptions &options)
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
-  const SpinStudy spin = study_spin(load, study);
+  const SpinStudy spin = study_spin(study, foot, load, cache, progress);
   const double omega_terminal = spin.all().terminal->omega;
   stopwatch.finish("ring");
   const ContactReport report = describe(study, foot, load, omega_terminal);
