@@ -1,9 +1,8 @@
 #include "fem/pipeline/analysis/comparison.h"
 
+#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/support/failures.h"
 #include "ring_model/unilateral_foundation.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -19,15 +18,14 @@ namespace
 
 constexpr ring::Closure closures[] = { ring::Closure::paper, ring::Closure::hand, ring::Closure::full };
 
-/// A load that a glass may stand on, under any moment balance, with any number of its harmonics.
+/// A load that a glass may stand on.
 struct ComparedLoad
 {
   std::string name;
-  std::vector<unsigned int> orders; ///< numbers of harmonics to keep, the last one is all
-  /// Throws ring::Tipping for a moment balance under which the glass tips at rest, and as the contact.
-  std::function<BalancedLoad(ring::Closure closure, unsigned int n_harmonics)> load;
+  /// The load of a study with its harmonics up to n. Throws what contacts and balances throw.
+  std::function<BalancedLoad(const Study &study, unsigned int n_harmonics)> find;
   /// Share of the rim that carries load in balance at a spin; empty for a formal load.
-  std::function<double(const BalancedLoad &load, double omega)> contact_fraction;
+  std::function<double(const Study &study, const BalancedLoad &load, double omega)> contact_fraction;
 };
 
 /// Truncations that are compared: 1, 2, 3 and all.
@@ -41,11 +39,10 @@ std::vector<unsigned int> compared_orders(unsigned int n_all)
   return orders;
 }
 
-ComparedLoad first_harmonic(const Study &study)
+ComparedLoad first_harmonic()
 {
   return { compared_load::first_harmonic,
-           { 1 },
-           [&study](ring::Closure closure, unsigned int) { return first_harmonic_load(study, closure); },
+           [](const Study &study, unsigned int) { return find_load(first_harmonic_study(study), nullptr); },
            {} };
 }
 
@@ -56,93 +53,68 @@ double loaded_share(double edge)
 }
 
 /// A rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
-ComparedLoad rigid_rim(const std::string &name, const Study &study, double exponent)
+ComparedLoad rigid_rim(const std::string &name, double contact_radius, double exponent)
 {
-  const auto ring =
-    std::make_shared<ring::UnilateralFoundation>(study.glass.profile.contact_radius, exponent);
-  const auto n_all = static_cast<unsigned int>(ring->shape(1.5).size()) - 1;
-  return { name, compared_orders(n_all),
-           [&study, ring](ring::Closure closure, unsigned int n_harmonics)
+  const auto ring = std::make_shared<ring::UnilateralFoundation>(contact_radius, exponent);
+  return { name,
+           [ring](const Study &study, unsigned int n_harmonics)
            {
              const ring::Motion &motion = study.motion.orbit;
+             const ring::Closure closure = study.motion.closure;
              const LoadReport at_rest =
                report_of(ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
              return balance(ring, { motion, closure, {} }, at_rest, n_harmonics);
            },
-           [ring](const BalancedLoad &load, double omega)
+           [ring](const Study &, const BalancedLoad &load, double omega)
            { return loaded_share(ring->edge(load.at(omega).moment_ratio())); } };
 }
 
-/// The study with another moment balance; throws ring::Tipping where its foot tips at rest.
-Study with_closure(Study study, ring::Closure closure)
+/// A foot in contact with the table, as in the variant of a study.
+ComparedLoad foot_load(const std::string &name, const std::function<std::shared_ptr<ElasticFoot>()> &foot,
+                       const std::function<Study(Study)> &variant)
 {
-  study.motion.closure = closure;
-  try
-  {
-    study.required_resultants();
-  }
-  catch (const BadInput &failure)
-  {
-    throw ring::Tipping(failure.what());
-  }
+  return { name,
+           [=](const Study &study, unsigned int n_harmonics)
+           {
+             require_standing(study);
+             return find_load(variant(study), foot(), silent_progress(), n_harmonics);
+           },
+           [=](const Study &study, const BalancedLoad &load, double omega)
+           { return describe(variant(study), foot(), load, omega).load_at_terminal.contact_fraction; } };
+}
+
+Study with_coupling(Study study, LoadCoupling coupling)
+{
+  study.load.coupling = coupling;
   return study;
 }
 
-/// The contact of the foot at rest under the study's moment balance.
-LoadReport load_at_rest(const Study &study, const ElasticFoot &foot)
+Study with_rigid_foot(Study study)
 {
-  const fem::Resultants demand = study.required_resultants();
-  return report_of(foot.solve(demand.normal_force, { demand.moment_x, demand.moment_y }), foot.radius());
+  study.model.foot_is_rigid = true;
+  return with_coupling(study, LoadCoupling::two_way);
 }
 
-/// Harmonics of the loads of a foot, which are the same for all: those of its weight alone are counted.
-unsigned int n_harmonics_of(const Study &study, const ElasticFoot &foot)
+std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                         fem::ComplianceCache &cache)
 {
-  return foot.rings(study.motion.orbit.normal_force(), Eigen::Vector2d::Zero()).n_harmonics();
-}
-
-/// The elastic foot with the load of rest at every spin: no friction acts back.
-ComparedLoad foot_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot)
-{
-  return {
-    compared_load::foot_at_rest, compared_orders(n_harmonics_of(study, *foot)),
-    [&study, foot](ring::Closure closure, unsigned int n_harmonics) {
-      return BalancedLoad({ load_at_rest(with_closure(study, closure), *foot), {} }).truncated(n_harmonics);
-    },
-    [](const BalancedLoad &load, double) { return load.report().contact_fraction; }
-  };
-}
-
-/// The elastic foot in balance with friction at every spin.
-ComparedLoad foot_in_balance(const Study &study, const std::shared_ptr<ElasticFoot> &foot)
-{
-  return { compared_load::foot_in_balance, compared_orders(n_harmonics_of(study, *foot)),
-           [&study, foot](ring::Closure closure, unsigned int n_harmonics)
-           {
-             const Study own = with_closure(study, closure);
-             return balance(foot, moment_balance(own), load_at_rest(own, *foot), n_harmonics);
-           },
-           [&study, foot](const BalancedLoad &load, double omega)
-           {
-             const ring::RingStack balanced = load.at(omega);
-             return foot
-               ->solve(balanced.normal_force(), balanced.moment(),
-                       { omega / study.motion.orbit.orbit_speed, {} })
-               .load.contact_fraction;
-           } };
-}
-
-std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot)
-{
-  std::vector<ComparedLoad> loads = { first_harmonic(study),
-                                      rigid_rim(compared_load::rigid_flat_rim, study, 1.),
-                                      rigid_rim(compared_load::rigid_round_rim, study, 1.5) };
+  const double radius = study.glass.profile.contact_radius;
+  std::vector<ComparedLoad> loads = { first_harmonic(), rigid_rim(compared_load::rigid_flat_rim, radius, 1.),
+                                      rigid_rim(compared_load::rigid_round_rim, radius, 1.5) };
   if (!foot)
     return loads;
-  loads.push_back(foot_at_rest(study, foot));
+  const BodyAbilities can = abilities(study.contact.body);
+  if (can.is_of_revolution && has_compliance(with_rigid_foot(study)))
+    loads.push_back(foot_load(
+      compared_load::rigid_foot,
+      [&cache, rigid = with_rigid_foot(study)] { return study_foot(rigid, cache); }, with_rigid_foot));
+  const auto own_foot = [foot] { return foot; };
+  loads.push_back(foot_load(compared_load::foot_at_rest, own_foot,
+                            [](const Study &own) { return with_coupling(own, LoadCoupling::one_way); }));
   // Hundreds of contacts: for a foot that takes all ranks together only where the study asks for that.
-  if (!foot->body().capabilities().is_collective || study.load.coupling == LoadCoupling::two_way)
-    loads.push_back(foot_in_balance(study, foot));
+  if (!can.is_collective || study.load.coupling == LoadCoupling::two_way)
+    loads.push_back(foot_load(compared_load::foot_in_balance, own_foot,
+                              [](const Study &own) { return with_coupling(own, LoadCoupling::two_way); }));
   return loads;
 }
 
@@ -156,16 +128,17 @@ Standing standing_of(const SpinRow &row)
   return *row.contact_fraction < 1 ? Standing::lift_off : Standing::full_contact;
 }
 
-SpinRow compared_row(const Study &study, const ComparedLoad &compared, ring::Closure closure, unsigned int n)
+/// Row of a load under the moment balance of @p study, whose reason is filled in where something is missing.
+SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned int n, bool is_all)
 {
   SpinRow row;
   try
   {
-    const BalancedLoad load = compared.load(closure, n);
-    row = attempt_spin_row(load, { study.motion.orbit });
-    row.all_harmonics = n == compared.orders.back();
+    const BalancedLoad load = compared.find(study, n);
+    row = attempt_spin_row(load, spin_question(study));
+    row.all_harmonics = is_all;
     if (row.terminal && compared.contact_fraction)
-      row.contact_fraction = compared.contact_fraction(load, row.terminal->omega);
+      row.contact_fraction = compared.contact_fraction(study, load, row.terminal->omega);
     if (row.terminal)
       row.standing = standing_of(row);
   }
@@ -174,18 +147,37 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, ring::Clo
     row.standing = standing_of_failure();
     row.reason = failure.what();
   }
-  row.closure = closure;
+  row.closure = study.motion.closure;
   row.load = compared.name;
-  row.harmonics = n;
-  row.all_harmonics = n == compared.orders.back();
+  if (!is_all)
+    row.harmonics = n;
+  row.all_harmonics = is_all;
   return row;
 }
 
-/// Gives the foot in balance with all its harmonics its error bands under the moment balances that the answer
-/// names.
-void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, std::vector<SpinRow> &rows)
+/// Rows of a load under the moment balance of @p study, the one of all harmonics being the last; that alone
+/// where there is no load at rest. @p n_all is how many harmonics that were under another moment balance.
+std::vector<SpinRow> compared_rows(const Study &study, const ComparedLoad &compared, unsigned int &n_all)
 {
-  fem::ComplianceCache cache;
+  SpinRow all = compared_row(study, compared, all_harmonics, true);
+  std::vector<SpinRow> rows;
+  if (all.at_rest)
+  {
+    n_all = all.harmonics;
+    for (const unsigned int n : compared_orders(n_all))
+      if (n < n_all)
+        rows.push_back(compared_row(study, compared, n, false));
+  }
+  all.harmonics = n_all;
+  rows.push_back(all);
+  return rows;
+}
+
+/// Gives the elastic foot two-way with all its harmonics its error bands under the moment balances that the
+/// answer names.
+void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                     fem::ComplianceCache &cache, std::vector<SpinRow> &rows)
+{
   for (SpinRow &row : rows)
   {
     if (row.load != compared_load::foot_in_balance || !row.all_harmonics || !row.terminal ||
@@ -210,27 +202,36 @@ const SpinRow *Comparison::find(ring::Closure closure, const std::string &load, 
   return nullptr;
 }
 
-Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
+HarmonicEffect Comparison::harmonic_effect(ring::Closure closure, const std::string &load) const
 {
-  const std::vector<ComparedLoad> loads = compared_loads(study, foot);
-  std::size_t n_all = 0;
-  for (const ComparedLoad &load : loads)
-    n_all += load.orders.size() * std::size(closures);
+  const SpinRow *first = find(closure, load, 1), *all = find(closure, load);
+  return first && all ? pipeline::harmonic_effect(first->omega_terminal(), all->omega_terminal(), spin_unit)
+                      : HarmonicEffect();
+}
 
+Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          fem::ComplianceCache &cache, Progress &progress)
+{
+  const std::vector<ComparedLoad> loads = compared_loads(study, foot, cache);
   Comparison comparison;
+  comparison.spin_unit = spin_unit(study);
+  std::vector<unsigned int> n_all(loads.size(), 1);
+  std::size_t n_done = 0;
   for (const ring::Closure closure : closures)
-    for (const ComparedLoad &load : loads)
-      for (const unsigned int n : load.orders)
-      {
-        comparison.rows.push_back(compared_row(study, load, closure, n));
-        progress.pieces_done("rows", comparison.rows.size(), n_all);
-      }
+    for (std::size_t i = 0; i < loads.size(); ++i)
+    {
+      Study own = study;
+      own.motion.closure = closure;
+      const std::vector<SpinRow> rows = compared_rows(own, loads[i], n_all[i]);
+      comparison.rows.insert(comparison.rows.end(), rows.begin(), rows.end());
+      progress.pieces_done("loads", ++n_done, loads.size() * std::size(closures));
+    }
   const std::optional<double> paper = comparison.rows.front().omega_terminal();
   for (SpinRow &row : comparison.rows)
-    if (paper && *paper != 0 && row.terminal)
-      row.difference_to_paper = row.terminal->omega / *paper - 1;
+    if (paper && row.terminal)
+      row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_unit);
   progress.stage_done("comparison");
-  add_error_bands(study, foot, comparison.rows);
+  add_error_bands(study, foot, cache, comparison.rows);
   progress.stage_done("error_bands");
   return comparison;
 }

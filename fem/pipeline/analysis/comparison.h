@@ -1,9 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
 
 #include <memory>
 #include <string>
@@ -16,10 +14,14 @@ namespace stemware::pipeline
 struct Comparison
 {
   std::vector<SpinRow> rows;
+  double spin_unit = 0; ///< spin_unit() of the study [rad/s]
 
   /// The row of a moment balance on a load (SpinRow::load) with @p n harmonics, 0: all; nothing where there
   /// is none.
   const SpinRow *find(ring::Closure closure, const std::string &load, unsigned int n = 0) const;
+
+  /// All harmonics of a load against its first, under a moment balance.
+  HarmonicEffect harmonic_effect(ring::Closure closure, const std::string &load) const;
 };
 
 /// Names of the loads that are compared, from the simplest to the study's own.
@@ -28,14 +30,18 @@ namespace compared_load
 inline constexpr char first_harmonic[] = "first harmonic";
 inline constexpr char rigid_flat_rim[] = "rigid flat rim";
 inline constexpr char rigid_round_rim[] = "rigid round rim";
+inline constexpr char rigid_foot[] = "rigid foot";
 inline constexpr char foot_at_rest[] = "elastic foot at rest";
 inline constexpr char foot_in_balance[] = "elastic foot";
 } // namespace compared_load
 
-/// The study's glass under the moment balances paper, hand and full, on the paper's first harmonic, on rigid
-/// rims that only push, and on @p foot, where there is one, at rest and in balance with friction; each with
-/// 1, 2, 3 and all harmonics. No row's trouble stops the others. The foot in balance has error bands where
-/// they cost little.
-Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress);
+/// The study's glass under the moment balances paper, hand and full: on the paper's first harmonic; on rigid
+/// rims on a mat that only pushes, in closed form; and, where the load comes from a contact, with a rigid
+/// foot on the study's table (unless nothing yields there), and with the elastic foot one-way, its load being
+/// that of rest, and two-way. Each with 1, 2, 3 and all harmonics. No row's trouble stops the others. @p foot
+/// is study_foot(); other feet share what they can with it in @p cache. The elastic foot two-way has error
+/// bands where they cost little.
+Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

@@ -75,7 +75,8 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.at_rest = ring_state(load, question, 0);
   for (const double omega : question.torques_at)
     row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
-  const LongRunSpin found = terminal_spin(load, question.motion, question.search_from, question.with_slope);
+  const LongRunSpin found =
+    terminal_spin(load, question.motion, question.search_from, question.with_slope, question.grip_torque);
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -86,20 +87,38 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   if (!question.times.empty())
     for (const ring::YawSample &sample :
          spin_up(question.on_the_way ? *question.on_the_way : on_the_way_to(omega, load), question.motion,
-                 question.times))
+                 question.times, question.grip_torque))
       row.spin_up.push_back(sample.omega);
 }
 
 } // namespace
 
-ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion)
+double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega)
+{
+  return wrench(load, motion, omega).torque + load.lean_torque(omega);
+}
+
+namespace
+{
+double gripped(double torque, double omega, double grip)
+{
+  if (omega == 0)
+    return std::abs(torque) <= grip ? 0 : torque - std::copysign(grip, torque);
+  return torque - std::copysign(grip, omega);
+}
+} // namespace
+
+ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
+                                           double grip_torque)
 {
   const ring::CoulombRing friction(motion.friction_coefficient);
   return [=](double time, double yaw_angle, double omega)
   {
-    return friction
-      .wrench(load.at(omega, orientation_of_marks(motion, time, yaw_angle)), omega, motion.orbit_speed)
-      .torque;
+    const double torque =
+      friction
+        .wrench(load.at(omega, orientation_of_marks(motion, time, yaw_angle)), omega, motion.orbit_speed)
+        .torque;
+    return grip_torque > 0 ? gripped(torque, omega, grip_torque) : torque;
   };
 }
 
@@ -109,11 +128,15 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
 }
 
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double search_from,
-                          bool with_slope)
+                          bool with_slope, double grip_torque)
 {
   constexpr double accuracy = 1e-9; // of the mean in the long run
   const double scale = load.spin_scale(motion);
-  const auto torque = [&](double omega) { return wrench(load, motion, omega).torque; };
+  const auto torque = [&](double omega)
+  {
+    const double free = yaw_torque(load, motion, omega);
+    return grip_torque > 0 ? gripped(free, omega, grip_torque) : free;
+  };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   LongRunSpin result;
   if (with_slope || load.phases())
@@ -124,7 +147,7 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   if (!load.phases())
     return result;
   const ring::LongTimeSpin mean =
-    ring::long_time_spin(torque_function(load, motion), motion.yaw_inertia, result.spin.omega,
+    ring::long_time_spin(torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
                          averaging_window(load.phases()->periods(), motion, result.spin), accuracy, scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
@@ -187,7 +210,7 @@ void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQ
   // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
   // related.
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
-  if (row.terminal && std::abs(omega) > 1e-12 * scale)
+  if (row.terminal && std::abs(omega) > 1e-9 * scale)
     row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
   row.bound = ring::CoulombRing(motion.friction_coefficient)
                 .truncation_bound(whole, row.harmonics, omega, motion.orbit_speed);
@@ -224,10 +247,10 @@ std::vector<double> output_times(double end)
 }
 
 std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
-                                     const std::vector<double> &times)
+                                     const std::vector<double> &times, double grip_torque)
 {
-  return ring::yaw_motion(torque_function(load, motion), motion.yaw_inertia, 0, times, spin_up_accuracy,
-                          load.spin_scale(motion));
+  return ring::yaw_motion(torque_function(load, motion, grip_torque), motion.yaw_inertia, 0, times,
+                          spin_up_accuracy, load.spin_scale(motion));
 }
 
 } // namespace stemware::pipeline

@@ -14,6 +14,7 @@ namespace stemware::pipeline
 struct SpinQuestion
 {
   ring::Motion motion;
+  double grip_torque = 0;              ///< of the fingers, against the spin [N m]
   std::vector<double> torques_at = {}; ///< spins of SpinRow::torques [rad/s]
   std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
@@ -37,11 +38,15 @@ struct LongRunSpin
 /// depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and time constant
 /// are NaN. Throws std::runtime_error where there is none, and as the load.
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double search_from = 0,
-                          bool with_slope = true);
+                          bool with_slope = true, double grip_torque = 0);
+
+/// tau_z of the rings and lean torque, mean over the phases; the grip is not in it [N m].
+double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega);
 
 /// tau_z [N m] at time t [s], yaw angle [rad] and spin [rad/s]; time and yaw angle matter where the phase
 /// does.
-ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion);
+ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
+                                           double grip_torque = 0);
 
 /// Friction of the table on the ring under @p load at @p omega [rad/s], mean over the phases.
 ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double omega);
@@ -72,6 +77,6 @@ std::vector<double> output_times(double end);
 
 /// omega(t) and psi(t) from rest under @p load at @p times.
 std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
-                                     const std::vector<double> &times);
+                                     const std::vector<double> &times, double grip_torque = 0);
 
 } // namespace stemware::pipeline

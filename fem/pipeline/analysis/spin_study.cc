@@ -1,11 +1,14 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
+#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -48,61 +51,6 @@ PhaseStudy study_phases(const PhaseLoads &loads, const SpinRow &row, const ring:
   return study;
 }
 
-/// Bound and least load of the worst phase instead of those of the mean load.
-void take_worst_phase(const PhaseLoads &loads, const ring::Motion &motion, double omega, SpinRow &row)
-{
-  const ring::CoulombRing friction(motion.friction_coefficient);
-  for (const ring::RingStack &load : loads.samples(omega))
-    row.bound =
-      std::max(*row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
-  for (const ring::RingStack &load : loads.samples(0))
-    row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
-}
-
-std::vector<SpinRow> truncation_rows(const BalancedLoad &load, const ring::Motion &motion)
-{
-  SpinQuestion question = { motion };
-  std::vector<SpinRow> rows;
-  for (const unsigned int n : truncation_orders(load.n_harmonics()))
-  {
-    question.with_slope = n == load.n_harmonics();
-    rows.push_back(spin_row(load.truncated(n), question));
-  }
-  const ring::RingStack whole = load.at(rows.back().terminal->omega);
-  const SpinRow all = rows.back();
-  for (SpinRow &row : rows)
-  {
-    relate_to_all(all, whole, question, row);
-    if (load.phases())
-      take_worst_phase(*load.phases(), motion, all.terminal->omega, row);
-  }
-  return rows;
-}
-
-TorqueCurve torque_curve(const BalancedLoad &load, const ring::Motion &motion)
-{
-  constexpr int n_half = 120;
-  TorqueCurve curve;
-  for (int i = -n_half; i <= n_half; ++i)
-  {
-    // Multiples of an exact step from the middle: the curve is sampled at rest, and symmetrically.
-    const double slip_ratio = 1.5 * i / n_half;
-    curve.slip_ratio.push_back(slip_ratio);
-    curve.omega.push_back(slip_ratio * load.spin_scale(motion));
-    curve.friction.push_back(wrench(load, motion, curve.omega.back()));
-  }
-  curve.harmonics = truncation_orders(load.n_harmonics());
-  curve.harmonics.pop_back();
-  for (const unsigned int n : curve.harmonics)
-  {
-    const BalancedLoad kept = load.truncated(n);
-    std::vector<double> &torques = curve.truncations.emplace_back();
-    for (const double omega : curve.omega)
-      torques.push_back(wrench(kept, motion, omega).torque);
-  }
-  return curve;
-}
-
 /// Equal steps of the forward Euler method in each of @p n_intervals equal intervals of the spin-up.
 unsigned int euler_steps(const MotionSection &motion, unsigned int n_intervals)
 {
@@ -118,29 +66,40 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
   return spins;
 }
 
-/// @p rows of the same load say between which spins the curves lie.
-SpinUpCurves spin_up_curves(const BalancedLoad &load, const Study &study, const std::vector<SpinRow> &rows)
+/// omega(t) [rad/s] under @p load; nothing where it has no balance on the way.
+std::vector<double> spins_or_nothing(const BalancedLoad &load, const Study &study,
+                                     const std::vector<double> &times)
+{
+  try
+  {
+    return spins_of(spin_up(load, study.motion.orbit, times, study.motion.grip_torque));
+  }
+  catch (const std::runtime_error &)
+  {
+    return {};
+  }
+}
+
+/// @p first and @p all are loads for curves.
+SpinUpCurves spin_up_curves(const Study &study, const std::optional<BalancedLoad> &first,
+                            const BalancedLoad &all)
 {
   const ring::Motion &orbit = study.motion.orbit;
+  const double grip = study.motion.grip_torque;
   SpinUpCurves curves;
   curves.time = output_times(study.motion.end_time);
-  for (const ring::YawSample &sample : spin_up(load, orbit, curves.time))
+  for (const ring::YawSample &sample : spin_up(all, orbit, curves.time, grip))
   {
     curves.adaptive.push_back(sample.omega);
     curves.yaw_angle.push_back(sample.yaw_angle);
   }
-
-  // Thousands of values of what is shown beside it need not be exact.
-  const double all = rows.back().terminal->omega, first = rows.front().terminal->omega;
-  const double margin = 0.02 * std::max(std::abs(all), std::abs(first));
-  const BalancedLoad beside = load.interpolated(std::min({ 0., all - margin, first - margin }),
-                                                std::max({ 0., all + margin, first + margin }));
-  curves.first_harmonic = spins_of(spin_up(beside.truncated(1), orbit, curves.time));
+  if (first)
+    curves.first_harmonic = spins_or_nothing(*first, study, curves.time);
 
   const auto n_intervals = static_cast<unsigned int>(curves.time.size()) - 1;
   const unsigned int stride = euler_steps(study.motion, n_intervals);
   const unsigned int n_steps = stride * n_intervals;
-  const auto samples = ring::yaw_motion_euler(torque_function(beside, orbit), orbit.yaw_inertia, 0,
+  const auto samples = ring::yaw_motion_euler(torque_function(all, orbit, grip), orbit.yaw_inertia, 0,
                                               study.motion.end_time / n_steps, n_steps);
   for (unsigned int i = 0; i <= n_intervals; ++i)
     curves.euler.push_back(samples[i * stride].omega);
@@ -148,38 +107,94 @@ SpinUpCurves spin_up_curves(const BalancedLoad &load, const Study &study, const 
   return curves;
 }
 
+ring::Wrench wrench_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
+{
+  try
+  {
+    return wrench(load, motion, omega);
+  }
+  catch (const std::runtime_error &)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return { nan, nan, nan }; // the row says what is missing
+  }
+}
+
+/// The study on one ring.
+std::optional<SpinRow> row_on_one_ring(Study study, const SpinRow &all, fem::ComplianceCache &cache)
+{
+  if (!study.load.is_from_contact() || study.contact.rings == 1)
+    return std::nullopt;
+  study.contact.rings = 1;
+  SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  row.harmonics = all.harmonics;
+  row.all_harmonics = true;
+  if (row.terminal && all.relative_change)
+    row.relative_change = row.terminal->omega / all.terminal->omega - 1;
+  return row;
+}
+
 } // namespace
+
+std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
+{
+  constexpr int n_intervals = 120;
+  double fastest = rows.back().row.terminal->omega;
+  for (const LoadedRow &row : rows)
+    if (std::abs(row.row.omega_terminal().value_or(0)) > std::abs(fastest))
+      fastest = row.row.terminal->omega;
+  if (std::abs(fastest) < 0.01 * spin_unit(study)) // a glass that hardly spins up
+    fastest = std::copysign(0.1 * spin_unit(study), fastest);
+  std::vector<double> spins;
+  for (int i = -n_intervals / 8; i <= n_intervals; ++i)
+    spins.push_back(1.5 * fastest * i / n_intervals);
+  std::sort(spins.begin(), spins.end());
+  return spins;
+}
+
+TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows, unsigned int n_most)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  TorqueCurve curve;
+  curve.omega = shown_spins(study, rows);
+  for (const double omega : curve.omega)
+  {
+    curve.slip_ratio.push_back(omega / rows.back().load->spin_scale(motion));
+    curve.friction.push_back(wrench_or_nan(*rows.back().load, motion, omega));
+  }
+  for (std::size_t i = 0; i + 1 < rows.size() && rows[i].row.harmonics <= n_most; ++i)
+  {
+    if (!rows[i].load)
+      continue;
+    curve.harmonics.push_back(rows[i].row.harmonics);
+    std::vector<double> &torques = curve.truncations.emplace_back();
+    for (const double omega : curve.omega)
+      torques.push_back(wrench_or_nan(*rows[i].load, motion, omega).torque);
+  }
+  return curve;
+}
 
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times)
 {
-  return spins_of(spin_up(first_harmonic_load(study, ring::Closure::paper), study.motion.orbit, times));
+  return spins_of(spin_up(find_load(paper_study(study), nullptr), study.motion.orbit, times));
 }
 
-std::vector<SpinRow> closure_rows(const Study &study)
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                     fem::ComplianceCache &cache, Progress &progress)
 {
-  std::vector<SpinRow> rows;
-  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
-  {
-    // A formal load may push for ever; the row says so.
-    rows.push_back(attempt_spin_row(first_harmonic_load(study, closure), { study.motion.orbit }));
-    rows.back().closure = closure;
-    rows.back().load = "first harmonic";
-  }
-  return rows;
-}
-
-SpinStudy study_spin(const BalancedLoad &load, const Study &study)
-{
-  const ring::Motion &motion = study.motion.orbit;
+  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, spin_question(study), progress);
   SpinStudy result;
-  result.rows = truncation_rows(load, motion);
-  for (SpinRow &row : result.rows)
-    row.closure = study.motion.closure;
+  for (const LoadedRow &row : solved)
+    result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(*load.phases(), result.all(), motion);
-  result.closures = closure_rows(study);
-  result.torque = torque_curve(load, motion);
-  result.spin_up = spin_up_curves(load, study, result.rows);
+    result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
+  result.one_ring = row_on_one_ring(study, result.all(), cache);
+
+  const std::vector<double> shown = shown_spins(study, solved);
+  interpolate_loads(shown.front(), shown.back(), 1, solved);
+  result.budget = find_budget(study, solved, cache, progress);
+  result.torque = torque_curve(study, solved, 1);
+  result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load);
   return result;
 }
 

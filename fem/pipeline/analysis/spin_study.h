@@ -1,34 +1,35 @@
 #pragma once
 
-#include "fem/pipeline/analysis/spin_row.h"
-#include "fem/pipeline/coupling/balanced_load.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/study_rows.h"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// tau_z(omega) and the friction force over the spin.
+/// tau_z(omega) and the friction force over the spin; NaN where there is no balance.
 struct TorqueCurve
 {
-  std::vector<double> omega;                    ///< [rad/s]
-  std::vector<double> slip_ratio;               ///< omega R / v
-  std::vector<ring::Wrench> friction;           ///< of all harmonics
-  std::vector<unsigned int> harmonics;          ///< of the truncations
+  std::vector<double> omega;           ///< from a little before rest to beyond the terminal spins [rad/s]
+  std::vector<double> slip_ratio;      ///< omega R / v
+  std::vector<ring::Wrench> friction;  ///< of all harmonics
+  std::vector<unsigned int> harmonics; ///< of the truncations
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
 };
 
-/// omega(t) from rest at equally spaced times.
+/// omega(t) from rest at equally spaced times, each load in its own balance.
 struct SpinUpCurves
 {
-  std::vector<double> time;           ///< [s]
-  std::vector<double> adaptive;       ///< all harmonics, error control [rad/s]
-  std::vector<double> euler;          ///< all harmonics, forward Euler as in the paper [rad/s]
-  std::vector<double> first_harmonic; ///< first harmonic alone, error control [rad/s]
-  std::vector<double> yaw_angle;      ///< all harmonics, error control [rad]
+  std::vector<double> time;     ///< [s]
+  std::vector<double> adaptive; ///< all harmonics, error control [rad/s]
+  std::vector<double> euler;    ///< all harmonics, forward Euler as in the paper [rad/s]
+  std::vector<double>
+    first_harmonic;              ///< first harmonic alone, error control [rad/s]; empty without a balance
+  std::vector<double> yaw_angle; ///< all harmonics, error control [rad]
   std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
 };
 
@@ -55,27 +56,35 @@ struct PhaseStudy
 /// What follows from a load for the spin.
 struct SpinStudy
 {
-  std::vector<SpinRow> rows;     ///< by harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last
-  std::vector<SpinRow> closures; ///< a first harmonic on a ring of the contact radius: paper, hand, full
-  TorqueCurve torque;            ///< from -1.5 v/R to 1.5 v/R
+  std::vector<SpinRow> rows;       ///< by harmonics: rows_by_harmonics()
+  std::optional<SpinRow> one_ring; ///< all harmonics on one ring; nothing where the study has one
+  Budget budget;
+  TorqueCurve torque; ///< of the first harmonic and of all
   SpinUpCurves spin_up;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
 
   const SpinRow &all() const { return rows.back(); }
   /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
   /// related.
-  bool spins_up() const { return rows.front().relative_change.has_value(); }
+  bool spins_up() const { return all().relative_change.has_value(); }
 };
+
+/// tau_z of the last one of @p rows, and of those in front of it with up to @p n_most harmonics, at spins
+/// from a little before rest to half as far again as the fastest terminal spin.
+TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows, unsigned int n_most);
+
+/// The spins of torque_curve(), lowest first [rad/s].
+std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows);
 
 /// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its
 /// load.
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
 
-/// A first harmonic on a ring of the contact radius under the moment balances paper, hand and full.
-std::vector<SpinRow> closure_rows(const Study &study);
-
-/// Solves for everything. Throws std::runtime_error where all harmonics have no terminal spin, or the spin
-/// under a load that depends on the phase does not settle; what contact solutions and balances throw.
-SpinStudy study_spin(const BalancedLoad &load, const Study &study);
+/// Solves for everything. @p foot is study_foot(), @p load find_load() of it; feet of other models of the
+/// budget share what they can with it in @p cache. Throws std::runtime_error where all harmonics have no
+/// terminal spin, or the spin under a load that depends on the phase does not settle; what contact solutions
+/// and balances throw.
+SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                     fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

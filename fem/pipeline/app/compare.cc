@@ -41,7 +41,8 @@ void compare(const StudyOptions &options)
 
   // 2. Every moment balance on every load.
   fem::ComplianceCache cache;
-  const Comparison comparison = compare_models(study, announced_foot(study, cache, progress), progress);
+  const Comparison comparison =
+    compare_models(study, announced_foot(study, cache, progress), cache, progress);
 
   // 3. The answer, and the results, all at once.
   publish(options, study, tabulate(study, comparison), folder, stopwatch);
@@ -60,11 +61,12 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
   stemware compare my_glass.prm --set "Table/Foundation modulus=1e9"
   stemware compare my_glass.prm --set "Load/Source=first harmonic"    # no elastic foot
 
-The glass of the study under the closures paper, hand and full, on five kinds of load: the paper's
-first harmonic; a rigid rim, flat and round, on a soft mat; and the elastic foot, with its load at
-rest and in balance with friction at every spin (a solid body with Load/Coupling = two-way only).
-Each with 1, 2, 3 and all harmonics. A row that does not exist says why: tips, no balance, no
-terminal spin. "formal" loads would have to pull on the table.
+The glass of the study under the closures paper, hand and full, on six kinds of load: the paper's
+first harmonic; a rigid rim, flat and round, on a mat that only pushes; a rigid foot on the study's
+table, where something yields there; and the elastic foot, one-way (the load of rest) and two-way (in
+balance with friction at every spin; a solid body with Load/Coupling = two-way only). Each with 1, 2,
+3 and all harmonics. A row that does not exist says why: tips, no balance, no terminal spin. "formal"
+loads would have to pull on the table.
 
   compare.csv        one row for each closure, load and number of harmonics
   report.html, figures/, summary.json, parameters.prm, timings.json)");

@@ -42,7 +42,7 @@ void truncate(const TruncateOptions &options)
   const BalancedLoad load = find_load(study, foot, progress);
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
   stopwatch.finish("truncations");
-  SpinRow &all = result.frozen.rows.back();
+  SpinRow &all = result.rows.back();
   all.band = band_of(estimate_bands(study, load, all.terminal->omega, cache), "omega_terminal");
   stopwatch.finish("error_band");
 
@@ -55,8 +55,7 @@ void truncate(const TruncateOptions &options)
 void add_truncate_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<TruncateOptions>();
-  CLI::App *verb = program.add_subcommand(
-    "truncate", "How many harmonics of the load matter, with and without their friction");
+  CLI::App *verb = program.add_subcommand("truncate", "How many harmonics of the load matter");
   add_study_options(*verb, *options);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
   verb->footer(R"(Examples:
@@ -64,13 +63,13 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
   stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=two-way"
 
-The load is cut off after 1, 2, 3, 4, 6, 8, 12 ... harmonics in two ways: frozen, where neither
-contact nor friction is solved again; and self-consistent, where the friction of what is left enters
-the moment balance, the moment enters the contact, and the contact's load is cut off again.
+The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads the friction of what is left
+enters the moment balance, the moment enters the contact, and the contact's load is cut off again;
+one-way, and with a given moment, the load of rest is cut off.
 
-  truncation.dat, truncation_self_consistent.dat   torque, terminal spin, deviations, bounds
-  spin_up.dat, spin_up_self_consistent.dat         the spin against time
-  harmonics.dat                                    the load at rest; Load/File reads it
+  truncation.dat     torque, terminal spin, deviations, bounds
+  spin_up.dat        the spin against time
+  harmonics.dat      the load at rest; Load/File reads it
   report.html, figures/, summary.json, parameters.prm, timings.json)");
   verb->callback([&chosen, options] { chosen = [options] { truncate(*options); }; });
 }

@@ -17,6 +17,9 @@ namespace stemware::pipeline
 
 class PhaseLoads;
 
+/// No truncation.
+inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
+
 /// The load on the ring at every spin: what all questions about the spin are asked of, wherever the load
 /// comes from.
 ///
@@ -51,6 +54,9 @@ public:
   ring::RingStack at(double omega, const ring::Orientation &orientation) const;
 
   ring::RingStack at_rest() const { return at(0); }
+
+  /// Torque of the normal forces about the leaning axis, -q1 M_Nx - q2 M_Ny [N m]; 0 without tilt.
+  double lean_torque(double /*omega*/) const { return 0; }
 
   /// All harmonics of the pressure at @p omega, of which at() may give a part only: the pressure that the
   /// contact puts on the table under the resultants of at().

@@ -22,8 +22,6 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
-
 BalancedLoad constant_load(LoadReport at_rest)
 {
   return BalancedLoad({ std::move(at_rest), {} });
@@ -162,7 +160,9 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
   return foot;
 }
 
-BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
+namespace
+{
+BalancedLoad find_whole_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
 {
   switch (study.load.source)
   {
@@ -175,6 +175,14 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
     return load_from_file(study.load.file);
   }
   throw std::logic_error("a load source without a load");
+}
+} // namespace
+
+BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
+                       unsigned int n_harmonics)
+{
+  const BalancedLoad load = find_whole_load(study, foot, progress);
+  return n_harmonics < load.n_harmonics() ? load.truncated(n_harmonics) : load;
 }
 
 MomentBalance moment_balance(const Study &study)

@@ -28,7 +28,7 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
 /// @p progress must live as long as the load; both keep @p foot. Throws BadInput and
 /// fem::ContactFailure; the load throws as balance()'s.
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                       Progress &progress = silent_progress());
+                       Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics);
 
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
 MomentBalance moment_balance(const Study &study);

@@ -49,7 +49,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
   const LoadReport &at_rest = load.report();
   add_load_quantities(at_rest, noise, quantities);
 
-  SpinQuestion question = { motion, spins };
+  SpinQuestion question = { motion };
+  question.torques_at = spins;
   question.search_from = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;

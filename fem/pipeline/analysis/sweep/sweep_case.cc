@@ -1,10 +1,9 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 
-#include "fem/pipeline/analysis/spin.h"
-#include "fem/pipeline/analysis/spin_comparison.h"
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -30,6 +29,7 @@ std::vector<SweepQuantity> make_quantities()
                                         { "terminal spin", "rad/s" },
                                         { "terminal spin of the first harmonic alone", "rad/s" },
                                         { "terminal spin of the closure's first harmonic", "rad/s" },
+                                        { "absolute harmonic effect", "rad/s" },
                                         { "harmonic effect", "%" },
                                         { "closure effect", "%" },
                                         { "time constant", "s" },
@@ -74,25 +74,32 @@ void add_load(const LoadReport &load, ValueList &list)
   }
 }
 
-void add_spin(const Study &study, const BalancedLoad &load, ValueList &list)
+/// The terminal spin of a first harmonic on a ring of the contact radius, nothing where there is none.
+std::optional<double> first_harmonic_spin(const Study &study, ring::Closure closure)
 {
-  SpinQuestion question = { study.motion.orbit };
+  return attempt_spin_row(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+}
+
+void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+              ValueList &list)
+{
+  SpinQuestion question = spin_question(study);
   question.with_minima = false;
-  const SpinRow first = spin_row(load.truncated(1), question);
   question.with_slope = true;
   const SpinRow all = spin_row(load, question);
-  const std::vector<SpinRow> closures = closure_rows(study);
-  const SpinComparison spins = compare_spins(study, closures, all.terminal->omega, first.terminal->omega);
+  question.with_slope = false;
+  const std::optional<double> first = truncated_row(study, foot, load, question, 1).row.omega_terminal();
+  const double unit = spin_unit(study);
+  const HarmonicEffect harmonics = harmonic_effect(first, all.terminal->omega, unit);
+  const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper);
+  const std::optional<double> full = first_harmonic_spin(study, ring::Closure::full);
   list.add(all.at_rest->friction.torque);
   list.add(all.terminal->omega);
-  list.add(first.terminal->omega);
-  list.add(std::find_if(closures.begin(), closures.end(),
-                        [&](const SpinRow &row) { return row.closure == study.motion.closure; })
-             ->omega_terminal());
-  // A glass that does not spin up has a spin of rounding, to which nothing can be related.
-  const bool is_spinning = std::abs(spins.first_harmonic) > 1e-12 * load.spin_scale(study.motion.orbit);
-  list.add(is_spinning ? in_percent(spins.harmonic_effect()) : std::nullopt);
-  list.add(in_percent(spins.closure_effect()));
+  list.add(first);
+  list.add(first_harmonic_spin(study, study.motion.closure));
+  list.add(harmonics.absolute);
+  list.add(in_percent(harmonics.relative));
+  list.add(in_percent(paper && full ? relative_to(paper, *full - *paper, unit) : std::nullopt));
   list.add(all.time_constant());
 }
 
@@ -114,10 +121,11 @@ std::size_t quantity_index(const std::string &name)
 
 CaseResult solve_case(const Study &study, fem::ComplianceCache &cache)
 {
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const BalancedLoad load = find_load(study, foot);
   ValueList list;
   add_load(load.report(), list);
-  add_spin(study, load, list);
+  add_spin(study, foot, load, list);
   CaseResult result;
   if (load.contact())
   {

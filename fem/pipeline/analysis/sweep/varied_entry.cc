@@ -6,6 +6,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -32,6 +33,16 @@ std::vector<std::string> pieces(const std::string &text, char separator)
                  "factors, or a list \"Section/Entry=a,b,c\".");
 }
 
+/// @p value with the digits that are known of numbers between @p first and @p last: 15 of the larger one.
+double snapped(double value, double first, double last)
+{
+  const double largest = std::max(std::abs(first), std::abs(last));
+  if (largest == 0)
+    return 0;
+  const double unit = std::pow(10., std::floor(std::log10(largest)) - 14);
+  return rounded(std::round(value / unit) * unit, 15) + 0.; // no -0
+}
+
 /// The values of first:last:number or first:last:number:log.
 std::vector<std::string> range_values(const std::string &text, const std::vector<std::string> &parts)
 {
@@ -51,9 +62,8 @@ std::vector<std::string> range_values(const std::string &text, const std::vector
   for (unsigned int i = 0; i < *number; ++i)
   {
     const double share = static_cast<double>(i) / (*number - 1);
-    const double value =
-      is_log ? *first * std::pow(*last / *first, share) : *first + (*last - *first) * share;
-    values.push_back(to_text(rounded(value, 15)));
+    values.push_back(to_text(is_log ? rounded(*first * std::pow(*last / *first, share), 15)
+                                    : snapped(*first + (*last - *first) * share, *first, *last)));
   }
   values.front() = to_text(*first);
   values.back() = to_text(*last);

@@ -21,9 +21,9 @@ struct VariedEntry
 ///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
 ///   Motion/Closure=paper,hand,full              these
 ///
-/// Values of a range are rounded to 15 digits, so that a third of the way from 0 to 0.9 is 0.3. Throws
-/// BadInput with one sentence for anything else; whether the entry exists and takes the values is not looked
-/// at.
+/// Values of a range are rounded to 15 digits, in equal steps to 15 digits of the larger end, so that a third
+/// of the way from 0 to 0.9 is 0.3, and half the way from -0.3 to 0.3 is 0. Throws BadInput with one sentence
+/// for anything else; whether the entry exists and takes the values is not looked at.
 VariedEntry parse_varied_entry(const std::string &text);
 
 /// "Section/Entry=rest" in its two parts, without blanks around them. @p option is named in the BadInput that

@@ -153,7 +153,7 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
     fem::ComplianceCache cache;
     const auto foot = study_foot(study, cache);
     const BalancedLoad load = find_load(study, foot);
-    const SpinStudy spin = study_spin(load, study);
+    const SpinStudy spin = study_spin(study, foot, load, cache);
     const Results results =
       tabulate(study, describe(study, foot, load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;

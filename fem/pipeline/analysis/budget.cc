@@ -1,0 +1,181 @@
+#include "fem/pipeline/analysis/budget.h"
+
+#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/coupling/study_load.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A model of the chain.
+struct Model
+{
+  std::string step, name;
+  Study study;
+};
+
+/// The models in front of those that are told apart by their harmonics: 1, 2, 2a and 3, all of them with a
+/// first harmonic.
+std::vector<Model> first_models(const Study &study)
+{
+  std::vector<Model> models = { { "1", "paper", paper_study(study) } };
+  if (study.load.source != LoadSource::file)
+  {
+    models.push_back(
+      { "2", study.load.is_static() ? "given moment" : "moment balance", first_harmonic_study(study) });
+    models.back().study.motion.grip_torque = 0;
+  }
+  if (study.motion.grip_torque > 0)
+  {
+    models.push_back({ "2a", "grip", models.back().study });
+    models.back().study.motion.grip_torque = study.motion.grip_torque;
+  }
+  if (study.tilts())
+  {
+    models.push_back({ "3", "where the foot touches", study });
+    models.back().study.motion.tilt = false;
+  }
+  return models;
+}
+
+std::optional<double> unless_nan(double value)
+{
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+/// Puts the answer to a model under those in @p budget.
+void add_row(const std::string &step, const std::string &name, const LoadedRow &answer,
+             const ring::Motion &motion, Budget &budget)
+{
+  const SpinRow &row = answer.row;
+  BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
+  if (!budget.rows.empty() && added.omega_terminal && budget.rows.back().omega_terminal)
+    added.difference = *added.omega_terminal - *budget.rows.back().omega_terminal + 0.; // no -0
+  added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
+  added.reason = row.reason;
+  if (answer.load)
+  {
+    const std::vector<double> torques = yaw_torques(
+      *answer.load, motion, { budget.shown_spins.begin(), budget.shown_spins.end() }, added.reason);
+    for (std::size_t i = 0; i < torques.size(); ++i)
+      added.torques[i] = unless_nan(torques[i]);
+  }
+  budget.rows.push_back(added);
+}
+
+/// Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
+void add_rows_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics, Budget &budget)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  add_row(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches", by_harmonics.front(),
+          motion, budget);
+  unsigned int step = 4;
+  for (std::size_t i = 1; i < by_harmonics.size(); ++i)
+    add_row(std::to_string(step++), "harmonics", by_harmonics[i], motion, budget);
+  if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
+    add_row(std::to_string(step), "harmonics", by_harmonics.back(), motion, budget);
+  budget.rows.back().harmonics.reset();
+  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
+  if (study.load.is_from_contact() && budget.rows.back().standing == Standing::formal)
+    budget.rows.back().standing = Standing::lift_off;
+}
+
+WithoutRow answer_without(const ModelVariant &variant, double complete, fem::ComplianceCache &cache)
+{
+  WithoutRow row = { variant.name };
+  if (!has_compliance(variant.study))
+  {
+    row.reason = "not defined";
+    return row;
+  }
+  const LoadedRow answer = attempt_row(variant.study, cache, spin_question(variant.study), all_harmonics);
+  row.omega_terminal = answer.row.omega_terminal();
+  if (row.omega_terminal)
+    row.difference = *row.omega_terminal - complete;
+  row.reason = answer.row.reason;
+  return row;
+}
+
+/// Torques of all harmonics and of the first, from rest to a little beyond the terminal spin.
+void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, double terminal,
+                Budget &budget)
+{
+  constexpr unsigned int n_intervals = 32;
+  const double least = 0.1 * spin_unit(study); // shown of a glass that hardly spins up
+  const double last = std::abs(terminal) < 0.1 * least ? std::copysign(least, terminal) : 1.2 * terminal;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    budget.omega.push_back(last * i / n_intervals);
+  const auto torques_of = [&](const LoadedRow &answer)
+  {
+    std::string reason; // the row says it
+    return answer.load ? yaw_torques(*answer.load, study.motion.orbit, budget.omega, reason)
+                       : std::vector<double>(budget.omega.size(), std::nan(""));
+  };
+  budget.torque_all = torques_of(by_harmonics.back());
+  budget.torque_first = torques_of(by_harmonics.front());
+}
+
+} // namespace
+
+std::optional<double> relative_to(const std::optional<double> &reference,
+                                  const std::optional<double> &difference, double spin_unit)
+{
+  if (!reference || !difference || std::abs(*reference) < 1e-9 * spin_unit)
+    return std::nullopt;
+  return *difference / *reference + 0.; // no -0
+}
+
+HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
+                               double spin_unit)
+{
+  HarmonicEffect effect;
+  if (first && all)
+    effect.absolute = *all - *first;
+  effect.relative = relative_to(first, effect.absolute, spin_unit);
+  return effect;
+}
+
+Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress)
+{
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
+  return find_budget(study, rows_by_harmonics(study, foot, load, spin_question(study), progress), cache,
+                     progress);
+}
+
+Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                   fem::ComplianceCache &cache, Progress &progress)
+{
+  const double terminal = by_harmonics.back().row.terminal->omega;
+  const std::vector<Model> models = first_models(study);
+  const std::vector<ModelVariant> variants = variants_without(study);
+  const std::size_t n_pieces = models.size() + variants.size();
+  std::size_t n_done = 0;
+
+  Budget budget;
+  budget.shown_spins = { 0, terminal / 2, terminal };
+  for (const Model &model : models)
+  {
+    LoadedRow answer = attempt_row(model.study, cache, spin_question(model.study), 1);
+    answer.row.harmonics = 1;
+    add_row(model.step, model.name, answer, model.study.motion.orbit, budget);
+    progress.pieces_done("budget", ++n_done, n_pieces);
+  }
+  if (study.load.source != LoadSource::first_harmonic)
+    add_rows_by_harmonics(study, by_harmonics, budget);
+  for (const ModelVariant &variant : variants)
+  {
+    budget.without.push_back(answer_without(variant, terminal, cache));
+    progress.pieces_done("budget", ++n_done, n_pieces);
+  }
+  budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_unit(study));
+  add_curves(study, by_harmonics, terminal, budget);
+  return budget;
+}
+
+} // namespace stemware::pipeline

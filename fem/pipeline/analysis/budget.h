@@ -1,0 +1,83 @@
+#pragma once
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// One model of the chain from the paper's to the study's.
+struct BudgetRow
+{
+  std::string step; ///< "1", "2", "2a", "3", "3a", "4", ...
+  /// Of the difference to the row above: "paper" in the first one, then "moment balance" or "given moment",
+  /// "grip", "where the foot touches", "tilt", "harmonics".
+  std::string name;
+  std::optional<unsigned int> harmonics = {}; ///< that act on the ring; nothing: all
+  std::optional<double> omega_terminal = {};  ///< [rad/s]
+  std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
+  std::optional<double> band = {};            ///< half-width, of the terminal spin [rad/s]
+  std::array<std::optional<double>, 3> torques = {}; ///< yaw_torque() at Budget::shown_spins [N m]
+  Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
+  std::string reason = {};                           ///< why something is missing; empty where nothing is
+};
+
+/// The complete model with one of its effects left out.
+struct WithoutRow
+{
+  std::string name;                          ///< "friction in the foot", "tilt", ...: ModelVariant::name
+  std::optional<double> omega_terminal = {}; ///< [rad/s]
+  std::optional<double> difference = {};     ///< of the terminal spin to that of the complete model [rad/s]
+  std::string reason = {};                   ///< why there is none: "not defined" without any compliance, ...
+};
+
+/// What the harmonics beyond the first do to the terminal spin: all of them against the first alone, each in
+/// its own balance of contact, friction and moments. The one definition of every verb.
+struct HarmonicEffect
+{
+  std::optional<double> absolute = {}; ///< [rad/s]; nothing where one of the two has no terminal spin
+  std::optional<double> relative = {}; ///< to the first alone; nothing where that does not spin
+};
+
+/// What each step from the paper's model to the study's does to the terminal spin.
+///
+/// Rows 1, 2 and 2a are first harmonics on a ring of the contact radius, in closed form. In rows 3 and on the
+/// contact is solved with its whole pressure; the friction force and the torque, also in the balance of
+/// moments, are those of the rings' harmonics up to BudgetRow::harmonics. A study without a contact ends
+/// where its load does: a first harmonic with row 2 or 2a; one from a file has no row 2, and no "without".
+struct Budget
+{
+  std::vector<BudgetRow> rows; ///< the last one is the study itself
+  std::vector<WithoutRow> without;
+  HarmonicEffect harmonics;
+
+  std::array<double, 3> shown_spins = {}; ///< 0, half and all of the study's terminal spin [rad/s]
+
+  /// yaw_torque() of all harmonics and of the first alone over the spin, from 0 to 1.2 times the terminal
+  /// spin [rad/s, N m]; NaN where there is no balance.
+  std::vector<double> omega, torque_all, torque_first;
+};
+
+/// @p difference relative to @p reference; nothing where one is missing or the reference does not spin,
+/// |reference| < 1e-9 @p spin_unit (spin_unit() of the study, all in rad/s).
+std::optional<double> relative_to(const std::optional<double> &reference,
+                                  const std::optional<double> &difference, double spin_unit);
+
+/// The effect from the terminal spins of the first harmonic alone and of all harmonics [rad/s].
+HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
+                               double spin_unit);
+
+/// The budget of a study. A row that fails says why and does not stop the others. Throws as
+/// rows_by_harmonics() where the study itself has no answer.
+Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress = silent_progress());
+
+/// The budget from rows that are already known: @p by_harmonics is rows_by_harmonics() of @p study.
+Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                   fem::ComplianceCache &cache, Progress &progress = silent_progress());
+
+} // namespace stemware::pipeline

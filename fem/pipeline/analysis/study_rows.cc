@@ -1,0 +1,193 @@
+#include "fem/pipeline/analysis/study_rows.h"
+
+#include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Numbers of harmonics of the rows.
+std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all)
+{
+  if (study.load.is_in_balance() && abilities(study.contact.body).is_collective && n_all > 1)
+    return { 1, n_all };
+  return truncation_orders(n_all);
+}
+
+/// The reason for what is missing, with the exception that is being handled.
+void note_failure(SpinRow &row)
+{
+  row.standing = standing_of_failure();
+  try
+  {
+    throw;
+  }
+  catch (const std::exception &failure)
+  {
+    row.reason = failure.what();
+  }
+}
+
+/// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
+void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, double omega, SpinRow &row)
+{
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  for (const ring::RingStack &load : whole.phases()->samples(omega))
+    row.bound =
+      std::max(*row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
+  for (const ring::RingStack &load : whole.phases()->samples(0))
+    row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
+}
+
+/// The load interpolated in the spin; nothing where it has no balance somewhere.
+std::optional<BalancedLoad> interpolated(const BalancedLoad &load, double lower, double upper)
+{
+  try
+  {
+    return load.interpolated(lower, upper);
+  }
+  catch (const std::runtime_error &)
+  {
+    return std::nullopt;
+  }
+}
+
+} // namespace
+
+double spin_unit(const Study &study)
+{
+  return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
+}
+
+SpinQuestion spin_question(const Study &study)
+{
+  SpinQuestion question = { study.motion.orbit };
+  question.grip_torque = study.motion.grip_torque;
+  return question;
+}
+
+std::vector<double> yaw_torques(const BalancedLoad &load, const ring::Motion &motion,
+                                const std::vector<double> &omega, std::string &reason)
+{
+  std::vector<double> torques;
+  for (const double spin : omega)
+    try
+    {
+      torques.push_back(yaw_torque(load, motion, spin));
+    }
+    catch (const std::runtime_error &failure)
+    {
+      reason = failure.what();
+      torques.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+  return torques;
+}
+
+void require_standing(const Study &study)
+{
+  if (study.load.is_from_contact())
+    try
+    {
+      study.required_resultants();
+    }
+    catch (const BadInput &failure)
+    {
+      throw ring::Tipping(failure.what());
+    }
+}
+
+LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                      const SpinQuestion &question, unsigned int n_harmonics)
+{
+  LoadedRow answer;
+  try
+  {
+    require_standing(study);
+    answer.load = find_load(study, foot, silent_progress(), n_harmonics);
+    answer.row = attempt_spin_row(*answer.load, question);
+  }
+  catch (const std::exception &)
+  {
+    note_failure(answer.row);
+  }
+  answer.row.closure = study.motion.closure;
+  return answer;
+}
+
+LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
+                      unsigned int n_harmonics)
+{
+  try
+  {
+    return attempt_row(study, study_foot(study, cache), question, n_harmonics);
+  }
+  catch (const std::exception &)
+  {
+    LoadedRow none;
+    note_failure(none.row);
+    none.row.closure = study.motion.closure;
+    return none;
+  }
+}
+
+LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                        const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics)
+{
+  if (foot)
+    return attempt_row(study, foot, question, n_harmonics);
+  const BalancedLoad cut = load.truncated(n_harmonics);
+  return { attempt_spin_row(cut, question), cut };
+}
+
+std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                         const BalancedLoad &load, SpinQuestion question, Progress &progress)
+{
+  const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics());
+  question.with_slope = true;
+  const LoadedRow whole = { spin_row(load, question), load };
+  question.with_slope = false;
+  const double omega = whole.row.terminal->omega;
+  const ring::RingStack at_terminal = load.at(omega);
+  std::vector<LoadedRow> rows;
+  for (const unsigned int n : orders)
+  {
+    rows.push_back(n == orders.back() ? whole : truncated_row(study, foot, load, question, n));
+    SpinRow &row = rows.back().row;
+    row.closure = study.motion.closure;
+    row.harmonics = n;
+    row.all_harmonics = n == orders.back();
+    relate_to_all(whole.row, at_terminal, question, row);
+    if (load.phases() && row.at_rest)
+      take_worst_phase(load, question.motion, omega, row);
+    progress.pieces_done("rows by harmonics", rows.size(), orders.size());
+  }
+  return rows;
+}
+
+void interpolate_loads(double lower, double upper, unsigned int n_most, std::vector<LoadedRow> &rows)
+{
+  for (LoadedRow &answer : rows)
+  {
+    if (!answer.load || (answer.row.harmonics > n_most && &answer != &rows.back()))
+      continue;
+    const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
+    if (const auto curve = interpolated(*answer.load, lower, upper))
+      answer.load = curve;
+    else if (const auto curve =
+               interpolated(*answer.load, std::min(0., terminal - margin), std::max(0., terminal + margin)))
+      answer.load = curve;
+  }
+}
+
+} // namespace stemware::pipeline

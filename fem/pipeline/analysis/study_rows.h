@@ -1,0 +1,67 @@
+#pragma once
+
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A row with the load that it is the answer to.
+struct LoadedRow
+{
+  SpinRow row;
+  std::optional<BalancedLoad> load = {}; ///< nothing where the study has none; SpinRow::reason says why
+};
+
+/// v / R with the contact radius of the study's glass [rad/s]: spins below 1e-9 of it are rounding.
+double spin_unit(const Study &study);
+
+/// What a row asks about the spin of a study: motion and grip.
+SpinQuestion spin_question(const Study &study);
+
+/// yaw_torque() of @p load at the spins @p omega [rad/s, N m]; NaN where it has no balance, and @p reason
+/// says why.
+std::vector<double> yaw_torques(const BalancedLoad &load, const ring::Motion &motion,
+                                const std::vector<double> &omega, std::string &reason);
+
+/// Throws ring::Tipping where the foot of a study tips at rest.
+void require_standing(const Study &study);
+
+/// The answer to a study whose friction is that of the harmonics up to @p n_harmonics. Does not throw for
+/// what meshes, contacts, balances and spins throw: the row has what there is, and the reason for what is
+/// missing. @p foot is study_foot().
+LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                      const SpinQuestion &question, unsigned int n_harmonics);
+
+/// attempt_row() of a study whose foot is made first; feet share what they can in @p cache.
+LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
+                      unsigned int n_harmonics);
+
+/// attempt_row() with some harmonics of @p load, which is find_load() of @p foot with all of them: in a
+/// balance of their own, or, where the load does not come from a contact, cut off.
+LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                        const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics);
+
+/// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each in its
+/// own balance, related to the last one (relate_to_all()). A solid body that is in balance has 1 and all:
+/// each of its balances takes minutes. @p foot is study_foot(), @p load find_load() of it with all harmonics;
+/// one that does not come from a contact is cut off. Throws as @p load and spin_row() where all harmonics
+/// have no answer.
+std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                         const BalancedLoad &load, SpinQuestion question,
+                                         Progress &progress = silent_progress());
+
+/// Interpolates the loads of the last one of @p rows, and of those in front of it with up to @p n_most
+/// harmonics, in the spin, for curves of thousands of values: from @p lower to @p upper [rad/s], or, where
+/// there is no balance all the way, from rest to the terminal spin; exact where that fails too.
+void interpolate_loads(double lower, double upper, unsigned int n_most, std::vector<LoadedRow> &rows);
+
+} // namespace stemware::pipeline
