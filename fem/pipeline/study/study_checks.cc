@@ -59,7 +59,7 @@ void require_alike_lengths(const Study &study)
     const double ratio = length.value / radius;
     require(length.least <= ratio && ratio <= length.most,
             fmt::format(FMT_STRING("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is "
-                                   "allowed; give both in metres."),
+                                   "allowed; give both in one unit."),
                         length.entry, to_text(length.value), to_short_text(ratio), to_text(radius),
                         to_text(length.least), to_text(length.most)));
   }

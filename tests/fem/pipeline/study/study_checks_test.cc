@@ -29,7 +29,7 @@ TEST(StudyChecks, LengthsInAnotherUnitAreRefused)
   EXPECT_EQ(
     refusal_of({ { "Glass/Foot radius", "34" } }),
     "Glass/Foot radius = 34 m is 1133.33 times Glass/Contact radius = 0.03 m, but from 1e-5 to 300 is "
-    "allowed; give both in metres.");
+    "allowed; give both in one unit.");
   const Settings elastic = { { "Table/Substrate", "elastic" } };
   for (const auto &[entry, value] : Settings{ { "Glass/Stem height", "10" },
                                               { "Glass/Land width", "1e-12" },
@@ -89,6 +89,14 @@ TEST(StudyChecks, LoadHarmonicsNeedLines)
     refusal_of({ { "Contact/Load harmonics", "128" } }),
     "Contact/Load harmonics = 128 needs more than 256 Contact/Azimuth lines, not 256; give more lines, "
     "or fewer load harmonics.");
+}
+
+TEST(StudyChecks, ALoadFileHasAMomentOfItsOwn)
+{
+  EXPECT_EQ(
+    refusal_of({ { "Load/Source", "file" }, { "Load/File", "a.dat" }, { "Load/Moment ratio", "0.5" } }),
+    "Load/Moment ratio = 0.5 contradicts Load/Source = file, whose load has a moment of its own; leave "
+    "Moment ratio at -1.");
 }
 
 TEST(StudyChecks, NumbersThatAreNotAllowed)
