@@ -84,6 +84,12 @@ public:
   virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
+  /// Highest harmonic of its loads.
+  virtual unsigned int n_load_harmonics() const = 0;
+
+  /// The load of any state of this foot on rings of @p ring_radii, as ContactDemand has them.
+  virtual LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii) = 0;
+
   /// The pressure of any state of this foot as forces where they lie, slip frame.
   virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
 

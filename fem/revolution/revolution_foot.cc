@@ -269,7 +269,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
     body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
   state.solution = solve_from_before(conditions_of(body.contact_surface(), demand));
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.load = harmonics_on_lines(body.forces(), compliance->radii, n_load_harmonics(), demand.ring_radii);
+  state.load = gather(state, demand.ring_radii);
 
   const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();
   const double threshold = 1e-9 * on_circles.maxCoeff();
@@ -281,6 +281,12 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
       state.outer_radius = compliance->radii(i);
     }
   return state;
+}
+
+LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii)
+{
+  return harmonics_on_lines(state.solution.forces.reshaped(compliance->n_nodes(), setup.n_lines),
+                            compliance->radii, n_load_harmonics(), ring_radii);
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)

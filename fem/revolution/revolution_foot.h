@@ -65,6 +65,8 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
+  unsigned int n_load_harmonics() const override;
+  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
@@ -76,7 +78,6 @@ private:
   void set_orientation(const FootOrientation &orientation);
   ContactSolution solve_from_before(const LinearConditions &conditions);
   ContactSolution solve_cold(const LinearConditions &conditions);
-  unsigned int n_load_harmonics() const;
 
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance;

@@ -35,12 +35,6 @@ std::unique_ptr<TableLaw> law_of(const SolidSetup &setup, const SolidBody &body)
                                      setup.material.young_modulus / body.contact_cell_size());
 }
 
-/// Half the cells round the rim resolve that many harmonics; more than 24 matter nowhere.
-unsigned int n_load_harmonics(const ContactSurface &surface)
-{
-  return std::clamp(surface.n_sectors / 2, 1u, 24u);
-}
-
 } // namespace
 
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)
@@ -98,10 +92,20 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
                                  control, before ? &*before : nullptr);
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.load =
-    extract_load(*law, state.solution, n_load_harmonics(body.contact_surface()), demand.ring_radii);
+  state.load = gather(state, demand.ring_radii);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
   return state;
+}
+
+unsigned int SolidFoot::n_load_harmonics() const
+{
+  // Half the cells round the rim resolve that many; more than 24 matter nowhere.
+  return std::clamp(body.contact_surface().n_sectors / 2, 1u, 24u);
+}
+
+LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii)
+{
+  return extract_load(*law, state.solution, n_load_harmonics(), ring_radii);
 }
 
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)

@@ -67,6 +67,27 @@ BalancedLoad on_the_way_to(double terminal, const BalancedLoad &load)
   return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
 }
 
+/// What is left of @p torque when the fingers resist with @p grip: nothing where they hold the glass at rest.
+double against_grip(double torque, double omega, double grip)
+{
+  if (omega == 0)
+    return std::abs(torque) <= grip ? 0 : torque - std::copysign(grip, torque);
+  return torque - std::copysign(grip, omega);
+}
+
+/// Where the load of rest would take the glass: a first guess. Nothing where that is nowhere.
+std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion &motion)
+{
+  try
+  {
+    return ring::terminal_spin(load.at_rest(), motion).omega;
+  }
+  catch (const ring::NoTerminalSpin &)
+  {
+    return std::nullopt;
+  }
+}
+
 /// Fills the row as far as it gets. @p searching says whether the load itself had an answer everywhere.
 void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &row)
 {
@@ -76,7 +97,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   for (const double omega : question.torques_at)
     row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
   const LongRunSpin found =
-    terminal_spin(load, question.motion, question.search_from, question.with_slope, question.grip_torque);
+    terminal_spin(load, question.motion, question.expected, question.with_slope, question.grip_torque);
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -95,18 +116,12 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
 
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
-  return wrench(load, motion, omega).torque + load.lean_torque(omega);
+  const LeaningLoad at_spin = load.leaning(omega);
+  return ring::CoulombRing(motion.friction_coefficient)
+           .wrench(at_spin.rings, omega, motion.orbit_speed)
+           .torque +
+         at_spin.lean_torque();
 }
-
-namespace
-{
-double gripped(double torque, double omega, double grip)
-{
-  if (omega == 0)
-    return std::abs(torque) <= grip ? 0 : torque - std::copysign(grip, torque);
-  return torque - std::copysign(grip, omega);
-}
-} // namespace
 
 ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
                                            double grip_torque)
@@ -114,11 +129,10 @@ ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring:
   const ring::CoulombRing friction(motion.friction_coefficient);
   return [=](double time, double yaw_angle, double omega)
   {
+    const LeaningLoad at_phase = load.leaning(omega, orientation_of_marks(motion, time, yaw_angle));
     const double torque =
-      friction
-        .wrench(load.at(omega, orientation_of_marks(motion, time, yaw_angle)), omega, motion.orbit_speed)
-        .torque;
-    return grip_torque > 0 ? gripped(torque, omega, grip_torque) : torque;
+      friction.wrench(at_phase.rings, omega, motion.orbit_speed).torque + at_phase.lean_torque();
+    return grip_torque > 0 ? against_grip(torque, omega, grip_torque) : torque;
   };
 }
 
@@ -127,28 +141,31 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
   return ring::CoulombRing(motion.friction_coefficient).wrench(load.at(omega), omega, motion.orbit_speed);
 }
 
-LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double search_from,
+LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
                           bool with_slope, double grip_torque)
 {
   constexpr double accuracy = 1e-9; // of the mean in the long run
-  const double scale = load.spin_scale(motion);
-  const auto torque = [&](double omega)
-  {
-    const double free = yaw_torque(load, motion, omega);
-    return grip_torque > 0 ? gripped(free, omega, grip_torque) : free;
-  };
+  const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
+  ring::SpinSearch search;
+  search.spin_scale = load.spin_scale(motion);
+  search.expected = expected != 0 ? expected : expected_spin(load, motion);
+  search.grip_torque = grip_torque;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   LongRunSpin result;
   if (with_slope || load.phases())
-    result.spin = ring::terminal_spin(torque, motion.yaw_inertia, scale, search_from);
+    result.spin = ring::terminal_spin(torque, motion.yaw_inertia, search);
   else
-    result.spin = { ring::terminal_omega(torque, scale, search_from), nan, nan, false };
+  {
+    const ring::SpinZero zero = ring::find_terminal_spin(torque, search);
+    result.spin = { zero.omega, nan, nan, true, zero.held };
+  }
   result.zero_of_mean_torque = result.spin.omega;
   if (!load.phases())
     return result;
   const ring::LongTimeSpin mean =
     ring::long_time_spin(torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
-                         averaging_window(load.phases()->periods(), motion, result.spin), accuracy, scale);
+                         averaging_window(load.phases()->periods(), motion, result.spin), accuracy,
+                         search.spin_scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
   result.uncertainty = mean.uncertainty;

@@ -16,26 +16,31 @@ namespace stemware::pipeline
 
 BalancedLoad::BalancedLoad(Parts given)
     : parts(std::make_shared<const Parts>(std::move(given)))
+    , n_kept(parts->n_kept)
 {
+}
+
+LeaningLoad BalancedLoad::leaning(double omega) const
+{
+  const AtSpin &at_spin = curve ? curve : parts->at_spin;
+  const LeaningLoad load =
+    at_spin ? at_spin(omega) : LeaningLoad(parts->at_rest.rings, parts->at_rest.tilt);
+  return load.rings.n_harmonics() > n_kept ? load.truncated(n_kept) : load;
 }
 
 ring::RingStack BalancedLoad::at(double omega) const
 {
-  const AtSpin &at_spin = curve ? curve : parts->at_spin;
-  const ring::RingStack load = at_spin ? at_spin(omega) : parts->at_rest.rings;
-  return load.n_harmonics() > n_kept ? load.truncated(n_kept) : load;
+  return leaning(omega).rings;
+}
+
+LeaningLoad BalancedLoad::leaning(double omega, const ring::Orientation &orientation) const
+{
+  return parts->phases ? parts->phases->at(omega, orientation).truncated(n_kept) : leaning(omega);
 }
 
 ring::RingStack BalancedLoad::at(double omega, const ring::Orientation &orientation) const
 {
-  return parts->phases ? parts->phases->at(omega, orientation).truncated(n_kept) : at(omega);
-}
-
-ring::RingStack BalancedLoad::whole(double omega) const
-{
-  if (parts->whole)
-    return parts->whole(omega);
-  return parts->at_spin ? parts->at_spin(omega) : parts->at_rest.rings;
+  return leaning(omega, orientation).rings;
 }
 
 BalancedLoad BalancedLoad::truncated(unsigned int n_harmonics) const
@@ -118,7 +123,7 @@ BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const 
     parts.at_rest.rings = at_rest.rings.truncated(n_harmonics);
   parts.statistics = statistics;
   parts.is_costly = model->is_costly();
-  parts.at_spin = [=, &progress, rest = parts.at_rest.rings](double omega) -> ring::RingStack
+  parts.at_spin = [=, &progress, rest = parts.at_rest.rings](double omega) -> LeaningLoad
   {
     if (omega == 0)
       return rest;
@@ -126,19 +131,10 @@ BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const 
     if (states->size() > statistics->n_balances)
     {
       statistics->n_balances = states->size();
-      statistics->n_contact_solutions += model->is_costly() ? state.n_evaluations : 0;
       progress.pieces_done("spins in balance", states->size(), 0);
     }
     return state.load;
   };
-  if (is_cut)
-    parts.whole = [=, kept = parts.at_spin, rest = at_rest.rings](double omega) -> ring::RingStack
-    {
-      if (omega == 0)
-        return rest;
-      return model->rings(motion.normal_force(), kept(omega).moment(),
-                          { omega / motion.orbit_speed, balance.orientation });
-    };
   return BalancedLoad(std::move(parts));
 }
 

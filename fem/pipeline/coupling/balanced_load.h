@@ -2,6 +2,7 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/leaning_load.h"
 #include "fem/pipeline/support/progress.h"
 #include "ring_model/load_model.h"
 #include "ring_model/moment_balance.h"
@@ -29,18 +30,20 @@ inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>:
 class BalancedLoad
 {
 public:
-  using AtSpin = std::function<ring::RingStack(double omega)>;
+  using AtSpin = std::function<LeaningLoad(double omega)>;
 
   /// The insides of a load; at() goes through the functions, so they may solve contacts.
   struct Parts
   {
     LoadReport at_rest;
     AtSpin at_spin = {}; ///< empty: the load at rest
-    AtSpin whole = {}; ///< all harmonics of the pressure behind a truncated load, see whole(); empty: at_spin
     std::shared_ptr<const PhaseLoads> phases = {};       ///< nothing where the phase does not matter
     std::shared_ptr<CouplingStatistics> statistics = {}; ///< nothing where the spin does not matter
     std::shared_ptr<const fem::ContactState>
       contact = {};         ///< at rest; nothing where the load does not come from one
+    /// Solves the contact at a spin again; empty where it is the same at every spin.
+    std::function<fem::ContactState(double omega)> contact_at = {};
+    unsigned int n_kept = std::numeric_limits<unsigned int>::max(); ///< harmonics that at() gives
     bool is_costly = false; ///< whether a load takes contact solutions
   };
 
@@ -55,12 +58,9 @@ public:
 
   ring::RingStack at_rest() const { return at(0); }
 
-  /// Torque of the normal forces about the leaning axis, -q1 M_Nx - q2 M_Ny [N m]; 0 without tilt.
-  double lean_torque(double /*omega*/) const { return 0; }
-
-  /// All harmonics of the pressure at @p omega, of which at() may give a part only: the pressure that the
-  /// contact puts on the table under the resultants of at().
-  ring::RingStack whole(double omega) const;
+  /// at() with the glass's tilt.
+  LeaningLoad leaning(double omega) const;
+  LeaningLoad leaning(double omega, const ring::Orientation &orientation) const;
 
   /// This load cut off after @p n_harmonics; neither contact nor friction is solved again.
   BalancedLoad truncated(unsigned int n_harmonics) const;
@@ -86,6 +86,8 @@ public:
   const LoadReport &report() const { return parts->at_rest; } ///< of the whole load at rest
   const PhaseLoads *phases() const { return parts->phases.get(); }
   const fem::ContactState *contact() const { return parts->contact.get(); }
+  /// Parts::contact_at
+  const std::function<fem::ContactState(double omega)> &contact_at() const { return parts->contact_at; }
   std::optional<CouplingStatistics> statistics() const;
   bool follows_spin() const { return parts->statistics != nullptr; }
 
@@ -94,7 +96,7 @@ private:
 
   std::shared_ptr<const Parts> parts;
   AtSpin curve; ///< in the place of parts->at_spin; empty: that itself
-  unsigned int n_kept = std::numeric_limits<unsigned int>::max();
+  unsigned int n_kept;
 };
 
 /// What a load is to be in balance with.

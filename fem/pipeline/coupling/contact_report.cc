@@ -10,17 +10,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The contact in balance at @p omega; that at rest where the load is the same at every spin.
-fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, const ring::Motion &motion,
-                           double omega)
+/// The contact @p state once more, so that it is the last one.
+fem::ContactState solved_again(const ElasticFoot &foot, const fem::ContactState &state)
 {
-  const fem::ContactState &at_rest = *load.contact();
-  if (!load.follows_spin())
-    return at_rest;
-  const ring::RingStack balanced = load.at(omega);
-  const fem::FootOrientation &marks = at_rest.slip.orientation;
-  return foot.solve(balanced.normal_force(), balanced.moment(),
-                    { omega / motion.orbit_speed, { marks.glass, marks.table } });
+  const fem::FootOrientation &marks = state.slip.orientation;
+  const fem::LoadHarmonics &load = state.load;
+  return foot.solve({ load.normal_force, load.moment_x, load.moment_y },
+                    { state.slip.spin_per_speed, { marks.glass, marks.table } });
 }
 
 FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load)
@@ -32,15 +28,7 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
   // The fields are those of the state solved last.
-  if (foot.n_solutions() > 1)
-  {
-    const fem::LoadHarmonics &rest = at_rest.load;
-    const fem::FootOrientation &marks = at_rest.slip.orientation;
-    report.fields = foot.body().fields(
-      foot.solve(rest.normal_force, { rest.moment_x, rest.moment_y }, { 0, { marks.glass, marks.table } }));
-  }
-  else
-    report.fields = foot.body().fields(at_rest);
+  report.fields = foot.body().fields(foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest);
   return report;
 }
 
@@ -49,10 +37,15 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double omega_terminal)
 {
-  ContactReport report = { load.report(), report_of(load.at(omega_terminal)), {}, 0, {}, {} };
-  if (foot)
-    report.load_at_terminal =
-      report_of(state_at(*foot, load, study.motion.orbit, omega_terminal), foot->radius());
+  ContactReport report;
+  report.load = load.report();
+  report.load_at_terminal = report_of(load.at(omega_terminal));
+  if (load.contact_at())
+    report.load_at_terminal = report_of(load.contact_at()(omega_terminal), foot->radius(), study.tilts());
+  else if (load.contact())
+    report.load_at_terminal = report.load;
+  report.tilt = report.load_at_terminal.tilt;
+  report.half_width = (report.load.outer_radius - report.load.inner_radius) / 2;
   if (foot)
     report.foot = describe_foot(study, *foot, load);
   report.coupling = load.statistics();

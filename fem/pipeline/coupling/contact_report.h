@@ -15,15 +15,18 @@
 namespace stemware::pipeline
 {
 
-/// The load at rest, as the ring is given it and as the table carries it.
+/// A load as the ring is given it and as the table carries it.
 struct LoadReport
 {
-  ring::RingStack rings;
+  ring::RingStack rings = ring::RingStack({ 1. }, { 0. }, 1.);
   double normal_force = 0;                          ///< N [N]
   Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N = (sum y f, -sum x f) [N m]
   double moment_ratio = 0;                          ///< |M_N| / (N R / 2), R the contact radius
   double mean_radius = 0;                           ///< sum f r / sum f [m]
   double contact_fraction = 0;                      ///< share of azimuths that carry load
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();   ///< LeaningLoad::tilt [rad]
+  double inner_radius = 0;                          ///< between which the load lies [m]
+  double outer_radius = 0;
   double minimum = 0;                               ///< least pointwise load [N/rad]
   std::vector<fem::AzimuthLoad>
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact

@@ -1,7 +1,9 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace stemware::pipeline
 {
@@ -12,18 +14,13 @@ ElasticFoot::ElasticFoot(std::shared_ptr<fem::Foot> foot_given, double contact_r
 {
 }
 
-ring::RingStack ElasticFoot::rings(double normal_force, const Eigen::Vector2d &moment,
-                                   const ring::Slip &slip) const
-{
-  return ring_stack(solve(normal_force, moment, slip).load);
-}
-
-fem::ContactState ElasticFoot::solve(double normal_force, const Eigen::Vector2d &moment,
-                                     const ring::Slip &slip, Progress &progress) const
+fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip,
+                                     Progress &progress) const
 {
   ++n_solved;
-  return foot->solve({ normal_force, moment.x(), moment.y() },
-                     { slip.spin_per_speed, { slip.orientation.glass, slip.orientation.table } },
+  if (!demand.has_friction()) // else the demand knows the rings that its friction is of
+    demand.ring_radii = radii;
+  return foot->solve(demand, { slip.spin_per_speed, { slip.orientation.glass, slip.orientation.table } },
                      [&progress](const fem::ContactIteration &step)
                      {
                        progress.iteration({ step.number, step.n_loaded, step.n_changed, step.residual,
@@ -36,7 +33,28 @@ ring::RingStack ring_stack(const fem::LoadHarmonics &load)
   std::vector<ring::RingStack::Ring> rings;
   for (std::size_t j = 0; j < load.radii.size(); ++j)
     rings.push_back({ load.radii[j], load.a[j], load.b[j] });
-  return ring::RingStack(std::move(rings));
+  ring::RingStack stack(std::move(rings));
+  const double moment = std::hypot(load.moment_x, load.moment_y);
+  if (load.n_rings() > 1 || load.n_harmonics() == 0 ||
+      moment < 1e-10 * load.normal_force * load.mean_radius)
+    return stack;
+  return stack.rotated(ring_rotation(load));
+}
+
+double ring_rotation(const fem::LoadHarmonics &load)
+{
+  return std::remainder(std::atan2(load.moment_x, -load.moment_y) - std::atan2(load.b[0][1], load.a[0][1]),
+                        boost::math::double_constants::two_pi);
+}
+
+std::vector<double> chebyshev_radii(double inner, double outer, unsigned int n_rings)
+{
+  std::vector<double> radii;
+  for (unsigned int j = 0; j < n_rings; ++j)
+    radii.push_back((inner + outer) / 2 -
+                    (outer - inner) / 2 *
+                      std::cos(boost::math::double_constants::pi * (2 * j + 1) / (2. * n_rings)));
+  return radii;
 }
 
 } // namespace stemware::pipeline

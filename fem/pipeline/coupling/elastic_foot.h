@@ -2,34 +2,40 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/support/progress.h"
-#include "ring_model/load_model.h"
+#include "ring_model/ring_stack.h"
+#include "ring_model/slip.h"
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace stemware::pipeline
 {
 
-/// The elastic foot of a study as the ring sees it: resultants and slip in, rings of load out. Each load is a
-/// contact solution. Not for several threads at a time.
-class ElasticFoot : public ring::LoadModel
+/// The elastic foot of a study as the ring sees it: demands and slip in, contacts out, whose load is gathered
+/// on rings of the same radii for all of them. Not for several threads at a time.
+class ElasticFoot
 {
 public:
   /// @p contact_radius R [m], which defines the moment ratio.
   ElasticFoot(std::shared_ptr<fem::Foot> foot, double contact_radius);
 
-  /// Throws fem::ContactFailure.
-  ring::RingStack rings(double normal_force, const Eigen::Vector2d &moment,
-                        const ring::Slip &slip = {}) const override;
-  double radius() const override { return contact_radius; }
-  double lift_off_ratio() const override { return 1; } // the contact itself knows; ContactState says
-  double accuracy() const override { return 1e-11; }   // contact resultants are good to 1e-10 or better
-  bool is_costly() const override { return true; }
+  double radius() const { return contact_radius; }
 
-  /// The contact with the resultants N and M_N at @p slip, from the solution before; Newton's steps go to @p
-  /// progress. Throws fem::ContactFailure.
-  fem::ContactState solve(double normal_force, const Eigen::Vector2d &moment, const ring::Slip &slip = {},
+  /// Radii of the rings [m]; empty: one ring of its own radius for each load.
+  const std::vector<double> &ring_radii() const { return radii; }
+  void set_ring_radii(std::vector<double> new_radii) { radii = std::move(new_radii); }
+
+  /// The contact that carries @p demand at @p slip, on the rings of ring_radii(), from the solution before;
+  /// Newton's steps go to @p progress. Throws fem::ContactFailure.
+  fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress()) const;
+
+  /// The load of @p state, a contact of this foot, on the rings of ring_radii().
+  fem::LoadHarmonics gather(const fem::ContactState &state) const { return foot->gather(state, radii); }
+
+  /// Highest harmonic of its loads.
+  unsigned int n_load_harmonics() const { return foot->n_load_harmonics(); }
 
   /// Contact solutions so far.
   std::size_t n_solutions() const { return n_solved; }
@@ -39,10 +45,19 @@ public:
 private:
   const std::shared_ptr<fem::Foot> foot;
   const double contact_radius;
+  std::vector<double> radii;
   mutable std::size_t n_solved = 0;
 };
 
-/// A contact's load as rings: the only place where the one becomes the other.
+/// A contact's load as rings: the only place where the one becomes the other. One ring is turned to the
+/// direction of M_N, which it then carries.
 ring::RingStack ring_stack(const fem::LoadHarmonics &load);
+
+/// By how much one ring has to be turned counter-clockwise for its first harmonic to have the direction of M_N
+/// [rad]: 0 by symmetry but for friction that deforms the foot.
+double ring_rotation(const fem::LoadHarmonics &load);
+
+/// @p n_rings Chebyshev points of the band from @p inner to @p outer [m], ascending.
+std::vector<double> chebyshev_radii(double inner, double outer, unsigned int n_rings);
 
 } // namespace stemware::pipeline

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/ring_stack.h"
+#include "fem/pipeline/coupling/leaning_load.h"
 
 #include <cstddef>
 #include <functional>
@@ -12,10 +12,10 @@ namespace stemware::pipeline
 {
 
 /// A load that depends on one number, such as the spin or the moment ratio.
-using LoadFunction = std::function<ring::RingStack(double x)>;
+using LoadFunction = std::function<LeaningLoad(double x)>;
 
 /// Loads at some x.
-using LoadSamples = std::map<double, ring::RingStack>;
+using LoadSamples = std::map<double, LeaningLoad>;
 
 /// Samples from which a load can be interpolated, piece by piece: at the ends of one piece the next one
 /// begins.

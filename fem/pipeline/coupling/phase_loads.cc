@@ -19,9 +19,9 @@ constexpr double largest_allowed = 1e-3;
 constexpr unsigned int most_phases = 128;
 constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
-Eigen::VectorXd column_of(const ring::RingStack &load)
+Eigen::VectorXd column_of(const LeaningLoad &load)
 {
-  const std::vector<double> row = load.coefficients(load.n_harmonics());
+  const std::vector<double> row = load.coefficients(load.rings.n_harmonics());
   return Eigen::Map<const Eigen::VectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
 }
 
@@ -90,9 +90,9 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double s
 {
 }
 
-ring::RingStack PhaseLoads::load_of(const Eigen::VectorXd &column) const
+LeaningLoad PhaseLoads::load_of(const Eigen::VectorXd &column) const
 {
-  return ring::RingStack::from_coefficients({ column.begin(), column.end() }, n_rings);
+  return LeaningLoad::from_coefficients({ column.begin(), column.end() }, n_rings);
 }
 
 Eigen::MatrixXd PhaseLoads::sample(double omega) const
@@ -100,9 +100,9 @@ Eigen::MatrixXd PhaseLoads::sample(double omega) const
   Eigen::MatrixXd columns;
   for (unsigned int i = 0; i < grids.size(); ++i)
   {
-    const ring::RingStack exact = load(omega, grids.phase(i));
+    const LeaningLoad exact = load(omega, grids.phase(i));
     const Eigen::VectorXd column = column_of(exact);
-    n_rings = exact.rings().size();
+    n_rings = exact.rings.rings().size();
     columns.conservativeResize(column.size(), grids.size());
     columns.col(i) = column;
   }
@@ -159,7 +159,7 @@ Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
   return sum;
 }
 
-ring::RingStack PhaseLoads::at(double omega, const ring::Orientation &phase) const
+LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
 {
   const Eigen::VectorXd of_glass = grids.glass.weights(phase.glass),
                         of_table = grids.table.weights(phase.table);
@@ -176,19 +176,21 @@ ring::RingStack PhaseLoads::at(double omega, const ring::Orientation &phase) con
   return load_of(column);
 }
 
-ring::RingStack PhaseLoads::mean(double omega) const
+LeaningLoad PhaseLoads::mean(double omega) const
 {
   const Eigen::MatrixXd loads = at_spin(omega);
-  const ring::RingStack mean = load_of(loads.rowwise().mean());
-  if (mean.rings().size() > 1)
+  const LeaningLoad mean = load_of(loads.rowwise().mean());
+  if (mean.rings.rings().size() > 1)
     return mean; // its radii are the same at every phase
   // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
-    moment += load_of(loads.col(i)).moment() / static_cast<double>(loads.cols());
-  const ring::RingStack::Ring &ring = mean.rings().front();
-  const double first = mean.moment().norm() / ring.radius;
-  return first > 0 ? ring::RingStack(ring.a, ring.b, moment.norm() / first) : mean;
+    moment += load_of(loads.col(i)).rings.moment() / static_cast<double>(loads.cols());
+  const ring::RingStack::Ring &ring = mean.rings.rings().front();
+  const double first = mean.rings.moment().norm() / ring.radius;
+  if (first == 0)
+    return mean;
+  return { ring::RingStack(ring.a, ring.b, moment.norm() / first), mean.tilt };
 }
 
 std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
@@ -196,7 +198,7 @@ std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
   const Eigen::MatrixXd loads = at_spin(omega);
   std::vector<ring::RingStack> all;
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
-    all.push_back(load_of(loads.col(i)));
+    all.push_back(load_of(loads.col(i)).rings);
   return all;
 }
 

@@ -3,7 +3,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/periodic_grid.h"
 #include "fem/pipeline/coupling/spin_interval.h"
-#include "ring_model/ring_stack.h"
+#include "fem/pipeline/coupling/leaning_load.h"
 
 #include <Eigen/Core>
 
@@ -15,7 +15,7 @@ namespace stemware::pipeline
 {
 
 /// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
-using LoadAtPhase = std::function<ring::RingStack(double omega, const ring::Orientation &phase)>;
+using LoadAtPhase = std::function<LeaningLoad(double omega, const ring::Orientation &phase)>;
 
 /// Phases of glass and table at which a load is sampled.
 struct PhaseGrids
@@ -53,10 +53,10 @@ public:
   /// not depend on the spin. @p load is kept.
   PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit, const PhaseExtremes &extremes = {});
 
-  ring::RingStack at(double omega, const ring::Orientation &phase) const;
+  LeaningLoad at(double omega, const ring::Orientation &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
-  ring::RingStack mean(double omega) const;
+  LeaningLoad mean(double omega) const;
 
   /// The loads at all sampled phases.
   std::vector<ring::RingStack> samples(double omega) const;
@@ -76,7 +76,7 @@ private:
     std::vector<Eigen::MatrixXd> columns;
   };
 
-  ring::RingStack load_of(const Eigen::VectorXd &column) const;
+  LeaningLoad load_of(const Eigen::VectorXd &column) const;
   Eigen::MatrixXd sample(double omega) const;
   SpinInterval find_spins(long interval) const;
   const Samples &samples_around(double omega) const;

@@ -1,5 +1,6 @@
 #include "fem/pipeline/coupling/study_load.h"
 
+#include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
@@ -7,6 +8,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/terminal_spin.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -38,22 +40,78 @@ std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise
   return pointwise;
 }
 
+/// Resultants of the study at rest, with the weight of the leaning glass where it counts.
+fem::ContactDemand demand_at_rest(const Study &study)
+{
+  fem::ContactDemand demand = study.required_resultants();
+  if (study.tilts())
+    demand.tilt_moment = demand.normal_force * study.motion.orbit.centre_of_mass_height;
+  return demand;
+}
+
+ContactBalance contact_balance(const Study &study, const ring::Orientation &orientation,
+                               unsigned int n_harmonics)
+{
+  ContactBalance balance = { moment_balance(study), study.tilts(), n_harmonics };
+  balance.moments.orientation = orientation;
+  return balance;
+}
+
+/// Whether the load is another one at every spin.
+bool follows_spin(const Study &study)
+{
+  return study.load.is_in_balance() && spin_matters(study);
+}
+
+/// The foot in balance at every spin, with its marks where they are; @p at_rest is its load at rest.
+BalancedLoad balanced_contact(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                              const ring::Orientation &orientation, const LoadReport &at_rest,
+                              unsigned int n_harmonics, Progress &progress)
+{
+  const auto contact =
+    std::make_shared<BalancedContact>(foot, contact_balance(study, orientation, n_harmonics));
+  const auto statistics = std::make_shared<CouplingStatistics>();
+  BalancedLoad::Parts parts = { at_rest };
+  parts.statistics = statistics;
+  parts.is_costly = true;
+  parts.n_kept = n_harmonics;
+  parts.at_spin =
+    [contact, statistics, &progress, rest = LeaningLoad(at_rest.rings, at_rest.tilt)](double omega)
+  {
+    if (omega == 0)
+      return rest;
+    const LeaningLoad &load = contact->at(omega);
+    if (contact->n_spins() > statistics->n_balances)
+      progress.pieces_done("spins in balance", contact->n_spins(), 0);
+    statistics->n_balances = contact->n_spins();
+    statistics->n_contact_solutions = contact->n_contact_solutions();
+    return load;
+  };
+  parts.contact_at = [contact](double omega) { return contact->contact(omega); };
+  return BalancedLoad(std::move(parts));
+}
+
 /// The load of a contact whose marks stay where they are.
 BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                               const MomentBalance &moments, const LoadReport &at_rest, Progress &progress)
+                               const ring::Orientation &orientation, const LoadReport &at_rest,
+                               unsigned int n_harmonics, Progress &progress)
 {
-  if (!study.load.is_in_balance() || !spin_matters(study))
-    return constant_load(at_rest);
-  return balance(foot, moments, at_rest, all_harmonics, progress);
+  if (follows_spin(study))
+    return balanced_contact(study, foot, orientation, at_rest, n_harmonics, progress);
+  BalancedLoad::Parts parts = { at_rest };
+  parts.n_kept = n_harmonics;
+  return BalancedLoad(std::move(parts));
 }
 
 /// Loads of an out-of-flat foot or table, each phase with its own balances, solved as they are asked for.
 class LoadsByPhase
 {
 public:
-  LoadsByPhase(const Study &study, std::shared_ptr<ElasticFoot> foot, Progress &progress)
+  LoadsByPhase(const Study &study, std::shared_ptr<ElasticFoot> foot, unsigned int n_harmonics,
+               Progress &progress)
       : study(study)
       , foot(std::move(foot))
+      , n_harmonics(n_harmonics)
       , progress(progress)
   {
   }
@@ -64,13 +122,10 @@ public:
     const auto known = loads.find(place);
     if (known != loads.end())
       return known->second;
-    const fem::Resultants demand = study.required_resultants();
-    const fem::ContactState state =
-      foot->solve(demand.normal_force, { demand.moment_x, demand.moment_y }, { 0, orientation });
-    MomentBalance moments = moment_balance(study);
-    moments.orientation = orientation;
+    const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, orientation });
+    const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
     return loads
-      .emplace(place, load_at_one_phase(study, foot, moments, report_of(state, foot->radius()), progress))
+      .emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
       .first->second;
   }
 
@@ -89,46 +144,120 @@ public:
 private:
   const Study study;
   const std::shared_ptr<ElasticFoot> foot;
+  const unsigned int n_harmonics;
   Progress &progress;
   std::map<std::pair<double, double>, BalancedLoad> loads;
 };
 
 /// @p at_rest is the load at the phase of t = 0.
 BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const LoadReport &at_rest, Progress &progress)
+                              const LoadReport &at_rest, unsigned int n_harmonics, Progress &progress)
 {
-  const auto loads = std::make_shared<LoadsByPhase>(study, foot, progress);
+  const auto loads = std::make_shared<LoadsByPhase>(study, foot, n_harmonics, progress);
   const LoadAtPhase exact = [loads](double omega, const ring::Orientation &orientation)
-  { return loads->of(orientation).at(omega); };
+  { return loads->of(orientation).leaning(omega); };
   const PhaseGrids grids = find_phases(exact, phase_periods(imperfection_of(study)));
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
-  const bool follows_spin = study.load.is_in_balance() && spin_matters(study);
-  const double spin_unit = follows_spin ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
+  const bool follows = follows_spin(study);
+  const double spin_unit = follows ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
-  const auto for_mean =
-    follows_spin ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
+  const auto for_mean = follows ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
 
   BalancedLoad::Parts parts =
-    load_at_one_phase(study, foot, moment_balance(study), at_rest, progress).insides();
+    load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress)
+      .insides();
   parts.at_spin = [for_mean](double omega) { return for_mean->mean(omega); };
   parts.is_costly = false; // between the samples it is interpolated
   parts.phases = phases;
   return BalancedLoad(std::move(parts));
 }
 
-BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
+/// A band of radii [m].
+struct Band
 {
-  const fem::Resultants demand = study.required_resultants();
-  const MomentBalance moments = moment_balance(study);
-  const auto state = std::make_shared<const fem::ContactState>(foot->solve(
-    demand.normal_force, { demand.moment_x, demand.moment_y }, { 0, moments.orientation }, progress));
+  explicit Band(const fem::ContactState &state)
+      : inner(state.inner_radius)
+      , outer(state.outer_radius)
+  {
+  }
+
+  void include(const fem::ContactState &state)
+  {
+    inner = std::min(inner, state.inner_radius);
+    outer = std::max(outer, state.outer_radius);
+  }
+
+  double inner;
+  double outer;
+};
+
+/// As many rings as it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to 1e-10:
+/// their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes within
+/// the band only algebraically, and there are as many as lines across the contact have nodes.
+unsigned int rings_for(const Band &band, double eps, unsigned int least)
+{
+  constexpr unsigned int most = 25;
+  const double share =
+    (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
+  if (share >= 0.5)
+    return std::max(least, most);
+  const double wanted = std::ceil(std::log(1e-10) / std::log(share));
+  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most)));
+}
+
+/// Gives the foot the rings on which all its loads are gathered: Chebyshev points of the band that carries
+/// load at rest and near the terminal spin.
+void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
+{
+  Band band(at_rest);
+  const ring::Motion &motion = study.motion.orbit;
+  const auto place = [&](unsigned int n_rings)
+  {
+    const double margin = 0.1 * (band.outer - band.inner) + 1e-6 * band.outer;
+    foot.set_ring_radii(chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner),
+                                        band.outer + margin, n_rings));
+  };
+  place(study.contact.rings);
+  unsigned int n_rings = study.contact.rings;
+  try
+  {
+    // The load of rest tells about where the terminal spin is, the contact there where it carries.
+    double omega = ring::terminal_spin(ring_stack(foot.gather(at_rest)), motion).omega;
+    if (follows_spin(study) && !foot.body().capabilities().is_collective)
+    {
+      BalancedContact contact(std::make_shared<ElasticFoot>(foot),
+                              contact_balance(study, moment_balance(study).orientation, all_harmonics));
+      const fem::ContactState spinning = contact.contact(omega);
+      band.include(spinning);
+      omega = ring::terminal_spin(ring_stack(spinning.load), motion).omega;
+    }
+    n_rings = rings_for(band, omega * foot.radius() / motion.orbit_speed, n_rings);
+  }
+  catch (const std::runtime_error &)
+  {
+    // Without a spin to expect, the rings of rest are as good as any.
+  }
+  place(n_rings);
+}
+
+BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                          unsigned int n_harmonics, Progress &progress)
+{
+  const ring::Orientation marks = moment_balance(study).orientation;
+  fem::ContactState state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
+  if (study.contact.rings > 1 && foot->ring_radii().empty())
+  {
+    choose_rings(study, *foot, state);
+    state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
+  }
   progress.stage_done("contact");
-  const LoadReport at_rest = report_of(*state, foot->radius());
-  const BalancedLoad load = study.has_waviness() ? load_over_phases(study, foot, at_rest, progress)
-                                                 : load_at_one_phase(study, foot, moments, at_rest, progress);
+  const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
+  const BalancedLoad load = study.has_waviness()
+                              ? load_over_phases(study, foot, at_rest, n_harmonics, progress)
+                              : load_at_one_phase(study, foot, marks, at_rest, n_harmonics, progress);
   BalancedLoad::Parts parts = load.insides();
-  parts.contact = state;
+  parts.contact = std::make_shared<const fem::ContactState>(std::move(state));
   return BalancedLoad(std::move(parts));
 }
 
@@ -160,29 +289,20 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
   return foot;
 }
 
-namespace
-{
-BalancedLoad find_whole_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress)
+BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
+                       unsigned int n_harmonics)
 {
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return contact_load(study, foot, progress);
+    return contact_load(study, foot, n_harmonics, progress);
   case LoadSource::first_harmonic:
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
   case LoadSource::file:
-    return load_from_file(study.load.file);
+    return load_from_file(study.load.file).truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
-}
-} // namespace
-
-BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                       unsigned int n_harmonics)
-{
-  const BalancedLoad load = find_whole_load(study, foot, progress);
-  return n_harmonics < load.n_harmonics() ? load.truncated(n_harmonics) : load;
 }
 
 MomentBalance moment_balance(const Study &study)
@@ -196,7 +316,7 @@ BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure)
   return BalancedLoad({ report_of(ring.load(0)), [ring](double omega) { return ring.load(omega); } });
 }
 
-LoadReport report_of(const fem::ContactState &state, double contact_radius)
+LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts)
 {
   const fem::LoadHarmonics &load = state.load;
   LoadReport report = { ring_stack(load) };
@@ -206,6 +326,10 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius)
   report.mean_radius = load.mean_radius;
   report.contact_fraction = load.contact_fraction;
   report.minimum = load.minimum;
+  report.inner_radius = state.inner_radius;
+  report.outer_radius = state.outer_radius;
+  if (tilts)
+    report.tilt = state.solution.motion.tail<2>();
   report.pointwise = by_azimuth(load.pointwise);
   return report;
 }

@@ -37,8 +37,8 @@ MomentBalance moment_balance(const Study &study);
 /// at every spin, in closed form.
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
-/// What a contact state reports about its load.
-LoadReport report_of(const fem::ContactState &state, double contact_radius);
+/// What a contact state reports about its load; its tilt where that is part of the moment balance.
+LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
 
 /// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or
 /// friction deforms the foot.

@@ -51,7 +51,7 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
 
   SpinQuestion question = { motion };
   question.torques_at = spins;
-  question.search_from = near.value_or(0);
+  question.expected = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;
   const SpinRow row = spin_row(load, question);

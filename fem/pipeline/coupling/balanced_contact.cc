@@ -1,0 +1,111 @@
+#include "fem/pipeline/coupling/balanced_contact.h"
+
+#include "ring_model/load_functional.h"
+
+#include <cmath>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// @p factor times a functional of the load that is turned by @p rotation first.
+fem::LoadFunction load_function(const ring::LoadFunctional &functional, double factor, double rotation)
+{
+  fem::LoadFunction result = { functional.a, functional.b };
+  for (std::size_t j = 0; j < result.a.size(); ++j)
+    for (std::size_t n = 0; n < result.a[j].size(); ++n)
+    {
+      const double cosine = std::cos(static_cast<double>(n) * rotation);
+      const double sine = std::sin(static_cast<double>(n) * rotation);
+      const double even = functional.a[j][n], odd = functional.b[j][n];
+      result.a[j][n] = factor * (even * cosine + odd * sine);
+      result.b[j][n] = factor * (odd * cosine - even * sine);
+    }
+  return result;
+}
+
+} // namespace
+
+BalancedContact::BalancedContact(std::shared_ptr<const ElasticFoot> foot_given, const ContactBalance &balance)
+    : foot(std::move(foot_given))
+    , balance(balance)
+    , one_radius(foot->radius())
+{
+}
+
+fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<double> &radii,
+                                              double rotation) const
+{
+  const ring::Motion &motion = balance.moments.motion;
+  const double arm = ring::friction_arm(balance.moments.closure, motion);
+  const Eigen::Vector2d moment =
+    ring::required_moment(balance.moments.closure, motion, Eigen::Vector2d::Zero());
+  fem::ContactDemand demand(motion.normal_force(), moment.x(), moment.y());
+  demand.ring_radii = radii;
+  if (balance.tilts)
+    demand.tilt_moment = motion.normal_force() * motion.centre_of_mass_height;
+  if (arm == 0)
+    return demand;
+  // The friction's part of M_N is h k x T = h (-T_y, T_x).
+  constexpr unsigned int most_harmonics = 1024; // more than any load has
+  const ring::FrictionFunctionals friction =
+    ring::friction_functionals(motion.friction_coefficient, radii,
+                               std::min({ balance.n_harmonics, foot->n_load_harmonics(), most_harmonics }),
+                               omega, motion.orbit_speed);
+  demand.friction_x = load_function(friction.side, -arm, rotation);
+  demand.friction_y = load_function(friction.drag, arm, rotation);
+  return demand;
+}
+
+fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &progress)
+{
+  constexpr unsigned int most_rounds = 20;
+  const ring::Motion &motion = balance.moments.motion;
+  const ring::Slip slip = { omega / motion.orbit_speed, balance.moments.orientation };
+  for (unsigned int round = 0;; ++round)
+  {
+    ++n_solved;
+    fem::ContactState state =
+      foot->solve(demand_at(omega, { one_radius }, one_rotation), slip, progress);
+    state.load = foot->gather(state);
+    const double radius = state.load.radii.front(), rotation = ring_rotation(state.load);
+    const bool settled =
+      std::abs(radius - one_radius) < 1e-12 * radius && std::abs(rotation - one_rotation) < 1e-12;
+    one_radius = radius;
+    one_rotation = rotation;
+    if (settled || ring::friction_arm(balance.moments.closure, motion) == 0)
+      return state;
+    if (round == most_rounds)
+      throw fem::ContactFailure(fem::ContactOutcome::too_many_steps,
+                                "the radius of the one ring does not settle; give Contact/Rings = 5.");
+  }
+}
+
+fem::ContactState BalancedContact::contact(double omega, Progress &progress)
+{
+  if (foot->ring_radii().empty())
+    return contact_on_one_ring(omega, progress);
+  ++n_solved;
+  const ring::Slip slip = { omega / balance.moments.motion.orbit_speed, balance.moments.orientation };
+  return foot->solve(demand_at(omega, foot->ring_radii(), 0), slip, progress);
+}
+
+const LeaningLoad &BalancedContact::at(double omega)
+{
+  const auto known = loads.find(omega);
+  if (known != loads.end())
+    return known->second;
+  return loads.emplace(omega, leaning_load(contact(omega), balance.tilts)).first->second;
+}
+
+LeaningLoad leaning_load(const fem::ContactState &state, bool tilts)
+{
+  if (!tilts)
+    return ring_stack(state.load);
+  return { ring_stack(state.load), state.solution.motion.tail<2>() };
+}
+
+} // namespace stemware::pipeline
