@@ -27,7 +27,7 @@ public:
    * The load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame, at @p
    * slip: models without friction coupling and waviness do not depend on that.
    * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
-   * are not finite or not allowed, std::out_of_range where the model has no data.
+   * are not finite or not allowed.
    */
   virtual RingStack rings(double normal_force, const Eigen::Vector2d &moment,
                           const Slip &slip = {}) const = 0;

@@ -104,17 +104,15 @@ BalanceStart SelfConsistentRing::first_harmonic_start(double omega) const
 void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
                                 const Eigen::Vector2d &residual) const
 {
-  const double ratio = moment_ratio(moment), limit = model->moment_ratio_limit();
-  if (ratio <= 0.99 * limit)
+  const double ratio = moment_ratio(moment);
+  if (ratio <= 0.99 * model->moment_ratio_limit())
     throw std::runtime_error(
       sentence("no equilibrium at omega = ", omega, " rad/s: the iteration stopped at m = ", ratio,
                " with moments that differ by ", residual.norm() / moment_scale(), " N R"));
-  const std::string demand =
-    sentence("at omega = ", omega, " rad/s the closure ", to_string(closure), " demands the moment ratio ",
-             moment_ratio(moment + residual), " where the ring carries ", ratio);
-  if (limit < 2.)
-    throw std::out_of_range(demand + ", the end of the response curve: add contact solutions beyond it");
-  throw Tipping(demand + ": the glass tips; lower the hand's force, the friction or the speed");
+  throw Tipping(sentence("at omega = ", omega, " rad/s the closure ", to_string(closure),
+                         " demands the moment ratio ", moment_ratio(moment + residual),
+                         " where the ring carries ", ratio,
+                         ": the glass tips; lower the hand's force, the friction or the speed"));
 }
 
 SelfConsistentRing::Search SelfConsistentRing::search(double omega, const Orientation &orientation,

@@ -60,7 +60,7 @@ public:
    * searched from @p start if given; where that fails, and without it, from first_harmonic_start(). Sought to
    * rounding or to the load model's accuracy.
    * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
-   * iteration does not converge, std::out_of_range where the load model has no data.
+   * iteration does not converge.
    */
   RingEquilibrium at(double omega, const BalanceStart *start = nullptr,
                      const Orientation &orientation = {}) const;

@@ -1,5 +1,4 @@
 #include "ring_model/first_harmonic_ring.h"
-#include "ring_model/response_curve.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
@@ -109,14 +108,10 @@ TEST(SelfConsistentRing, AsksNoMoreThanTheModelsAccuracy)
 
 TEST(SelfConsistentRing, BalancesEverythingForAnyModelInBothSenses)
 {
-  std::vector<RingStack> samples;
-  for (const double m : { 0., 0.3, 0.6, 0.9, 1.2, 1.5 })
-    samples.push_back(
-      UnilateralFoundation(0.03, 2., 16).rings(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }));
   const std::vector<std::shared_ptr<const LoadModel>> models{
     std::make_shared<FirstHarmonicModel>(0.03), std::make_shared<UnilateralFoundation>(0.03, 1.),
     std::make_shared<UnilateralFoundation>(0.03, 1.5, 32),
-    std::make_shared<ResponseCurve>(samples, 0.03, 4. / 3.)
+    std::make_shared<UnilateralFoundation>(0.03, 2., 16)
   };
   for (const auto &model : models)
     for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
@@ -178,17 +173,6 @@ TEST(SelfConsistentRing, NamesLiftOffAndTipping)
   EXPECT_EQ(state(std::make_shared<FirstHarmonicModel>(0.03)), ContactState::tipping);
   EXPECT_THROW(state(std::make_shared<UnilateralFoundation>(0.03, 1.)), Tipping);
   EXPECT_EQ(to_string(ContactState::lift_off), "lift-off");
-}
-
-TEST(SelfConsistentRing, SaysWhenTheResponseCurveEnds)
-{
-  std::vector<RingStack> samples;
-  for (const double m : { 0., 0.25, 0.5 })
-    samples.push_back(RingStack::first_harmonic(0.3 * 9.81, { 0.5 * m * 0.3 * 9.81 * 0.03, 0. }, 0.03));
-  const auto curve = std::make_shared<ResponseCurve>(samples, 0.03, 1.);
-  EXPECT_NO_THROW(SelfConsistentRing(Closure::paper, Motion(), curve).at(0.));
-  EXPECT_THROW(SelfConsistentRing(Closure::full, Motion(), curve).at(0.),
-               std::out_of_range); // needs m = 0.66
 }
 
 TEST(SelfConsistentRing, KeepsAFixedLoad)

@@ -1,3 +1,4 @@
+#include "ring_model/coulomb_ring.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin_search.h"
@@ -71,6 +72,28 @@ TEST(SpinSearch, ABadGuessCostsLittle)
     expect_relative(zero.omega, -3.678747998525761128, 1e-12, "omega");
     EXPECT_LE(zero.n_evaluations, 12u) << expected;
   }
+}
+
+TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
+{
+  // Reference: all zeros by a scan of 300 intervals.
+  test::Numbers numbers(7);
+  const CoulombRing ring(0.3);
+  unsigned int n_evaluations = 0;
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    const auto [a, b] = numbers.nonnegative_load(8);
+    const RingStack load(a, b, radius);
+    const auto torque = [&](double omega) { return ring.wrench(load, omega, 0.35).torque; };
+    const SpinZero zero = find_terminal_spin(torque, { scale, b[1] * scale });
+    const double sign = std::copysign(1., b[1]);
+    const auto all =
+      all_terminal_spins([&](double omega) { return torque(sign * omega); }, 1., 1e-9, 3. * scale, 300);
+    ASSERT_FALSE(all.empty());
+    EXPECT_NEAR(zero.omega, sign * all.front().omega, 1e-11 * scale) << i;
+    n_evaluations += zero.n_evaluations;
+  }
+  EXPECT_LE(n_evaluations, 5 * 200u);
 }
 
 TEST(SpinSearch, OvercomesTheGrip)
