@@ -66,7 +66,9 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
            { "no_lift_off", has_no_lift_off(report) },
-           { "moment_ratio_at_terminal", all.at_terminal.value().moment_ratio },
+           { "force_at_terminal",
+             { all.at_terminal.value().friction.force_x, all.at_terminal->friction.force_y } },
+           { "moment_ratio_at_terminal", all.at_terminal->moment_ratio },
            { "tilt_at_terminal", { report.tilt.x(), report.tilt.y() } },
            { "phase_dependent", spin.phases.has_value() },
            { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };

@@ -266,6 +266,10 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
  "omega_terminal": -1.8901234567,
  "time_constant": 1.9101234567,
  "no_lift_off": false,
+ "force_at_terminal": [
+  1.9901234567,
+  2.0001234567
+ ],
  "moment_ratio_at_terminal": 2.0101234567,
  "tilt_at_terminal": [
   2.7301234567,
