@@ -110,13 +110,14 @@ void say_one_way(Report &report)
         plot = one_way(plot);
 }
 
-Table harmonics_table(const ring::RingStack &load)
+Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band)
 {
   constexpr double rounding = 1e-12;
+  const auto amplitude = [&](unsigned int n) { return std::hypot(load.a(n), load.b(n)) / load.a(0); };
   std::vector<unsigned int> orders;
   for (unsigned int n = 1; n <= std::min(load.n_harmonics(), 8u); ++n)
-    orders.push_back(n);
-  const auto amplitude = [&](unsigned int n) { return std::hypot(load.a(n), load.b(n)) / load.a(0); };
+    if (band.empty() || band.at(n) <= amplitude(n))
+      orders.push_back(n);
   /// Where a cos n theta + b sin n theta is largest [degrees], to a tenth, without the minus of a rounded
   /// zero.
   const auto crest = [&](unsigned int n) -> std::optional<double>

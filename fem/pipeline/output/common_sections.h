@@ -23,8 +23,9 @@ std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load);
 /// Says in the plots of a report that the load of rest is kept at every spin; those of the load itself stay.
 void say_one_way(Report &report);
 
-/// The first harmonics of a load over its mean.
-Table harmonics_table(const ring::RingStack &load);
+/// The first harmonics of a load over its mean; those that are smaller than their error band @p band, by n as
+/// in spectrum_plot(), are left out.
+Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
 /// sum.

@@ -66,7 +66,9 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
            { "no_lift_off", has_no_lift_off(report) },
-           { "moment_ratio_at_terminal", all.at_terminal.value().moment_ratio },
+           { "force_at_terminal",
+             { all.at_terminal.value().friction.force_x, all.at_terminal->friction.force_y } },
+           { "moment_ratio_at_terminal", all.at_terminal->moment_ratio },
            { "tilt_at_terminal", { report.tilt.x(), report.tilt.y() } },
            { "phase_dependent", spin.phases.has_value() },
            { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
@@ -151,6 +153,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
   const Budget &budget = spin.budget;
   const auto band = band_of(bands, "omega_terminal");
   const Table rows = shown_budget_table(study, budget);
+  const double rounding = 1e-9 * spin_unit(study);
   ReportSection section = {
     "From the paper's model to this study's",
     joined({ lift_off_remark(report.load), layer_remark(study, report.half_width),
@@ -159,7 +162,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "The "
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
       "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
-    { waterfall_plot(budget, band), effects_plot(budget, band, 1e-9 * spin_unit(study)) },
+    { waterfall_plot(budget, band, rounding), effects_plot(budget, band, rounding) },
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
   };
@@ -209,7 +212,7 @@ ReportSection load_section(const LoadReport &load, const std::vector<BandedQuant
         : "The ring",
       rings.radius()),
     { load_plot(rings, pointwise) },
-    { harmonics_table(rings) }
+    { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
   };
   if (rings.n_harmonics() > 1)
     section.plots.push_back(higher_harmonics_plot(rings, pointwise));

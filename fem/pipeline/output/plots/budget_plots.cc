@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace stemware::pipeline
 {
@@ -62,12 +63,14 @@ std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band
 }
 
 /// What stands beside a bar: its difference, or a total.
-std::string value_text(const Bar &bar, bool is_total)
+std::string value_text(const Bar &bar, bool is_total, double rounding)
 {
   if (!bar.to || (!is_total && !bar.from))
     return "–";
-  return number_text(is_total ? format::significant<6>(*bar.to)
-                              : format::signed_significant<3>(*bar.to - *bar.from));
+  const double value = is_total ? *bar.to : *bar.to - *bar.from;
+  if (std::abs(value) < rounding)
+    return "0";
+  return number_text(is_total ? format::significant<6>(value) : format::signed_significant<3>(value));
 }
 
 constexpr double width = 540; ///< of the plots [points]
@@ -93,7 +96,7 @@ std::string rows_of_names(const std::vector<std::string> &names, const std::vect
          "; set rmargin at screen 0.83; set tmargin 3; set bmargin 4\n" +
          "set label 90 \"rad/s\" at screen 0.97, graph 1 right offset 0,0.6 font \",12\" textcolor rgb "
          "\"#555555\"\nunset border; set border 1; set grid x noytics\nset key at screen 0.02, screen 0.985 "
-         "left top horizontal\n";
+         "left top horizontal maxrows 1 samplen 1.6\n";
 }
 
 /// Bars of one kind as a block of the data file, with the part of the plot command that draws them.
@@ -125,8 +128,8 @@ std::pair<double, double> spin_range(const std::vector<Bar> &bars)
         spins.include(*bar.to + band);
   if (spins.least > spins.most)
     return { -1, 1 };
-  const double width = std::max(spins.most - spins.least, 1e-3 * std::abs(spins.most));
-  const double margin = width > 0 ? 0.08 * width : 1;
+  const double span = std::max(spins.most - spins.least, 1e-3 * std::abs(spins.most));
+  const double margin = span > 0 ? 0.08 * span : 1;
   return { spins.least - margin, spins.most + margin };
 }
 
@@ -141,9 +144,49 @@ Table connectors(const std::vector<Bar> &bars)
                      { { "place from below", "1" }, { "omega", "rad/s" }, { "step", "1" } }, rows);
 }
 
+/// A step of the model, or one thing left out of it.
+struct Effect
+{
+  std::string name;
+  std::optional<double> difference; ///< [rad/s]
+  std::string reason;               ///< why there is none
+  bool is_step;
+};
+
+std::vector<Effect> effects_of(const Budget &budget)
+{
+  std::vector<Effect> effects;
+  const std::vector<Bar> bars = bars_of(budget, {});
+  for (std::size_t i = 1; i + 1 < bars.size(); ++i)
+    effects.push_back(
+      { bars[i].title, bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from) : std::nullopt,
+        "–", true });
+  for (const WithoutRow &row : budget.without)
+    effects.push_back(
+      { "without " + row.name, row.difference, row.reason == "not defined" ? row.reason : "–", false });
+  return effects;
+}
+
+/// The decades in which sizes lie, with some room at both ends.
+std::pair<double, double> decades_of(Extent sizes)
+{
+  if (sizes.least > sizes.most)
+    return { 0.1, 10 };
+  return { std::pow(10, std::floor(std::log10(sizes.least) - 0.2)),
+           std::pow(10, std::ceil(std::log10(sizes.most) + 0.2)) };
+}
+
+/// Tics of a narrow logarithmic axis, not more than five.
+std::string few_decades(double low, double high)
+{
+  const double n_decades = std::round(std::log10(high / low));
+  return n_decades > 4 ? "set xtics 1e" + std::to_string(static_cast<int>(std::ceil(n_decades / 4))) + "\n"
+                       : "";
+}
+
 } // namespace
 
-Plot waterfall_plot(const Budget &budget, const std::optional<double> &band)
+Plot waterfall_plot(const Budget &budget, const std::optional<double> &band, double rounding)
 {
   const std::vector<Bar> bars = bars_of(budget, band);
   std::vector<std::string> names, texts;
@@ -152,7 +195,7 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band)
   {
     const bool is_total = i == 0 || i + 1 == bars.size();
     names.push_back(bars[i].title + (bars[i].is_formal ? " (formal)" : ""));
-    texts.push_back(value_text(bars[i], is_total));
+    texts.push_back(value_text(bars[i], is_total, rounding));
     const auto place = static_cast<double>(bars.size() - i);
     // A model whose forerunner has no spin starts anew.
     if (bars[i].to && (is_total || !bars[i].from))
@@ -201,74 +244,50 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band)
 
 Plot effects_plot(const Budget &budget, const std::optional<double> &band, double rounding)
 {
-  struct Effect
-  {
-    std::string name;
-    std::optional<double> difference;
-    std::string reason;
-    bool is_step;
-  };
-  std::vector<Effect> effects;
-  const std::vector<Bar> bars = bars_of(budget, {});
-  for (std::size_t i = 1; i + 1 < bars.size(); ++i)
-    effects.push_back(
-      { bars[i].title, bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from) : std::nullopt,
-        "–", true });
-  for (const WithoutRow &row : budget.without)
-    effects.push_back(
-      { "without " + row.name, row.difference, row.reason.empty() ? "–" : row.reason, false });
-
+  const std::vector<Effect> effects = effects_of(budget);
   std::vector<std::string> names, texts;
   std::vector<std::vector<double>> steps, without;
   Extent sizes;
   for (std::size_t i = 0; i < effects.size(); ++i)
   {
     const Effect &effect = effects[i];
-    const double size = std::abs(effect.difference.value_or(0));
+    const bool is_seen = effect.difference && std::abs(*effect.difference) >= rounding;
     names.push_back(effect.name);
-    texts.push_back(!effect.difference
-                      ? effect.reason
-                      : number_text(format::signed_significant<3>(size < rounding ? 0 : *effect.difference)));
-    if (size < rounding || size == 0)
+    texts.push_back(effect.difference
+                      ? number_text(format::signed_significant<3>(is_seen ? *effect.difference : 0))
+                      : effect.reason);
+    if (!is_seen)
       continue;
-    sizes.include(size);
-    (effect.is_step ? steps : without).push_back({ static_cast<double>(effects.size() - i), size });
+    sizes.include(std::abs(*effect.difference));
+    (effect.is_step ? steps : without)
+      .push_back({ static_cast<double>(effects.size() - i), std::abs(*effect.difference) });
   }
-  const bool has_band = band.value_or(0) > 0;
-  if (has_band)
+  std::vector<std::vector<double>> edge;
+  if (band.value_or(0) > 0)
+  {
     sizes.include(*band);
-  if (sizes.least > sizes.most)
-    sizes.least = sizes.most = 1;
-  const double low = std::pow(10, std::floor(std::log10(sizes.least) - 0.2)),
-               high = std::pow(10, std::ceil(std::log10(sizes.most) + 0.2));
+    edge = { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } };
+  }
+  const auto [low, high] = decades_of(sizes);
   std::vector<Table> blocks;
   std::string drawing;
-  const auto add = [&](const std::string &title, const std::string &style, const Table &block)
-  {
-    drawing += (drawing.empty() ? "plot data index " : ", \\\n     data index ") +
-               std::to_string(blocks.size()) + " using " + style + " title \"" + title + "\"";
-    blocks.push_back(block);
-  };
-  const std::vector<std::pair<std::string, std::string>> columns = { { "place from below", "1" },
-                                                                     { "size of the difference", "rad/s" } };
-  if (!steps.empty())
-    add("steps of the model", "2:1 with points lt 1 ps 1", number_rows("Steps of the model", columns, steps));
-  if (!without.empty())
-    add("one thing left out", "2:1 with points lt 2 ps 1",
-        number_rows("One thing left out of the complete model", columns, without));
-  if (has_band)
-    add("error band", "2:1 with lines lt 8 dt 2",
-        number_rows("Half-width of the error band of the terminal spin", columns,
-                    { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } }));
-  if (drawing.empty())
-    drawing = "plot NaN notitle";
+  for (const auto &[title, style, rows] : { std::tuple("steps of the model", "points lt 1 ps 1", &steps),
+                                            std::tuple("one thing left out", "points lt 2 ps 1", &without),
+                                            std::tuple("error band", "lines lt 8 dt 2", &edge) })
+    if (!rows->empty())
+    {
+      drawing += (drawing.empty() ? "plot data index " : ", \\\n     data index ") +
+                 std::to_string(blocks.size()) + " using 2:1 with " + style + " title \"" + title + "\"";
+      blocks.push_back(
+        number_rows(title, { { "place from below", "1" }, { "size of the difference", "rad/s" } }, *rows));
+    }
   return { "effects",
            "How large each effect is: steps from the paper's model to this study's, and what leaving out one "
            "thing of the complete model changes (numbers in rad/s). The error band of the terminal spin "
            "contains none of them.",
-           "set xlabel \"|difference of terminal spins| (rad/s)\"\nset logscale x; set format x "
-           "\"10^{%T}\"; set mxtics 1\nset xrange [" +
-             to_text(low) + ":" + to_text(high) + "]\n" + rows_of_names(names, texts) + drawing + "\n",
+           axis_commands("x", { "|difference of terminal spins| (rad/s)", true, { { low, high } } }) +
+             few_decades(low, high) + rows_of_names(names, texts) +
+             (drawing.empty() ? "plot NaN notitle" : drawing) + "\n",
            data_tables(blocks),
            width,
            110 + 28. * static_cast<double>(effects.size()) };

@@ -158,13 +158,17 @@ Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band)
   Curve curve = { "", {}, {}, CurveStyle::points };
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
   {
-    curve.add(n, std::hypot(load.a(n), load.b(n)) / load.a(0));
+    const double amplitude = std::hypot(load.a(n), load.b(n)) / load.a(0);
+    if (!band.empty() && band.at(n) > amplitude)
+      continue;
+    curve.add(n, amplitude);
     if (!band.empty())
       curve.band.push_back(band.at(n));
   }
   CurvePlot plot = {
     "spectrum",
-    "Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.",
+    "Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown, nor what "
+    "its error band hides.",
     { "harmonic n", false, std::pair(0.5, load.n_harmonics() + 0.5) },
     { "√(a_n² + b_n²) / a_0", true, amplitude_range(curve.y) },
     { curve }

@@ -28,6 +28,7 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
 Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise = {});
 
 /// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
+/// Harmonics that are smaller than their band are not shown.
 Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The

@@ -49,17 +49,20 @@ TEST(ContactRun, SummaryHasThePromisedKeys)
 {
   const ScratchFolder scratch;
   const auto summary = run(scratch, {});
-  EXPECT_EQ(summary["schema"], 1);
+  EXPECT_EQ(summary["schema"], 2);
   EXPECT_EQ(summary["parameters"]["Contact"]["Azimuthal cells"], 16);
+  const std::vector<std::string> of_a_load = {
+    "radii",  "rings",        "a",           "b",           "normal_force",
+    "moment", "moment_ratio", "ring_radius", "mean_radius", "contact_fraction",
+    "minimum"
+  };
   const std::vector<std::pair<std::string, std::vector<std::string>>> promised = {
     { "program", { "version", "revision" } },
-    { "load",
-      { "a", "b", "normal_force", "moment", "moment_ratio", "ring_radius", "mean_radius", "contact_fraction",
-        "minimum" } },
+    { "load", of_a_load },
+    { "load_at_terminal", of_a_load },
     { "contact", { "body", "unknowns", "contact_nodes", "iterations", "force_residual", "moment_residual" } },
     { "ring", { "tau_at_rest", "tau_closed_form", "omega_terminal", "time_constant", "no_lift_off" } },
-    { "resolved", { "at_rest", "at_terminal" } },
-    { "closures", { "paper", "hand", "full" } },
+    { "harmonic_effect", { "absolute", "relative" } },
   };
   for (const auto &[object, keys] : promised)
     for (const std::string &key : keys)
@@ -78,6 +81,21 @@ TEST(ContactRun, SummaryHasThePromisedKeys)
       EXPECT_TRUE(row[key].is_number()) << key;
   }
   EXPECT_EQ(orders, (std::vector<int>{ 1, 2, 3, 4, 6, 8 }));
+  for (const auto &row : summary["budget"])
+    for (const char *key : { "step", "name", "harmonics", "omega_terminal", "difference", "band", "torques" })
+      EXPECT_TRUE(row.contains(key)) << row["step"] << ' ' << key;
+  EXPECT_EQ(summary["budget"].front()["name"], "paper");
+  EXPECT_EQ(summary["budget"].back()["harmonics"], "all");
+  EXPECT_EQ(summary["budget"].back()["omega_terminal"], summary["ring"]["omega_terminal"]);
+  // The sums are those of the rings.
+  for (const char *family : { "a", "b" })
+    for (std::size_t n = 0; n < 9; ++n)
+    {
+      double sum = 0;
+      for (const auto &ring : summary["load"]["rings"])
+        sum += ring[family][n].get<double>();
+      EXPECT_NEAR(sum, summary["load"][family][n].get<double>(), 1e-15) << family << n;
+    }
 }
 
 TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
@@ -85,8 +103,8 @@ TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
   const ScratchFolder scratch;
   const auto summary = run(scratch, {});
   EXPECT_EQ(summary["files"].get<std::vector<std::string>>(), names_in(scratch / "results"));
-  for (const char *table : { "load.dat", "load_lines.dat", "footprint.dat", "harmonics.dat", "torque.dat",
-                             "spin_up.dat", "truncation.dat", "contact_history.dat" })
+  for (const char *table : { "load.dat", "load_lines.dat", "footprint.dat", "harmonics.dat", "rings.dat",
+                             "torque.dat", "spin_up.dat", "truncation.dat", "contact_history.dat" })
   {
     const std::string text = read_text(scratch / "results" / table);
     EXPECT_NE(text.find("\n# 1: "), std::string::npos) << table;
@@ -108,8 +126,6 @@ TEST(ContactRun, TorqueAtRestIsThatOfTheMoment)
     const double torque = summary["ring"]["tau_at_rest"];
     EXPECT_NEAR(torque, 0.3 * summary["load"]["moment"][0].get<double>(), 1e-10 * std::abs(torque)) << table;
     EXPECT_NEAR(torque, -0.003675, 1e-9 * 0.003675) << table;
-    EXPECT_NEAR(summary["resolved"]["at_rest"]["torque"].get<double>(), torque, 1e-10 * std::abs(torque))
-      << table;
     EXPECT_LE(summary["contact"]["force_residual"].get<double>(), 1e-9) << table;
     EXPECT_LE(summary["contact"]["moment_residual"].get<double>(), 1e-9) << table;
     EXPECT_NEAR(summary["load"]["normal_force"].get<double>(), 2.943, 1e-9) << table;
@@ -169,8 +185,8 @@ TEST(ContactRun, ReversedOrbitMirrorsTheLoad)
   { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-8 * std::abs(one.get<double>())); };
   expect_mirrored(there["ring"]["omega_terminal"], back["ring"]["omega_terminal"], -1);
   expect_mirrored(there["ring"]["tau_at_rest"], back["ring"]["tau_at_rest"], -1);
-  const auto &force_there = there["resolved"]["at_terminal"]["ring_force"];
-  const auto &force_back = back["resolved"]["at_terminal"]["ring_force"];
+  const auto &force_there = there["ring"]["force_at_terminal"];
+  const auto &force_back = back["ring"]["force_at_terminal"];
   expect_mirrored(force_there[0], force_back[0], 1);
   expect_mirrored(force_there[1], force_back[1], -1);
 }

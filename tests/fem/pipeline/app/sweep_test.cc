@@ -81,8 +81,7 @@ TEST(Sweep, HasTheDigitsOfSeparateRuns)
     EXPECT_EQ(table.number(row, "terminal spin (rad/s)"), one["ring"]["omega_terminal"]);
     EXPECT_EQ(table.number(row, "terminal spin of the first harmonic alone (rad/s)"),
               one["truncation"][0]["omega_terminal"]);
-    EXPECT_EQ(table.number(row, "terminal spin of the closure's first harmonic (rad/s)"),
-              one["closures"]["full"]["omega_terminal"]);
+    EXPECT_EQ(table.number(row, "absolute harmonic effect (rad/s)"), one["harmonic_effect"]["absolute"]);
     EXPECT_EQ(table.number(row, "torque at rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment ratio (1)"), one["load"]["moment_ratio"]);
     EXPECT_EQ(table.number(row, "contact fraction (1)"), one["load"]["contact_fraction"]);

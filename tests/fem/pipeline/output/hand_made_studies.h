@@ -10,22 +10,6 @@
 namespace stemware::test
 {
 
-inline std::vector<pipeline::SpinRow> hand_made_closures(Numbers &next)
-{
-  std::vector<pipeline::SpinRow> rows;
-  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
-  {
-    rows.push_back(hand_made_row(next, 1));
-    rows.back().closure = closure;
-    rows.back().load = "first harmonic";
-  }
-  // The paper's load pushes everywhere; that of the complete balance does not exist at a terminal spin.
-  rows[0].at_rest->minimum = rows[0].at_terminal->minimum = 0.125;
-  rows[1].terminal.reset();
-  rows[1].at_terminal.reset();
-  return rows;
-}
-
 /// A quantity with its band.
 inline pipeline::BandedQuantity hand_made_band(Numbers &next, const std::string &key, const std::string &name,
                                                const std::string &unit)
@@ -152,13 +136,10 @@ struct TruncationByHand
     truncations.time = { 0, next() };
     truncations.paper = { 0, next() };
     truncations.torque_slope = -next();
-    truncations.frozen = { { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) },
-                           hand_made_torque_curve(next) };
-    truncations.frozen.rows[0].at_rest->minimum = truncations.frozen.rows[0].at_terminal->minimum = 0.25;
-    truncations.self_consistent =
-      pipeline::TruncationTable{ { hand_made_row(next, 1), hand_made_row(next, 3) },
-                                 hand_made_torque_curve(next) };
-    truncations.closures = hand_made_closures(next);
+    truncations.rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
+    truncations.rows[0].at_rest->minimum = truncations.rows[0].at_terminal->minimum = 0.25;
+    truncations.torque = hand_made_torque_curve(next);
+    truncations.harmonics = { -next() / 100, next() / 1000 };
   }
 
   Numbers next;

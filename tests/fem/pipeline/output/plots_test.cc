@@ -55,16 +55,24 @@ TEST(Plots, Load)
   const Plot plot = load_plot(lifted, pointwise);
   EXPECT_EQ(draw(plot, scratch), "");
   const std::string words = words_of(plot, scratch);
-  for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all, n ≤ 4" })
+  for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all harmonics" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
-  // One block for each of the four series, then the arc: closed, and interrupted where nothing is carried.
+  // One block for each of three series, the load as it was solved, then the arc: both closed, the latter
+  // interrupted where nothing is carried.
   const auto columns = data_of(plot, scratch);
-  ASSERT_EQ(columns[0].size(), 4u * 361 + 5);
-  EXPECT_NEAR(columns[1][90], 1 - 1.3, 1e-12);                              // first harmonic at 90 degrees
-  EXPECT_NEAR(columns[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12); // all of them
-  EXPECT_EQ(columns[1][4 * 361], 1);
-  EXPECT_TRUE(std::isnan(columns[1][4 * 361 + 1]));
+  ASSERT_EQ(columns[0].size(), 3u * 361 + 5 + 5);
+  EXPECT_NEAR(columns[1][90], 1 - 1.3, 1e-12);                       // first harmonic at 90 degrees
+  EXPECT_NEAR(columns[1][2 * 361 + 90], 1 - 1.3 + 0.4 - 0.1, 1e-12); // three of them
+  const std::vector<double> solved(columns[1].begin() + 3 * 361, columns[1].begin() + 3 * 361 + 5);
+  EXPECT_EQ(solved, (std::vector<double>{ 1, 0, 1, 2, 1 }));
+  EXPECT_EQ(columns[1][3 * 361 + 5], 1);
+  EXPECT_TRUE(std::isnan(columns[1][3 * 361 + 6]));
   EXPECT_NEAR(columns[0].back(), full_turn, 1e-12);
+
+  // Without lift-off the series is drawn.
+  EXPECT_EQ(draw(load_plot(lifted, {}), scratch), "");
+  EXPECT_NE(words_of(plot, scratch).find("all, n ≤ 4"), std::string::npos);
+  EXPECT_NEAR(data_of(plot, scratch)[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12);
 }
 
 TEST(Plots, LoadOfOneHarmonicWithoutSamples)
@@ -83,6 +91,12 @@ TEST(Plots, HigherHarmonics)
   const Plot plot = higher_harmonics_plot(lifted);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NEAR(data_of(plot, scratch)[1][2 * 361 + 90], 0.4 - 0.1 + 0.05, 1e-12);
+  // As it was solved, at 0 and 1.5 and after a whole turn.
+  EXPECT_EQ(draw(higher_harmonics_plot(lifted, { { 0, 1.25 }, { 1.5, 0 } }), scratch), "");
+  const auto columns = data_of(plot, scratch);
+  ASSERT_EQ(columns[1].size(), 2u * 361 + 3);
+  EXPECT_NEAR(columns[1][2 * 361], 0.25, 1e-12);
+  EXPECT_NEAR(columns[0][2 * 361 + 1], 1.5 * 360 / full_turn, 1e-12);
 }
 
 TEST(Plots, Spectrum)
@@ -93,6 +107,9 @@ TEST(Plots, Spectrum)
   const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns.size(), 3u);
   EXPECT_NEAR(columns[1][1], 0.4, 1e-15);
+  // n = 3, of amplitude 0.1, is hidden by its band; n = 4 has none.
+  EXPECT_EQ(draw(spectrum_plot(lifted, { 0, 0.01, 0.01, 0.2, 0 }), scratch), "");
+  EXPECT_EQ(data_of(plot, scratch)[0], (std::vector<double>{ 1, 2, 4 }));
   EXPECT_EQ(draw(spectrum_plot(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
 }
 

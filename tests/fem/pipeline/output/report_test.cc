@@ -86,7 +86,7 @@ TEST(Report, IsWellFormedAndEscapedOnce)
   const auto page = parse(read_text(scratch / "report.html")).get_child("html");
   EXPECT_EQ(page.get<std::string>("head.title"), "A <title>");
   EXPECT_EQ(page.get<std::string>("body.main.h1"), "A <title>");
-  EXPECT_EQ(page.get<std::string>("body.main.p"), "The answer is -3.5 ± 0.1 rad/s & no more.");
+  EXPECT_EQ(page.get<std::string>("body.main.p"), "The answer is -3.5 ± 0.1\u00a0rad/s & no more.");
   const auto &figure = page.get_child("body.main.section.div.figure");
   EXPECT_EQ(figure.get<std::string>("svg.<xmlattr>.aria-label"), "τ_z & \"more\"");
   EXPECT_EQ(figure.get<std::string>("figcaption.sub"), "z");

@@ -1,0 +1,400 @@
+// The budget of effects from one made by hand: its tables in every form, its pictures, and what is said about
+// it. The second row is formal, that with tilt has no balance.
+#include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/budget_tables.h"
+#include "fem/pipeline/output/plots/budget_plots.h"
+#include "fem/pipeline/support/text.h"
+#include "tests/fem/pipeline/output/hand_made_studies.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace test;
+
+Budget made_budget()
+{
+  Numbers next;
+  return hand_made_budget(next);
+}
+
+constexpr char shown_columns[] = "step title omega_terminal difference relative_difference band remark";
+
+TEST(BudgetByHand, TableForPeople)
+{
+  EXPECT_EQ(html_lines(html_table(budget_table({}, made_budget()).with("Budget", shown_columns))), R"(Budget
+step: 1 | 2 | 2a | 3 | 3a | 4 | 5
+what is added: the paper&#39;s model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
+terminal spin (rad/s): -1.0101235 | -1.0601235 | -1.1101235 | -1.1601235 | – | -1.2101235 | -1.2601235
+difference (rad/s): – | -0.05 | -0.05 | -0.05 | – | – | -0.05
+relative: – | +4.95 % | +4.72 % | +4.5 % | – | – | +4.13 %
+band (rad/s): 1.1e-03 | 1.1e-03 | 1.2e-03 | 1.2e-03 | – | 1.3e-03 | 1.3e-03
+:  | formal |  |  | The foot tips |  | 
+)");
+  EXPECT_EQ(html_lines(html_table(without_table({}, made_budget())
+                                    .with("Without", "name omega_terminal difference relative_difference "
+                                                     "remark"))),
+            R"(Without
+without: tilt | elasticity of the foot | compliance of the interface
+terminal spin (rad/s): -1.3101235 | -1.3301235 | –
+difference (rad/s): +0.0132 | -0.0134 | –
+relative: -1.05 % | +1.06 % | –
+:  |  | not defined
+)");
+}
+
+TEST(BudgetByHand, DataFile)
+{
+  const std::string text = budget_file_text({}, made_budget());
+  EXPECT_EQ(text, R"(# From the paper's model to the study's; the rows are
+# row 1: 1, the paper's model
+# row 2: 2, moment balance
+# row 3: 2a, grip
+# row 4: 3, where the foot touches
+# row 5: 3a, tilt
+# row 6: 4, harmonics, n <= 2
+# row 7: 5, harmonics, all
+# 1: harmonics kept, nan: all (1)
+# 2: terminal omega (rad/s)
+# 3: difference of terminal omega (rad/s)
+# 4: half-width of the error band of terminal omega (rad/s)
+# 5: 1 if the load is negative somewhere (1)
+# 6: tau_z at rest of the last row (N m)
+# 7: tau_z at half the terminal spin of the last row (N m)
+# 8: tau_z at the terminal spin of the last row (N m)
+                       1            -1.0101234567                      nan          0.0010201234567                        0             1.0301234567             1.0401234567             1.0501234567
+                       1            -1.0601234567    -0.050000000000000044          0.0010701234567                        1             1.0801234567             1.0901234567             1.1001234567
+                       1            -1.1101234567    -0.050000000000000044          0.0011201234567                        0             1.1301234567             1.1401234567             1.1501234567
+                       1            -1.1601234567    -0.050000000000000044          0.0011701234567                        0             1.1801234567             1.1901234567             1.2001234567
+                       1                      nan                      nan                      nan                        0                      nan                      nan                      nan
+                       2            -1.2101234567                      nan    0.0012201234567000001                        0             1.2301234567             1.2401234567             1.2501234567
+                     nan            -1.2601234567     -0.04999999999999982          0.0012701234567                        0             1.2801234567             1.2901234567             1.3001234567
+
+
+# The complete model without one thing at a time; the rows are
+# row 1: without tilt
+# row 2: without elasticity of the foot
+# row 3: without compliance of the interface
+# 1: terminal omega (rad/s)
+# 2: difference of terminal omega (rad/s)
+           -1.3101234567           0.013201234567
+           -1.3301234567          -0.013401234567
+                     nan                      nan
+)");
+}
+
+TEST(BudgetByHand, Summary)
+{
+  EXPECT_EQ(json_lines(budget_summary({}, made_budget())), R"(step: "1" | "2" | "2a" | "3" | "3a" | "4" | "5"
+name: "paper" | "moment balance" | "grip" | "where the foot touches" | "tilt" | "harmonics" | "harmonics"
+harmonics: 1 | 1 | 1 | 1 | 1 | 2 | "all"
+omega_terminal: -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | null | -1.2101234567 | -1.2601234567
+difference: null | -0.050000000000000044 | -0.050000000000000044 | -0.050000000000000044 | null | null | -0.04999999999999982
+band: 0.0010201234567 | 0.0010701234567 | 0.0011201234567 | 0.0011701234567 | null | 0.0012201234567000001 | 0.0012701234567
+torques: [1.0301234567,1.0401234567,1.0501234567] | [1.0801234567,1.0901234567,1.1001234567] | [1.1301234567,1.1401234567,1.1501234567] | [1.1801234567,1.1901234567,1.2001234567] | [null,null,null] | [1.2301234567,1.2401234567,1.2501234567] | [1.2801234567,1.2901234567,1.3001234567]
+state: "full contact" | "formal" | "full contact" | "full contact" | "tips" | "full contact" | "full contact"
+reason: null | null | null | null | "The foot tips" | null | null
+)");
+  EXPECT_EQ(json_lines(without_summary({}, made_budget())),
+            R"(name: "tilt" | "elasticity of the foot" | "compliance of the interface"
+omega_terminal: -1.3101234567 | -1.3301234567 | null
+difference: 0.013201234567 | -0.013401234567 | null
+reason: null | null | "not defined"
+)");
+  EXPECT_EQ(harmonic_effect_summary(made_budget().harmonics).dump(),
+            R"({"absolute":-0.013501234567,"relative":0.0013601234567})");
+  EXPECT_EQ(harmonic_effect_summary({}).dump(), R"({"absolute":null,"relative":null})");
+}
+
+TEST(BudgetByHand, HarmonicsThatChangeNothingAreNotShown)
+{
+  Budget budget = made_budget();
+  const std::size_t n_rows = budget.rows.size();
+  budget.rows[5].difference = 1e-13;
+  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
+  EXPECT_EQ(budget_table({}, budget).n_rows(), n_rows);
+  budget.rows.back().difference = 0; // the study itself stays
+  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
+}
+
+TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
+{
+  Budget budget = made_budget();
+  budget.rows[0].omega_terminal = 0;
+  budget.rows[1].difference = budget.rows[1].omega_terminal;
+  EXPECT_TRUE(budget_summary({}, budget)[0]["difference"].is_null());
+  const Table table = budget_table({}, budget).with("", "relative_difference");
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.columns[0].cells[1]));
+  EXPECT_FALSE(std::holds_alternative<std::monostate>(table.columns[0].cells[2]));
+}
+
+// ---- pictures
+
+/// What gnuplot complains about; the words of the picture go to @p words.
+std::string draw(const Plot &plot, std::string &words)
+{
+  const ScratchFolder scratch;
+  testing::internal::CaptureStderr();
+  write_report({ "A plot", "", { { "The plot", "", { plot } } } }, scratch.path());
+  bool inside = true;
+  for (const char character : read_text(scratch / ("figures/" + plot.name + ".svg")))
+    if (character == '<' || character == '>')
+      inside = character == '>';
+    else if (inside)
+      words += character;
+  return testing::internal::GetCapturedStderr();
+}
+
+/// Whether each of the names is a word of the picture, and none of the others.
+void expect_words(const std::string &words, const std::vector<std::string> &names,
+                  const std::vector<std::string> &others = {})
+{
+  for (const std::string &name : names)
+    EXPECT_NE(words.find(name), std::string::npos) << name;
+  for (const std::string &name : others)
+    EXPECT_EQ(words.find(name), std::string::npos) << name;
+}
+
+TEST(BudgetPlots, Waterfall)
+{
+  std::string words;
+  const Plot plot = waterfall_plot(made_budget(), {}, 1e-9);
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words,
+               { "the paper's model", "moment balance (formal)", "grip", "where the foot touches", "tilt",
+                 "harmonics", "this study", "terminal spin (rad/s)", "error band", "faster, formally" },
+               { "slower" });
+  EXPECT_EQ(plot.data, R"(# faster
+# 1: place from below (1)
+# 2: from omega (rad/s)
+# 3: to omega (rad/s)
+                       5            -1.0601234567            -1.1101234567
+                       4            -1.1101234567            -1.1601234567
+
+
+# faster, formally
+# 1: place from below (1)
+# 2: from omega (rad/s)
+# 3: to omega (rad/s)
+                       6            -1.0101234567            -1.0601234567
+
+
+# Lines from one row to the next
+# 1: place from below (1)
+# 2: omega (rad/s)
+# 3: step (1)
+                       7            -1.0101234567                       -1
+                       6            -1.0601234567                       -1
+                       5            -1.1101234567                       -1
+                       2            -1.2601234567                       -1
+
+
+# Error bands
+# 1: place from below (1)
+# 2: omega (rad/s)
+# 3: half-width of its error band (rad/s)
+                       7            -1.0101234567          0.0010201234567
+                       6            -1.0601234567          0.0010701234567
+                       5            -1.1101234567          0.0011201234567
+                       4            -1.1601234567          0.0011701234567
+                       2            -1.2601234567          0.0012701234567
+                       1            -1.2601234567          0.0012701234567
+
+
+# Models that no bar leads to
+# 1: place from below (1)
+# 2: omega (rad/s)
+                       7            -1.0101234567
+                       2            -1.2601234567
+                       1            -1.2601234567
+)");
+}
+
+TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
+{
+  Budget budget;
+  budget.rows = { { "1", "paper", 1, -3. },
+                  { "2", "moment balance", 1, -3.5, -0.5 },
+                  { "3", "where the foot touches", 1, -3.4, 0.1 },
+                  { "4", "harmonics", 2, -3.2, 0.2 },
+                  { "5", "harmonics", {}, -3.25, -0.05, 0.01 } };
+  const Plot plot = waterfall_plot(budget, {}, 1e-9);
+  std::string words;
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "+0.15", "−0.5", "+0.1", "−3.25" }, { "+0.2", "formal" });
+}
+
+TEST(BudgetPlots, WaterfallOfAGlassThatDoesNotSpin)
+{
+  Budget budget;
+  budget.rows = { { "1", "paper", 1, 0. }, { "2", "moment balance", 1, 0., 0. } };
+  std::string words;
+  EXPECT_EQ(draw(waterfall_plot(budget, {}, 1e-9), words), "");
+  EXPECT_EQ(draw(effects_plot(budget, {}, 1e-8), words), "");
+  budget.rows = { { "1", "paper", 1 } };
+  EXPECT_EQ(draw(waterfall_plot(budget, {}, 1e-9), words), "");
+}
+
+TEST(BudgetPlots, Effects)
+{
+  std::string words;
+  const Plot plot = effects_plot(made_budget(), 1e-3, 1e-9);
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "moment balance", "without tilt", "without elasticity of the foot",
+                        "without compliance of the interface", "not defined", "steps of the model",
+                        "one thing left out", "error band" });
+  Budget budget = made_budget();
+  budget.without[0].difference = 1e-12;
+  EXPECT_EQ(effects_plot(budget, 1e-3, 1e-9).data.find("1e-12"), std::string::npos);
+}
+
+TEST(BudgetPlots, HarmonicTorque)
+{
+  Budget budget;
+  budget.omega = { 0, -1, -2 };
+  budget.torque_all = { -4e-3, -2e-3, std::nan("") };
+  budget.torque_first = { -4e-3, -1.99e-3, -1e-3 };
+  std::string words;
+  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
+  expect_words(words, { "(mN m)", "(µN m)", "all harmonics", "first harmonic" });
+  budget.torque_all = budget.torque_first;
+  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
+}
+
+TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
+{
+  const Plot plot = one_way(waterfall_plot(made_budget(), {}, 1e-9));
+  std::string words;
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "one-way" });
+  EXPECT_NE(plot.caption.find("One-way"), std::string::npos);
+}
+
+// ---- sentences
+
+/// A study of two rows with a budget and bands.
+struct SpunStudy
+{
+  SpunStudy()
+  {
+    Numbers next;
+    spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
+    spin.rows.back().terminal->omega = -3.25;
+    spin.budget.rows = { { "1", "paper", 1, -3. },
+                         { "2", "moment balance", 1, -3.5, -0.5 },
+                         { "3", "where the foot touches", 1, -3.4, 0.1 },
+                         { "4", "harmonics", {}, -3.25, 0.15 } };
+    spin.budget.harmonics = { 0.15, -0.15 / 3.4 };
+    spin.budget.without = { { "tilt", -3.24, 0.01, "" },
+                            { "grip", -3.3, -0.05, "" },
+                            { "compliance of the interface", {}, {}, "not defined" } };
+    bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
+  }
+
+  std::string answer() const { return run_answer(study, spin, bands); }
+
+  Study study;
+  SpinStudy spin;
+  std::vector<BandedQuantity> bands;
+};
+
+TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
+{
+  EXPECT_EQ(
+    wrapped(SpunStudy().answer()),
+    R"(The glass spins up to -3.2500 ± 0.0013 rad/s. The harmonics of the load beyond the first make it
+4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one is "moment
+balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not contain
+what the model leaves open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and
+grip -0.05.)");
+}
+
+TEST(RunAnswer, SaysOneWayInEverySentence)
+{
+  SpunStudy one_way;
+  one_way.study.load.coupling = LoadCoupling::one_way;
+  EXPECT_EQ(wrapped(one_way.answer()), R"(With the load of rest kept at every spin (one-way), the glass spins up to -3.2500 ± 0.0013 rad/s.
+The harmonics of the one-way load beyond the first make it 4.41 % slower (+0.15 rad/s). The largest
+other step from the paper's model to this one-way one is "moment balance": -0.5 rad/s (16.7 %
+faster). The band is that of the discretisation; it does not contain what the one-way model leaves
+open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and grip -0.05.)");
+  one_way.study.load.moment_ratio = 0.5;
+  EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
+  one_way.study.load.source = LoadSource::file;
+  EXPECT_EQ(one_way.answer().substr(0, 25), "Under the given load (one");
+}
+
+TEST(RunAnswer, WithoutBandsAndEffects)
+{
+  SpunStudy plain;
+  plain.bands.clear();
+  plain.spin.budget.without.clear();
+  plain.spin.budget.harmonics = { 1e-12, 1e-12 };
+  plain.spin.budget.rows[1].standing = Standing::formal;
+  EXPECT_EQ(wrapped(plain.answer()), R"(The glass spins up to -3.25000 rad/s. The harmonics of the load beyond the first do not change that.
+The largest other step from the paper's model to this one is "moment balance": -0.5 rad/s (16.7 %
+faster), formally: such a load would have to pull on the table.)");
+}
+
+TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
+{
+  SpunStudy resting;
+  resting.spin.rows.back().terminal->omega = 1e-13;
+  EXPECT_EQ(resting.answer(), "The glass does not spin up.");
+}
+
+TEST(RunAnswer, PrintedBandsContainTheWholeBand)
+{
+  // Value and band are rounded: what is printed must contain value -/+ band.
+  for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
+    for (const double value : { -3.2549, -3.25451, 1.000049 })
+    {
+      const std::string text = with_band(value, band);
+      const double printed = std::stod(text), half = std::stod(text.substr(text.find("± ") + 3));
+      EXPECT_LE(printed - half, value - band + 1e-12) << text;
+      EXPECT_GE(printed + half, value + band - 1e-12) << text;
+      EXPECT_LE(half, 1.2 * band) << text;
+    }
+}
+
+// ---- remarks
+
+TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
+{
+  Study study;
+  EXPECT_EQ(layer_remark(study, 2e-4), ""); // no layer is named
+  study.table.layer_thickness = 5e-3;
+  EXPECT_EQ(
+    wrapped(layer_remark(study, 2e-4)),
+    R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
+thickness). A Winkler interface stands for a layer only where the contact is much wider than it;
+take an elastic disc instead (Table/Substrate = elastic).)");
+  EXPECT_EQ(layer_remark(study, 6e-3), "");
+  study.table.interface = TableInterface::hard;
+  EXPECT_EQ(layer_remark(study, 2e-4), "");
+}
+
+TEST(Remarks, LiftOffAndLoadsThatPull)
+{
+  LoadReport load = { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) };
+  load.contact_fraction = 1;
+  load.minimum = 0.1;
+  load.moment_ratio = 0.9;
+  EXPECT_EQ(lift_off_remark(load), "");
+  load.contact_fraction = 0.75;
+  load.minimum = 0;
+  EXPECT_EQ(lift_off_remark(load),
+            "The foot has left the table in part: 75.0 % of the rim carries load, at a "
+            "moment ratio of 0.9.");
+  load.minimum = -999999;
+  EXPECT_EQ(lift_off_remark(load),
+            "The load is negative somewhere, down to -1e+06 N/rad: the table would have "
+            "to pull. 75.0 % of the rim carries load.");
+}
+
+} // namespace
+} // namespace stemware::pipeline
