@@ -2,34 +2,21 @@
 
 #include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
+#include "ring_model/load_functional.h"
 #include "ring_model/require.h"
 
 #include <cmath>
+#include <vector>
 
 namespace stemware::ring
 {
 namespace
 {
-/// Harmonic n of lambda seen from psi = theta - 90 deg, where the slip velocity is symmetric.
-struct SlipHarmonic
+/// a_n cos(n pi/2) + b_n sin(n pi/2): harmonic n of lambda as far as it is even in theta - 90 deg, like the
+/// slip speed.
+double even_part(const RingStack::Ring &load, unsigned int n)
 {
-  double even; ///< coefficient of cos(n psi): a_n cos(n pi/2) + b_n sin(n pi/2)
-  double odd;  ///< coefficient of sin(n psi): b_n cos(n pi/2) - a_n sin(n pi/2)
-};
-
-SlipHarmonic slip_harmonic(const RingStack::Ring &load, unsigned int n)
-{
-  switch (n % 4)
-  {
-  case 0:
-    return { load.a[n], load.b[n] };
-  case 1:
-    return { load.b[n], -load.a[n] };
-  case 2:
-    return { -load.a[n], -load.b[n] };
-  default:
-    return { -load.b[n], load.a[n] };
-  }
+  return (n % 4 < 2 ? 1. : -1.) * (n % 2 == 0 ? load.a[n] : load.b[n]);
 }
 } // namespace
 
@@ -42,23 +29,11 @@ CoulombRing::CoulombRing(double friction_coefficient)
 
 Wrench CoulombRing::wrench(const RingStack &load, double omega, double speed) const
 {
-  Wrench total{ 0., 0., 0. };
+  std::vector<double> radii;
   for (const RingStack::Ring &ring : load.rings())
-  {
-    const FrictionKernels kernels(omega * ring.radius, speed, load.n_harmonics());
-    Wrench sum{ ring.a[0] * kernels.K(0), ring.a[0] * kernels.U(0), 0. };
-    for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
-    {
-      const SlipHarmonic harmonic = slip_harmonic(ring, n);
-      sum.torque += harmonic.even * kernels.K(n);
-      sum.force_x += harmonic.even * kernels.U(n);
-      sum.force_y += n * harmonic.odd * kernels.P(n);
-    }
-    total.torque += mu * ring.radius * sum.torque;
-    total.force_x -= mu * sum.force_x;
-    total.force_y -= mu * sum.force_y;
-  }
-  return total;
+    radii.push_back(ring.radius);
+  const FrictionFunctionals friction = friction_functionals(mu, radii, load.n_harmonics(), omega, speed);
+  return { friction.torque(load), friction.drag(load), friction.side(load) };
 }
 
 Wrench CoulombRing::wrench_by_quadrature(const RingStack &load, double omega, double speed,
@@ -98,9 +73,9 @@ double CoulombRing::dissipation(const RingStack &load, double omega, double spee
   for (const RingStack::Ring &ring : load.rings())
   {
     const FrictionKernels kernels(omega * ring.radius, speed, load.n_harmonics());
-    double sum = ring.a[0] * kernels.slip_speed(0);
-    for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
-      sum += slip_harmonic(ring, n).even * kernels.slip_speed(n);
+    double sum = 0.;
+    for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+      sum += even_part(ring, n) * kernels.slip_speed(n);
     power += mu * sum;
   }
   return power;

@@ -47,25 +47,24 @@ TerminalSpin describe(const TorqueFunction &torque, double yaw_inertia, double o
 }
 } // namespace
 
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search)
+{
+  require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  const SpinZero zero = find_terminal_spin(torque, search);
+  if (zero.held)
+    return { 0., std::nan(""), std::nan(""), true, true };
+  const double step = search.spin_scale / 1024.;
+  const double slope = (torque(zero.omega + step) - torque(zero.omega - step)) / (2. * step);
+  return { zero.omega, slope, yaw_inertia / std::abs(slope), slope < 0. };
+}
+
 double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin)
 {
-  require_positive(spin_scale, "the spin scale v / R", "rad/s");
   require_finite(initial_spin, "the initial spin [rad/s]");
-  double near = initial_spin, torque_near = torque(near);
-  if (torque_near == 0.)
-    return near;
-  for (unsigned int step = 1; step <= 32 * 64; ++step)
-  {
-    const double far = initial_spin + std::copysign(step * spin_scale / 32., torque_near);
-    const double torque_far = torque(far);
-    if (torque_far * torque_near <= 0.)
-      return bracketed_zero(torque, near, far, torque_near, torque_far);
-    near = far;
-    torque_near = torque_far;
-  }
-  throw NoTerminalSpin(sentence("no terminal spin: from ", initial_spin,
-                                " rad/s the yaw torque keeps its sign up to ", near, " rad/s, where it is ",
-                                torque_near, " N m"));
+  SpinSearch search{ spin_scale };
+  search.tolerance = std::numeric_limits<double>::epsilon();
+  return initial_spin +
+         find_terminal_spin([&](double change) { return torque(initial_spin + change); }, search).omega;
 }
 
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,

@@ -2,23 +2,12 @@
 
 #include "ring_model/motion.h"
 #include "ring_model/ring_stack.h"
+#include "ring_model/spin_search.h"
 
-#include <functional>
-#include <stdexcept>
 #include <vector>
 
 namespace stemware::ring
 {
-/// Yaw torque tau_z [N m] at the spin omega [rad/s].
-using TorqueFunction = std::function<double(double omega)>;
-
-/// The torque keeps its sign as far as one searches: nothing ends the spin-up.
-class NoTerminalSpin : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /// A spin at which the yaw torque vanishes.
 struct TerminalSpin
 {
@@ -26,14 +15,21 @@ struct TerminalSpin
   double torque_slope;  ///< d tau_z / d omega there [N m s]
   double time_constant; ///< I_z / |slope| [s]: of the approach if stable, of the escape if not
   bool stable;          ///< slope < 0
+  bool held = false;    ///< the fingers hold the glass at rest (SpinZero::held): slope and time are NaN
 };
 
 /**
+ * The terminal spin by find_terminal_spin(), and its slope from two more torques at 1/1024 spin_scale from
+ * it: to 1e-6 of itself away from |omega| = spin_scale. Throws as that function, and if @p yaw_inertia is not
+ * positive.
+ */
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
+
+/**
  * The terminal spin that the ring reaches from @p initial_spin: the first zero of @p torque in the direction
- * in which the torque pushes, found in steps of 1/32 @p spin_scale and polished by bracketing (TOMS 748) to
- * rounding.
+ * in which the torque pushes, as find_terminal_spin() sees it, to rounding; with a slope of eighth order.
  *
- * @param spin_scale Spin at which the torque varies, v / R [rad/s]; the search ends 64 times as far away.
+ * @param spin_scale Spin at which the torque varies, v / R [rad/s].
  * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
  *         NoTerminalSpin if the torque does not change sign within the search.
  */

@@ -42,16 +42,16 @@ class ContactNewton
 {
 public:
   ContactNewton(ElasticBody &body, TableLaw &law, const LinearConditions &conditions, double radius,
-                const ContactControl &control, const Eigen::Vector3d &motion)
+                const ContactControl &control, const ContactStart &start)
       : body(body)
       , law(law)
       , control(control)
       , conditions(conditions)
       , radius(radius)
       , modes(body.contact_surface().motion_modes())
-      , motion(motion)
+      , motion(start.motion)
+      , normal_displacement(start.normal_displacement)
   {
-    normal_displacement = body.contact_displacement() + modes * motion;
     evaluate();
   }
 
@@ -71,9 +71,10 @@ public:
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
       // A set that still flips between two balanced iterates flips at places whose force is zero to within
       // the tolerance.
-      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before))
+      if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.set_matters))
         return;
-      require_new_set(visited, present_residual);
+      if (control.set_matters)
+        require_new_set(visited, present_residual);
       balanced_before = balanced;
       residual_before = present_residual;
       step();
@@ -101,7 +102,7 @@ public:
   ContactSolution solution() const
   {
     ContactSolution result;
-    result.forces = contact.forces;
+    result.forces = body.elastic_forces(contact.forces);
     result.normal_displacement = normal_displacement;
     result.motion = motion;
     result.n_iterations = n_steps;
@@ -111,8 +112,9 @@ public:
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
-    result.force_residual = std::abs(condition_residual(0)) / conditions.normal_force();
-    result.moment_residual = condition_residual.tail<2>().norm() / (conditions.normal_force() * radius);
+    const Eigen::Vector3d left = conditions.residual(result.forces, motion);
+    result.force_residual = std::abs(left(0)) / conditions.normal_force();
+    result.moment_residual = left.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
     return result;
   }
@@ -128,7 +130,7 @@ private:
   /// Evaluates the balance of the contact forces.
   void compute_residual()
   {
-    condition_residual = conditions.residual(contact.forces);
+    condition_residual = conditions.residual(contact.forces, motion);
     equilibrium = body.equilibrium_residual(contact.forces);
   }
 
@@ -206,11 +208,15 @@ private:
     }
     if (n_steps == 0 || n_changed > 0) // other places than those found to support it
       require_support();
-    const NewtonIncrement increment = solve();
-    const Eigen::VectorXd direction = increment.displacement + modes * increment.motion;
-    const double step_length = conditions.are_resultants() ? step_to_least_energy(increment, direction)
-                                                           : step_to_less_residual(direction);
-    motion += step_length * increment.motion;
+    // Of a start that is not yet what body and table make of it; the first step takes it away.
+    Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
+    if (n_steps == 0)
+      mismatch = normal_displacement - body.contact_displacement() - modes * motion;
+    const NewtonIncrement increment = solve(mismatch);
+    const Eigen::VectorXd direction = increment.displacement + modes * increment.motion - mismatch;
+    const double step_length = control.whole_steps || start_is_apart(mismatch) ? whole_step(increment, direction)
+                               : conditions.are_resultants() ? step_to_least_energy(increment, direction)
+                                                             : step_to_less_residual(increment, direction);
     normal_displacement += step_length * direction;
     report(increment, step_length, other_contact.active_set);
   }
@@ -227,19 +233,33 @@ private:
     if (step_length != 1)
       law.evaluate(normal_displacement + step_length * direction, other_contact);
     contact.swap(other_contact);
+    motion += step_length * increment.motion;
     compute_residual();
     return step_length;
   }
 
+  double whole_step(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
+  {
+    body.update(1);
+    motion += increment.motion;
+    contact.swap(other_contact);
+    law.evaluate(normal_displacement + direction, contact);
+    compute_residual();
+    if (!std::isfinite(residual()))
+      throw_overflow();
+    return 1;
+  }
+
   /// Takes the longest of the steps 1, 1/2, 1/4 ... that lowers the residual, the shortest of them where none
   /// does; returns its length and leaves the contact forces as step_to_least_energy().
-  double step_to_less_residual(const Eigen::VectorXd &direction)
+  double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
   {
     constexpr double shortest = 1. / 64;
     const double residual_before = residual();
     contact.swap(other_contact);
     double step_length = 1;
     body.update(step_length);
+    motion += increment.motion;
     for (;;)
     {
       law.evaluate(normal_displacement + step_length * direction, contact);
@@ -249,15 +269,21 @@ private:
       if (residual() < residual_before || residual() <= control.tolerance || step_length <= shortest)
         return step_length;
       body.update(-step_length / 2);
+      motion -= step_length / 2 * increment.motion;
       step_length /= 2;
     }
   }
 
-  NewtonIncrement solve()
+  bool start_is_apart(const Eigen::VectorXd &mismatch) const
+  {
+    return mismatch.lpNorm<Eigen::Infinity>() > 1e-12 * normal_displacement.lpNorm<Eigen::Infinity>();
+  }
+
+  NewtonIncrement solve(const Eigen::VectorXd &mismatch)
   {
     try
     {
-      return body.solve(contact.tangent, contact.forces, conditions);
+      return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
     }
     catch (const std::runtime_error &error)
     {
@@ -343,28 +369,6 @@ private:
   double last_step_length = 1;
 };
 
-/// Table motions under a foot that does not deform: pressed in so far that the whole zone carries, then
-/// released to balance.
-Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
-                                  const LinearConditions &conditions, double radius)
-{
-  RigidFoot foot(surface);
-  ContactControl control;
-  control.tolerance = 1e-6;
-  const double depth = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
-  const double softness = 1e-6 * radius;
-  const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + depth + softness), 0, 0);
-  ContactNewton newton(foot, law, conditions, radius, control, pressed_in);
-  newton.converge();
-  Eigen::Vector3d motion = newton.solution().motion;
-  // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
-  const double negligible = 1e-12 * motion.cwiseProduct(Eigen::Vector3d(1, radius, radius)).norm();
-  for (const Eigen::Index tilt : { 1, 2 })
-    if (std::abs(motion(tilt)) * radius < negligible)
-      motion(tilt) = 0;
-  return motion;
-}
-
 void require_balance(const ContactSolution &solution, const ContactControl &control)
 {
   if (solution.force_residual <= control.resultant_tolerance &&
@@ -378,19 +382,43 @@ void require_balance(const ContactSolution &solution, const ContactControl &cont
 
 } // namespace
 
+Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
+                                  const LinearConditions &conditions, double radius,
+                                  const Eigen::Vector3d &first)
+{
+  RigidFoot foot(surface);
+  ContactControl control;
+  control.tolerance = 1e-6;
+  control.set_matters = false;
+  ContactNewton newton(foot, law, conditions, radius, control, { first, surface.motion_modes() * first });
+  newton.converge();
+  Eigen::Vector3d motion = newton.solution().motion;
+  // A tilt that is rounding would break a mirror symmetry that bodies and laws make use of.
+  const double negligible = 1e-12 * motion.cwiseProduct(Eigen::Vector3d(1, radius, radius)).norm();
+  for (const Eigen::Index tilt : { 1, 2 })
+    if (std::abs(motion(tilt)) * radius < negligible)
+      motion(tilt) = 0;
+  return motion;
+}
+
 ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
-                              double radius, const ContactControl &control, const Eigen::Vector3d *start)
+                              double radius, const ContactControl &control, const ContactStart *start)
 {
   require_possible(conditions);
-  Eigen::Vector3d motion;
+  ContactStart begin;
   if (start)
-    motion = *start;
+    begin = *start;
   else
   {
     body.reset();
-    motion = rigid_foot_motion(body.contact_surface(), law, conditions, radius);
+    // From a foot that is pressed in so far that the whole zone carries.
+    const ContactSurface &surface = body.contact_surface();
+    const double rise = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
+    const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + rise + 1e-6 * radius), 0, 0);
+    begin.motion = rigid_foot_motion(surface, law, conditions, radius, pressed_in);
+    begin.normal_displacement = surface.motion_modes() * begin.motion;
   }
-  ContactNewton newton(body, law, conditions, radius, control, motion);
+  ContactNewton newton(body, law, conditions, radius, control, begin);
   newton.converge_outer_iteration();
   const ContactSolution solution = newton.solution();
   require_balance(solution, control);

@@ -28,26 +28,47 @@ struct ContactControl
   double equilibrium_tolerance = 1e-9;
   /// Final check of the conditions: |sum f - N| / N and the other two over N R.
   double resultant_tolerance = 1e-9;
-  unsigned int max_steps = 100;                           ///< Newton steps in all
+  unsigned int max_steps = 100; ///< Newton steps in all
+  /// Whether every step is taken whole: what a start close to the solution asks for, and where there is no
+  /// energy to descend.
+  bool whole_steps = false;
+  /// Whether the active set has to stay what it is for convergence, and may not come back: complementarity at
+  /// nodes. A pressure that is integrated along lines depends on its edges smoothly.
+  bool set_matters = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
+};
+
+/// Where a contact solve begins: the table motions, and the normal displacement at which the table law is
+/// first evaluated. That need not be what body and table make of it at the moment: a body that answers
+/// otherwise than before, because friction has turned or the table law has become stiffer, then starts from the
+/// places that carried load.
+struct ContactStart
+{
+  Eigen::Vector3d motion;
+  Eigen::VectorXd normal_displacement; ///< at the contact nodes [m]
 };
 
 /// Presses @p body on the table described by @p law until the normal forces fulfil @p conditions.
 ///
-/// Damped Newton method, started from the body's present displacement when @p start (the table motions to
-/// begin with) is given, else from rest with the solution of the rigid foot. Under prescribed resultants the
+/// Damped Newton method, started from the body's present displacement when @p start is given, else from rest
+/// with the solution of the rigid foot. Under prescribed resultants the
 /// step length minimises the energy of body and table, which is convex; under other conditions there is no
 /// energy, and it is halved until the residual falls. @p radius is the length R that scales moments. Throws
 /// ContactFailure for every named outcome but `converged` and `narrow_contact`.
 ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
                               double radius, const ContactControl &control = {},
-                              const Eigen::Vector3d *start = nullptr);
+                              const ContactStart *start = nullptr);
+
+/// Table motions under a foot that does not deform, found from @p first. Throws ContactFailure.
+Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
+                                  const LinearConditions &conditions, double radius,
+                                  const Eigen::Vector3d &first);
 
 /// solve_contact() under the prescribed resultants @p load. Throws std::invalid_argument unless N > 0 and all
 /// is finite.
 inline ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const Resultants &load, double radius,
                                      const ContactControl &control = {},
-                                     const Eigen::Vector3d *start = nullptr)
+                                     const ContactStart *start = nullptr)
 {
   return solve_contact(body, law, prescribed_resultants(body.contact_surface(), load), radius, control,
                        start);

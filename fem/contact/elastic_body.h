@@ -33,18 +33,22 @@ public:
   /// B u: vertical displacement of the contact nodes, upward > 0 [m].
   virtual Eigen::VectorXd contact_displacement() const = 0;
 
-  /// Solves [K + B'TB, B'TQ; L'TB, L'TQ] [du; dq] = [B' forces - K u; L' forces - t], @p tangent T as in
-  /// ContactForces, L and t of @p conditions. Symmetric positive definite where L = Q, as long as the loaded
-  /// places are not on one line. Throws std::runtime_error when the linear solver does not converge or the
-  /// system is singular.
+  /// Solves [K + B'TB, B'TQ; L'TB, L'TQ - H] [du; dq] = [B' forces - K u; L' forces + H q - t], @p tangent T
+  /// as in ContactForces, L, H and t of @p conditions, q = @p motion. Symmetric positive definite where L = Q
+  /// and H = 0, as long as the loaded places are not on one line. Throws std::runtime_error when the linear
+  /// solver does not converge or the system is singular.
   virtual NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                const LinearConditions &conditions) = 0;
+                                const LinearConditions &conditions, const Eigen::Vector3d &motion) = 0;
 
   /// Adds @p step_length of the last step to the state.
   virtual void update(double step_length) = 0;
 
   /// Forgets the state: u = 0.
   virtual void reset() = 0;
+
+  /// The nodal forces whose elastic response the displacement is, where the body knows them; they fulfil
+  /// the conditions to rounding after a whole step. Else @p forces, those of the table law.
+  virtual Eigen::VectorXd elastic_forces(const Eigen::VectorXd &forces) const { return forces; }
 
   /// |B' forces - K u| / |B' forces|.
   virtual double equilibrium_residual(const Eigen::VectorXd &forces) const = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/contact_demand.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/pressure_map.h"
@@ -27,10 +28,12 @@ struct Slip
 struct ContactState
 {
   LoadHarmonics load;                    ///< in the slip frame
-  ContactSolution solution;              ///< in the frame turned by `direction`
+  ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
   Slip slip;                             ///< that it was solved for
-  double direction = 0;                  ///< azimuth of the solution's x axis in the slip frame [rad]
+  /// Between which radii the load lies but for rounding [m].
+  double inner_radius = 0;
+  double outer_radius = 0;
 };
 
 /// What a foot is made of, for people and for summary.json.
@@ -46,8 +49,6 @@ struct FootDescription
 /// What a foot can do, to be asked instead of its kind.
 struct FootCapabilities
 {
-  /// The load depends on |M_N| alone and turns with it: a curve over the moment says all.
-  bool is_isotropic = false;
   /// Friction tractions act back on the pressure: the load depends on the spin.
   bool friction_deforms = false;
   /// Solving takes all MPI ranks together, so two feet cannot be solved side by side.
@@ -77,10 +78,10 @@ public:
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
-  /// Solves the contact under the resultants @p load at @p slip, from the solution before where there is one.
+  /// Solves the contact under @p demand at @p slip, from the solution before where there is one.
   /// @p progress is called after each Newton step, which the state's history keeps too, where a solve takes
   /// long (a solid foot; not a body of revolution); may be empty. Throws ContactFailure.
-  virtual ContactState solve(const Resultants &load, const Slip &slip = {},
+  virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
   /// The pressure of any state of this foot as forces where they lie, slip frame.

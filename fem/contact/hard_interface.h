@@ -2,6 +2,8 @@
 
 #include "fem/contact/interface_law.h"
 
+#include <limits>
+
 namespace stemware::fem
 {
 
@@ -10,6 +12,12 @@ namespace stemware::fem
 struct HardInterface : InterfaceLaw
 {
   bool is_hard() const override { return true; }
+  double stiffness_at(double) const override { return std::numeric_limits<double>::infinity(); }
+  double penetration_at(double) const override { return 0; }
+  std::shared_ptr<const InterfaceLaw> softened(double) const override
+  {
+    return std::make_shared<HardInterface>();
+  }
   std::unique_ptr<TableLaw> make(const ContactSurface &surface, double penalty) const override;
 };
 

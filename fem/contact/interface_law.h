@@ -18,6 +18,15 @@ public:
   /// the body has modes, a mesh that resolves the Hertz contact, and augmented-Lagrangian updates.
   virtual bool is_hard() const { return false; }
 
+  /// dp/d(penetration) where the pressure is @p pressure [Pa/m]; infinite for a hard law.
+  virtual double stiffness_at(double pressure) const = 0;
+
+  /// Where the pressure is @p pressure > 0 [m].
+  virtual double penetration_at(double pressure) const = 0;
+
+  /// A law of the same kind whose stiffness_at() is smaller by @p factor >= 1: the way to a solution from afar.
+  virtual std::shared_ptr<const InterfaceLaw> softened(double factor) const = 0;
+
   /// The law on @p surface, to which it keeps a reference. @p penalty [Pa/m] steers a hard law, and only the
   /// path to its solution: E / (cell size) is the natural scale. Throws std::invalid_argument for parameters
   /// that are not allowed.

@@ -13,30 +13,37 @@ struct Resultants
   double moment_y = 0;     ///< M_Ny = -sum x f [N m]
 };
 
-/// Three linear conditions L'f = t on the nodal forces f of a contact. The first column of L is 1, so that
-/// t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y) prescribes the resultants, a
-/// moment balance adds to x and y the arm of the friction that the normal forces bring along (PHYSICS §5).
+/// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The first
+/// column of L is 1, so that t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y) and H = 0
+/// prescribe the resultants; a moment balance adds to x and y the arm of the friction that the normal forces
+/// bring along, and with H the moment of the weight of a glass that leans (docs/theory/closures.md).
 class LinearConditions
 {
 public:
-  /// @p weights L of shape [n_nodes, 3], columns in 1, m, m; @p target t in N, N m, N m. Throws
-  /// std::invalid_argument unless the shape is that of @p surface, the first column 1, everything finite and
-  /// t_0 > 0.
-  LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights, const Eigen::Vector3d &target);
+  /// @p weights L of shape [n_nodes, 3], columns in 1, m, m; @p target t in N, N m, N m; @p motion_weights H,
+  /// columns per m, rad, rad. Throws std::invalid_argument unless the shape is that of @p surface, the first
+  /// column 1, everything finite and t_0 > 0.
+  LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights, const Eigen::Vector3d &target,
+                   const Eigen::Matrix3d &motion_weights = Eigen::Matrix3d::Zero());
 
   const Eigen::MatrixX3d &weights() const { return L; }
   const Eigen::Vector3d &target() const { return t; }
+  const Eigen::Matrix3d &motion_weights() const { return H; }
   double normal_force() const { return t(0); }
 
-  /// Whether L = Q to the last bit: equilibrium then minimises an energy and Newton's matrix is symmetric.
+  /// Whether L = Q to the last bit and H = 0: equilibrium then minimises an energy and Newton's matrix is symmetric.
   bool are_resultants() const { return symmetric; }
 
-  /// L'f - t for nodal @p forces [N]: in N, N m, N m.
-  Eigen::Vector3d residual(const Eigen::VectorXd &forces) const { return L.transpose() * forces - t; }
+  /// L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad]: in N, N m, N m.
+  Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const
+  {
+    return L.transpose() * forces + H * motion - t;
+  }
 
 private:
   Eigen::MatrixX3d L;
   Eigen::Vector3d t;
+  Eigen::Matrix3d H;
   bool symmetric;
 };
 

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -30,7 +33,7 @@ public:
   }
 
   /// Adds the force of @p point at @p radius, the share @p shares[j] of it to ring j.
-  void add(const PointForce &point, double radius, const std::vector<double> &shares)
+  void add(const PointForce &point, double radius, const Eigen::VectorXd &shares)
   {
     const double new_cosine = radius > 0 ? point.x / radius : 1;
     const double new_sine = radius > 0 ? point.y / radius : 0;
@@ -41,7 +44,7 @@ public:
       sine = new_sine;
     }
     for (std::size_t j = 0; j < forces.size(); ++j)
-      forces[j] += shares[j] * point.force;
+      forces[j] += shares(static_cast<Eigen::Index>(j)) * point.force;
   }
 
   /// Brings the last line's forces into the sums, and hands these over.
@@ -83,18 +86,6 @@ private:
   double sine = 0;
 };
 
-/// Lagrange polynomials of @p nodes at @p x into @p values.
-void evaluate_lagrange(const std::vector<double> &nodes, double x, std::vector<double> &values)
-{
-  for (std::size_t j = 0; j < nodes.size(); ++j)
-  {
-    values[j] = 1;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      if (k != j)
-        values[j] *= (x - nodes[k]) / (nodes[j] - nodes[k]);
-  }
-}
-
 void require_radii(const std::vector<double> &radii)
 {
   bool usable = !radii.empty() && std::isfinite(radii.back());
@@ -128,8 +119,9 @@ LoadHarmonics sums_of(const std::vector<PointForce> &forces, unsigned int n_harm
   load.radii = radii;
   double first_radial_moment = 0;
   double second_radial_moment = 0;
-  std::vector<double> shares(std::max<std::size_t>(radii.size(), 1), 1.);
-  AzimuthSums sums(shares.size(), n_harmonics);
+  const std::optional<RingShares> shares = radii.empty() ? std::nullopt : std::optional(RingShares(radii));
+  const Eigen::VectorXd whole = Eigen::VectorXd::Ones(1);
+  AzimuthSums sums(std::max<std::size_t>(radii.size(), 1), n_harmonics);
   for (const PointForce &point : forces)
   {
     const double radius = std::sqrt(point.x * point.x + point.y * point.y);
@@ -138,9 +130,7 @@ LoadHarmonics sums_of(const std::vector<PointForce> &forces, unsigned int n_harm
     load.moment_y -= point.x * point.force;
     first_radial_moment += radius * point.force;
     second_radial_moment += radius * radius * point.force;
-    if (radii.size() > 1)
-      evaluate_lagrange(radii, radius, shares);
-    sums.add(point, radius, shares);
+    sums.add(point, radius, shares ? shares->at(radius) : whole);
   }
   if (!(load.normal_force > 0))
     throw std::invalid_argument(
@@ -153,6 +143,40 @@ LoadHarmonics sums_of(const std::vector<PointForce> &forces, unsigned int n_harm
 }
 
 } // namespace
+
+double LoadFunction::operator()(const LoadHarmonics &load) const
+{
+  double value = 0;
+  for (std::size_t j = 0; j < a.size(); ++j)
+    for (std::size_t n = 0; n < std::min(a[j].size(), load.a[j].size()); ++n)
+      value += a[j][n] * load.a[j][n] + b[j][n] * load.b[j][n];
+  return value;
+}
+
+RingShares::RingShares(std::vector<double> radii_given)
+    : radii(std::move(radii_given))
+    , denominators(radii.size(), 1.)
+    , shares(static_cast<Eigen::Index>(radii.size()))
+{
+  require_radii(radii);
+  for (std::size_t j = 0; j < radii.size(); ++j)
+    for (std::size_t k = 0; k < radii.size(); ++k)
+      if (k != j)
+        denominators[j] *= radii[j] - radii[k];
+}
+
+const Eigen::VectorXd &RingShares::at(double radius) const
+{
+  for (std::size_t j = 0; j < radii.size(); ++j)
+  {
+    double product = 1;
+    for (std::size_t k = 0; k < radii.size(); ++k)
+      if (k != j)
+        product *= radius - radii[k];
+    shares(static_cast<Eigen::Index>(j)) = product / denominators[j];
+  }
+  return shares;
+}
 
 LoadHarmonics LoadHarmonics::turned(double angle) const
 {
@@ -183,10 +207,97 @@ LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n
   return sums_of(forces, n_harmonics, radii);
 }
 
-LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics)
+LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::VectorXd &radii,
+                                 unsigned int n_harmonics, const std::vector<double> &ring_radii)
+{
+  const Eigen::Index n_lines = forces.cols();
+  const double width = 2 * pi / static_cast<double>(n_lines);
+  const Eigen::RowVectorXd on_lines = forces.colwise().sum();
+  LoadHarmonics load;
+  load.normal_force = on_lines.sum();
+  if (!(load.normal_force > 0))
+    throw std::invalid_argument("There is no load on the table, so there are no load harmonics.");
+
+  // Samples on the lines: the load of each ring, or of all, and its first radial moment.
+  Eigen::MatrixXd samples(1, n_lines);
+  samples.row(0) = on_lines;
+  if (!ring_radii.empty())
+  {
+    const RingShares shares(ring_radii);
+    Eigen::MatrixXd of_circles(ring_radii.size(), radii.size());
+    for (Eigen::Index i = 0; i < radii.size(); ++i)
+      of_circles.col(i) = shares.at(radii(i));
+    samples = of_circles * forces;
+  }
+  const Eigen::RowVectorXd moment = radii.transpose() * forces;
+  const double second_moment = radii.cwiseAbs2().dot(forces.rowwise().sum());
+
+  // cos and sin of n theta_j repeat with n j modulo the number of lines.
+  Eigen::VectorXd cosines(n_lines), sines(n_lines);
+  for (Eigen::Index k = 0; k < n_lines; ++k)
+  {
+    cosines(k) = std::cos(width * static_cast<double>(k));
+    sines(k) = std::sin(width * static_cast<double>(k));
+  }
+  load.moment_x = moment * sines;
+  load.moment_y = -(moment * cosines).value();
+  Eigen::MatrixXd even(n_lines, n_harmonics + 1), odd(n_lines, n_harmonics + 1);
+  for (Eigen::Index n = 0; n <= n_harmonics; ++n)
+    for (Eigen::Index j = 0; j < n_lines; ++j)
+    {
+      even(j, n) = cosines(n * j % n_lines);
+      odd(j, n) = sines(n * j % n_lines);
+    }
+  const Eigen::MatrixXd a = samples * even / pi;
+  const Eigen::MatrixXd b = samples * odd / pi;
+  for (Eigen::Index j = 0; j < samples.rows(); ++j)
+  {
+    load.a.emplace_back(n_harmonics + 1);
+    load.b.emplace_back(n_harmonics + 1);
+    for (unsigned int n = 0; n <= n_harmonics; ++n)
+    {
+      load.a.back()[n] = n == 0 ? a(j, 0) / 2 : a(j, n);
+      load.b.back()[n] = n == 0 ? 0 : b(j, n);
+    }
+  }
+  load.mean_radius = moment.sum() / load.normal_force;
+  load.radii = ring_radii;
+  if (ring_radii.empty())
+    load.radii = { ring_radius(load, moment.sum(), second_moment) };
+
+  unsigned int n_loaded = 0;
+  const double threshold = 1e-11 * on_lines.maxCoeff(); // of rounding
+  for (Eigen::Index j = 0; j < n_lines; ++j)
+  {
+    load.pointwise.push_back({ width * static_cast<double>(j), on_lines(j) / width });
+    n_loaded += on_lines(j) > threshold ? 1 : 0;
+  }
+  load.minimum = std::max(0., on_lines.minCoeff()) / width;
+  load.contact_fraction = n_loaded / static_cast<double>(n_lines);
+  return load;
+}
+
+std::pair<double, double> loaded_band(const std::vector<PointForce> &forces)
+{
+  double largest = 0;
+  for (const PointForce &point : forces)
+    largest = std::max(largest, point.force);
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;
+  for (const PointForce &point : forces)
+    if (point.force > 1e-9 * largest)
+    {
+      const double radius = std::hypot(point.x, point.y);
+      inner = std::min(inner, radius);
+      outer = std::max(outer, radius);
+    }
+  return { inner, outer };
+}
+
+LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
+                           const std::vector<double> &ring_radii)
 {
   TableLoad on_table = law.load(solution);
-  LoadHarmonics load = harmonics_of(on_table.points, n_harmonics);
+  LoadHarmonics load = sums_of(on_table.points, n_harmonics, ring_radii);
   load.pointwise = std::move(on_table.density);
   const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
   { return one.density < other.density; };

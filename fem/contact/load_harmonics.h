@@ -2,6 +2,7 @@
 
 #include "fem/contact/contact_newton.h"
 
+#include <utility>
 #include <vector>
 
 namespace stemware::fem
@@ -32,10 +33,46 @@ struct LoadHarmonics
   LoadHarmonics turned(double angle) const;
 };
 
-/// Harmonics 0 ... @p n_harmonics of a contact solution on one ring, from the law's own quadrature points:
-/// harmonics_of() with contact_fraction, minimum and pointwise. Throws std::invalid_argument when there is no
-/// load.
-LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics);
+/// A linear function of a load, sum_j sum_n a[j][n] a_jn + b[j][n] b_jn, in units of its value per N/rad.
+struct LoadFunction
+{
+  std::vector<std::vector<double>> a; ///< shape [n_rings, n_harmonics + 1]; harmonics beyond do not count
+  std::vector<std::vector<double>> b;
+
+  double operator()(const LoadHarmonics &load) const;
+};
+
+/// How rings share a force by its radius: the values there of the Lagrange polynomials of their radii, so that
+/// radial moments up to one less than the number of rings are kept. One ring gets all.
+class RingShares
+{
+public:
+  /// Throws std::invalid_argument unless the radii are positive and ascending.
+  explicit RingShares(std::vector<double> radii);
+
+  /// Shares of a force at @p radius, one for each ring; valid until the next call.
+  const Eigen::VectorXd &at(double radius) const;
+
+private:
+  std::vector<double> radii;
+  std::vector<double> denominators; ///< prod_k (r_j - r_k)
+  mutable Eigen::VectorXd shares;
+};
+
+/// The load of nodal @p forces on circles @p radii [m] and equidistant azimuth lines, shape [n_radii, n_lines]
+/// [N]: on rings of @p ring_radii, on the one that carries moment and first harmonic where these are empty.
+/// With the pointwise quantities, those of the lines. Throws std::invalid_argument when there is no load.
+LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::VectorXd &radii,
+                                 unsigned int n_harmonics, const std::vector<double> &ring_radii);
+
+/// Harmonics 0 ... @p n_harmonics of a contact solution from the law's own quadrature points, on rings of
+/// @p ring_radii, on one ring where these are empty: harmonics_of() with contact_fraction, minimum and
+/// pointwise. Throws std::invalid_argument when there is no load.
+LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
+                           const std::vector<double> &ring_radii = {});
+
+/// Least and largest radius [m] of those @p forces that are more than rounding of the largest.
+std::pair<double, double> loaded_band(const std::vector<PointForce> &forces);
 
 /// Harmonics of @p forces on one ring: a_n = sum f_i cos(n theta_i) / pi (a_0 half of that), b_n likewise,
 /// and the radius that carries the moment, |M_N| / (pi sqrt(a_1^2 + b_1^2)); without a moment sum f r^2 / sum

@@ -30,10 +30,11 @@ Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eig
 }
 
 NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                 const LinearConditions &conditions)
+                                 const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
-  const Eigen::Matrix3d stiffness = support_of(tangent, conditions.weights(), modes);
-  const Eigen::Vector3d residual = conditions.residual(forces);
+  const Eigen::Matrix3d stiffness =
+    support_of(tangent, conditions.weights(), modes) - conditions.motion_weights();
+  const Eigen::Vector3d residual = conditions.residual(forces, motion);
   NewtonIncrement step;
   step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
   bool is_regular = false;

@@ -26,7 +26,7 @@ public:
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                        const LinearConditions &conditions) override;
+                        const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double) override {}
   void reset() override {}
   double equilibrium_residual(const Eigen::VectorXd &) const override { return 0; }

@@ -24,6 +24,20 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
   }
 
+  double stiffness_at(double pressure) const override
+  {
+    return std::min(pressure, reference_pressure) / decay_length;
+  }
+  double penetration_at(double pressure) const override
+  {
+    const double ratio = pressure / reference_pressure;
+    return decay_length * (ratio < 1 ? std::log(ratio) : ratio - 1);
+  }
+  std::shared_ptr<const InterfaceLaw> softened(double factor) const override
+  {
+    return std::make_shared<RoughInterface>(reference_pressure, decay_length * factor);
+  }
+
   double reference_pressure = 1e9; ///< p0, at touching mean planes [Pa]
   double decay_length = 1e-6;      ///< s [m], of the order of the rms roughness
 

@@ -14,6 +14,13 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   {
   }
 
+  double stiffness_at(double) const override { return modulus; }
+  double penetration_at(double pressure) const override { return pressure / modulus; }
+  std::shared_ptr<const InterfaceLaw> softened(double factor) const override
+  {
+    return std::make_shared<WinklerInterface>(modulus / factor);
+  }
+
   double modulus; ///< k [Pa/m]
 
   double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }

@@ -1,11 +1,7 @@
 #pragma once
 
 #include "fem/contact/elastic_body.h"
-#include "fem/contact/sliding_traction.h"
-#include "fem/revolution/contact_compliance.h"
-#include "fem/revolution/fourier_basis.h"
-#include "fem/revolution/harmonic_newton.h"
-#include "fem/revolution/line_tangents.h"
+#include "fem/revolution/elastic_response.h"
 
 #include <functional>
 #include <optional>
@@ -13,20 +9,10 @@
 namespace stemware::fem
 {
 
-/// Modes of the normal, radial and azimuthal forces on the contact circles, sum_j f_j mode(theta_j) [N], each
-/// of shape [n_radii, n_modes].
-struct ForceModes
-{
-  Eigen::MatrixXd normal;
-  Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
-  Eigen::MatrixXd azimuthal; ///< against the conjugates of the modes
-};
-
-/// Elastic foot that is a body of revolution, displacement harmonics as unknowns (docs/method/revolution.md).
+/// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md).
 ///
 /// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on
-/// circle i and line j. Its displacement has harmonics up to those of the compliance; the table law, and with
-/// it the load, is resolved on the lines.
+/// circle i and line j. Its state are the nodal forces whose elastic response its displacement is.
 class BodyOfRevolution : public ElasticBody
 {
 public:
@@ -48,46 +34,36 @@ public:
   void set_sliding(const std::optional<SlidingTraction> &traction);
 
   const ContactSurface &contact_surface() const override { return surface; }
-  Eigen::VectorXd contact_displacement() const override;
+  Eigen::VectorXd contact_displacement() const override { return displacement.reshaped(); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                        const LinearConditions &conditions) override;
+                        const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
   void reset() override;
+  Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state.reshaped(); }
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
   unsigned int n_unknowns() const override;
 
-  const FourierBasis &fourier_basis() const { return basis; }
-  const ContactCompliance &contact_compliance() const { return compliance; }
+  const ElasticResponse &elastic_response() const { return response; }
+  const FourierBasis &fourier_basis() const { return response.basis(); }
+  const ContactCompliance &contact_compliance() const { return response.compliance(); }
 
-  /// contact_displacement() as amplitudes of the modes on the contact circles [m], shape [n_radii, n_modes].
-  Eigen::MatrixXd contact_displacement_modes() const { return displacement_modes(state); }
-  /// The forces whose elastic response is the present displacement.
-  const ForceModes &force_modes() const { return state; }
+  /// Takes the displacement under nodal @p forces [N] as the state.
+  void set_forces(const Eigen::VectorXd &forces);
+  /// The displacement under the forces on circle @p i as a table motion: its mean and its tilts.
+  Eigen::Vector3d motion_of_circle(Eigen::Index i) const;
+
+  /// The nodal forces whose elastic response the displacement is [N], shape [n_radii, n_lines].
+  const Eigen::MatrixXd &forces() const { return state; }
 
 private:
-  const ForceModes &modes_of(const Eigen::VectorXd &forces) const;
-  ForceModes residual(const Eigen::VectorXd &forces) const;
-  Eigen::MatrixXd displacement_modes(const ForceModes &forces) const;
-  Eigen::MatrixXd on_circles(const Eigen::MatrixXd &whole, const LineTangents &tangents,
-                             const std::vector<unsigned int> &modes) const;
-  bool is_even(const LineTangents &tangents, const Eigen::VectorXd &forces,
-               const LinearConditions &conditions) const;
-  NewtonConditions in_modes(const LinearConditions &conditions, const Eigen::SparseMatrix<double> &tangent,
-                            const Eigen::VectorXd &forces, const LineTangents &tangents,
-                            const std::vector<unsigned int> &modes) const;
-  bool has_sliding() const { return slide_radial.size() > 0; }
   void make_lines();
 
-  ContactCompliance compliance;
-  FourierBasis basis;
+  ElasticResponse response;
   ContactSurface surface;
-  /// Radial traction per pressure, shape [n_radii, n_lines]; empty without friction.
-  Eigen::MatrixXd slide_radial;
-  Eigen::MatrixXd slide_azimuthal;
-  ForceModes state; ///< forces whose elastic response is the displacement
-  ForceModes increment;
-  mutable Eigen::VectorXd projected_forces; ///< whose modes are in `projection`
-  mutable ForceModes projection;
+  Eigen::MatrixXd state;        ///< forces on the lines, shape [n_radii, n_lines]
+  Eigen::MatrixXd displacement; ///< their elastic response
+  Eigen::MatrixXd increment;    ///< of the forces, by the last solve()
+  Eigen::MatrixXd moved;        ///< of the displacement
 };
 
 } // namespace stemware::fem

@@ -39,11 +39,8 @@ ContactCompliance &ContactCompliance::operator+=(const ContactCompliance &other)
     throw std::invalid_argument(
       "The two bodies do not have the same number of harmonics; give both the same.");
   for (std::size_t n = 0; n < harmonics.size(); ++n)
-  {
-    harmonics[n].normal += other.harmonics[n].normal;
-    harmonics[n].radial += other.harmonics[n].radial;
-    harmonics[n].azimuthal += other.harmonics[n].azimuthal;
-  }
+    harmonics[n] += other.harmonics[n];
+  beyond += other.beyond;
   n_meridian_unknowns += other.n_meridian_unknowns;
   return *this;
 }
@@ -68,8 +65,14 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   tbb::this_task_arena::isolate(
     [&]
     {
-      tbb::parallel_for(0u, options.n_harmonics + 1,
-                        [&](unsigned int n) { result.harmonics[n] = space.compliance(n); });
+      tbb::parallel_for(0u, options.n_harmonics + 2,
+                        [&](unsigned int n)
+                        {
+                          if (n <= options.n_harmonics)
+                            result.harmonics[n] = space.compliance(n);
+                          else
+                            result.beyond = space.compliance(options.beyond());
+                        });
     });
   return result;
 }

@@ -28,6 +28,14 @@ struct HarmonicCompliance
   Eigen::MatrixXd normal;
   Eigen::MatrixXd radial;
   Eigen::MatrixXd azimuthal;
+
+  HarmonicCompliance &operator+=(const HarmonicCompliance &other)
+  {
+    normal += other.normal;
+    radial += other.radial;
+    azimuthal += other.azimuthal;
+    return *this;
+  }
 };
 
 /// A body of revolution as the contact sees it: what its contact circles do under forces on them, harmonic by
@@ -37,6 +45,7 @@ struct ContactCompliance
   Eigen::VectorXd radii;                     ///< of the contact nodes, ascending [m]
   unsigned int degree = 0;                   ///< of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
+  HarmonicCompliance beyond; ///< of all harmonics above n_harmonics(), see MeridianOptions::beyond()
   unsigned int n_meridian_unknowns = 0;      ///< degrees of freedom of one meridional problem
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
@@ -56,6 +65,9 @@ struct MeridianOptions
 {
   unsigned int degree = 2;       ///< of the elements, 1 to 4
   unsigned int n_harmonics = 16; ///< highest harmonic of the elastic response
+
+  /// The harmonic whose compliance stands for all above n_harmonics: half an octave up.
+  unsigned int beyond() const { return n_harmonics + (n_harmonics + 1) / 2; }
 };
 
 /// Compliances of the contact zone (boundary id 2) of the body of revolution with the meridional section @p

@@ -17,33 +17,86 @@ namespace stemware::fem
 namespace
 {
 
+void drop_friction(ContactCompliance &compliance)
+{
+  for (HarmonicCompliance &harmonic : compliance.harmonics)
+  {
+    harmonic.radial.setZero();
+    harmonic.azimuthal.setZero();
+  }
+  compliance.beyond.radial.setZero();
+  compliance.beyond.azimuthal.setZero();
+}
+
+void drop_elasticity(ContactCompliance &compliance)
+{
+  drop_friction(compliance);
+  for (HarmonicCompliance &harmonic : compliance.harmonics)
+    harmonic.normal.setZero();
+  compliance.beyond.normal.setZero();
+}
+
+/// Of foot and substrate together, with what the setup switches off.
 std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup, ComplianceCache &cache)
 {
   dealii::Triangulation<2> foot;
   make_meridian_mesh(setup.profile, setup.resolution, foot);
-  const auto compliance = cache.get(foot, setup.material, setup.meridian);
-  if (!setup.table.substrate)
-    return compliance;
-  dealii::Triangulation<2> disc;
-  make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
-  const auto of_both = std::make_shared<ContactCompliance>(*compliance);
-  *of_both += *cache.get(disc, setup.table.substrate->material, setup.meridian);
+  const auto whole = cache.get(foot, setup.material, setup.meridian);
+  if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
+    return whole;
+  const auto of_both = std::make_shared<ContactCompliance>(*whole);
+  if (setup.foot_is_rigid)
+    drop_elasticity(*of_both);
+  else if (!setup.friction_in_foot)
+    drop_friction(*of_both);
+  if (setup.table.substrate)
+  {
+    dealii::Triangulation<2> disc;
+    make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
+    ContactCompliance below = *cache.get(disc, setup.table.substrate->material, setup.meridian);
+    if (!setup.friction_in_substrate)
+      drop_friction(below);
+    *of_both += below;
+  }
   return of_both;
 }
 
-/// Complementarity node by node has a unique answer only if every node has a degree of freedom: as many lines
-/// as modes.
-unsigned int lines_of(const RevolutionSetup &setup)
+/// (1 - nu^2) / E of the bodies that yield, 1 / E* [1/Pa].
+double plane_strain_compliance(const RevolutionSetup &setup)
 {
-  return setup.table.interface->is_hard() ? 2 * setup.meridian.n_harmonics + 1 : setup.n_lines;
+  const auto of = [](const ElasticMaterial &material)
+  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus; };
+  double compliance = setup.foot_is_rigid ? 0 : of(setup.material);
+  if (setup.table.substrate)
+    compliance += of(setup.table.substrate->material);
+  return compliance;
 }
 
-ContactControl control_of(const RevolutionSetup &setup)
+/// Load per length of the rim [N/m].
+double line_load(const RevolutionSetup &setup, double normal_force)
+{
+  return normal_force / (2 * boost::math::double_constants::pi * setup.profile.contact_radius);
+}
+
+/// A hard interface as a stiff spring: its penetration is 1 / hardness of what the contact itself yields.
+std::shared_ptr<const InterfaceLaw> interface_of(const RevolutionSetup &setup)
+{
+  if (!setup.table.interface->is_hard())
+    return setup.table.interface;
+  const double compliance = plane_strain_compliance(setup);
+  if (compliance == 0)
+    throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; let one of the "
+                                "three yield.");
+  const double width = setup.profile.crown_radius > 0 ? setup.contact_half_width : setup.profile.land_width;
+  return std::make_shared<WinklerInterface>(setup.hardness / (compliance * width));
+}
+
+ContactControl contact_control()
 {
   ContactControl control;
-  control.tolerance = 1e-10; // one Newton step less on most of a path of neighbouring loads
-  if (setup.table.interface->is_hard())
-    control.max_steps = 400; // augmented-Lagrangian updates take steps too
+  control.tolerance = 1e-10;
+  control.equilibrium_tolerance = 1e-9;
+  control.set_matters = false;
   return control;
 }
 
@@ -51,20 +104,15 @@ ContactControl control_of(const RevolutionSetup &setup)
 
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)
 {
-  const auto plane_strain_compliance = [](const ElasticMaterial &material)
-  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus; };
-  double compliance = plane_strain_compliance(setup.material);
-  if (setup.table.substrate)
-    compliance += plane_strain_compliance(setup.table.substrate->material);
-  const double line_load =
-    normal_force / (2 * boost::math::double_constants::pi * setup.profile.contact_radius);
-  return std::sqrt(4 * line_load * setup.profile.crown_radius * compliance /
-                   boost::math::double_constants::pi);
+  return std::sqrt(4 * line_load(setup, normal_force) * setup.profile.crown_radius *
+                   plane_strain_compliance(setup) / boost::math::double_constants::pi);
 }
 
 RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
+  resolved.normal_force = normal_force;
+  resolved.contact_half_width = hertz_half_width(*this, normal_force);
   const bool flat = profile.crown_radius == 0;
   if (flat)
     resolved.resolution.land_grading = 1;
@@ -77,7 +125,7 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     resolved.resolution.focus_levels = 5;
     return resolved;
   }
-  const double wanted = hertz_half_width(*this, normal_force) / 2;
+  const double wanted = resolved.contact_half_width / 2;
   double cells = 0; // of the finest size, from the contact radius to the border of the land
   for (unsigned int i = 0; i < resolution.land_cells / 2; ++i)
     cells += std::pow(resolution.land_grading, i);
@@ -91,8 +139,9 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &ca
     : setup(setup)
     , compliance(compliance_of(setup, cache))
     , body(
-        *compliance, [this](double r, double theta) { return gap(r, theta); }, lines_of(setup))
-    , law(make_law())
+        *compliance, [this](double r, double theta) { return gap(r, theta); }, setup.n_lines)
+    , interface(interface_of(setup))
+    , law(interface->make(body.contact_surface(), 0))
 {
   setup.imperfection.validate();
 }
@@ -108,21 +157,6 @@ double RevolutionFoot::gap(double radius, double azimuth) const
          setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth, phase);
 }
 
-std::unique_ptr<TableLaw> RevolutionFoot::make_law() const
-{
-  double modulus = setup.material.young_modulus;
-  if (setup.table.substrate)
-    modulus = std::min(modulus, setup.table.substrate->material.young_modulus);
-  const Eigen::Index n_steps = compliance->radii.size() - 1;
-  const double smallest = (compliance->radii.tail(n_steps) - compliance->radii.head(n_steps)).minCoeff();
-  return setup.table.interface->make(body.contact_surface(), 5 * modulus / smallest);
-}
-
-bool RevolutionFoot::is_isotropic() const
-{
-  return setup.imperfection.empty() && setup.friction_coefficient == 0;
-}
-
 FootDescription RevolutionFoot::description() const
 {
   FootDescription description;
@@ -135,7 +169,6 @@ FootDescription RevolutionFoot::description() const
 FootCapabilities RevolutionFoot::capabilities() const
 {
   FootCapabilities capabilities;
-  capabilities.is_isotropic = is_isotropic();
   capabilities.friction_deforms = setup.friction_coefficient > 0;
   return capabilities;
 }
@@ -145,66 +178,121 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   if (setup.imperfection.empty())
     return;
   phase = orientation;
+  const Eigen::VectorXd gap_before = body.contact_surface().node_gap;
   body.set_gap([this](double r, double theta) { return gap(r, theta); });
+  if (before) // the next contact starts from the penetration of the last one
+    before->normal_displacement += gap_before - body.contact_surface().node_gap;
 }
 
-ContactSolution RevolutionFoot::solve_from_before(const Resultants &load)
+unsigned int RevolutionFoot::n_load_harmonics() const
 {
+  const unsigned int resolved = (setup.n_lines - 1) / 2;
+  return setup.n_load_harmonics == 0 ? resolved : std::min(setup.n_load_harmonics, resolved);
+}
+
+ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions)
+{
+  constexpr double largest_step = 1000; // in stiffness
   const double radius = setup.profile.contact_radius;
-  const ContactControl control = control_of(setup);
-  if (motion)
+  const ContactSurface &surface = body.contact_surface();
+
+  // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
+  const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
+  const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
+  const double depth = setup.profile.crown_radius > 0
+                         ? half_width * half_width / (2 * setup.profile.crown_radius)
+                         : 1e-3 * half_width;
+  const double pressure = line_load(setup, setup.normal_force) / (2 * half_width);
+  double softness = std::max(1., interface->stiffness_at(pressure) * depth / pressure);
+  std::shared_ptr<const InterfaceLaw> soft = interface->softened(softness);
+  std::unique_ptr<TableLaw> soft_law = soft->make(surface, 0);
+  const Eigen::Vector3d pressed_in(-surface.node_gap.minCoeff() - soft->penetration_at(4 * pressure), 0, 0);
+  ContactStart at;
+  at.motion = rigid_foot_motion(surface, *soft_law, conditions, radius, pressed_in);
+  at.normal_displacement = surface.motion_modes() * at.motion;
+
+  // The displacement under a rigid foot's forces is for the most part a motion, which the table follows.
+  ContactForces rigid;
+  soft_law->evaluate(at.normal_displacement, rigid);
+  body.set_forces(rigid.forces);
+  Eigen::Index most_loaded = 0;
+  body.forces().rowwise().sum().maxCoeff(&most_loaded);
+  at.motion -= body.motion_of_circle(most_loaded);
+
+  ContactControl control = contact_control();
+  control.tolerance = control.equilibrium_tolerance = 1e-3;
+  while (softness > 1)
+  {
+    const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
+    const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
+    const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
+    // Penetrations that shrink with the law's softness leave the pressure what it is.
+    at.motion = solution.motion;
+    at.normal_displacement =
+      -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
+    softness = next;
+    soft_law = interface->softened(softness)->make(surface, 0);
+    control.whole_steps = true;
+  }
+  const bool whole_steps = control.whole_steps;
+  control = contact_control();
+  control.whole_steps = whole_steps;
+  return solve_contact(body, *law, conditions, radius, control, &at);
+}
+
+ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &conditions)
+{
+  if (before)
     try
     {
-      return solve_contact(body, *law, load, radius, control, &*motion);
+      ContactControl control = contact_control();
+      control.whole_steps = true;
+      control.max_steps = 15;
+      return solve_contact(body, *law, conditions, setup.profile.contact_radius, control, &*before);
     }
     catch (const ContactFailure &failure)
     {
-      motion.reset();
+      before.reset();
       if (failure.outcome == ContactOutcome::tipping)
         throw;
-      law = make_law(); // forgets its multipliers
     }
-  return solve_contact(body, *law, load, radius, control);
+  return solve_cold(conditions);
 }
 
-ContactState RevolutionFoot::solve(const Resultants &load, const Slip &slip,
+ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,
                                    const std::function<void(const ContactIteration &)> &)
 {
   ContactState state;
   state.slip = slip;
-  Resultants turned_load = load;
-  if (is_isotropic())
-  {
-    // Solved with the load's maximum on the x axis, where the sine modes drop out.
-    state.direction = std::atan2(load.moment_x, -load.moment_y);
-    turned_load = { load.normal_force, 0, -std::hypot(load.moment_x, load.moment_y) };
-  }
   set_orientation(slip.orientation);
   if (setup.friction_coefficient > 0)
     body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
-  state.solution = solve_from_before(turned_load);
-  motion = state.solution.motion;
-  state.load = extract_load(*law, state.solution, setup.n_load_harmonics);
-  if (is_isotropic())
-    state.load = state.load.turned(state.direction);
+  state.solution = solve_from_before(conditions_of(body.contact_surface(), demand));
+  before = { state.solution.motion, state.solution.normal_displacement };
+  state.load = harmonics_on_lines(body.forces(), compliance->radii, n_load_harmonics(), demand.ring_radii);
+
+  const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();
+  const double threshold = 1e-9 * on_circles.maxCoeff();
+  state.inner_radius = compliance->radii.tail<1>()(0);
+  for (Eigen::Index i = 0; i < on_circles.size(); ++i)
+    if (on_circles(i) > threshold)
+    {
+      state.inner_radius = std::min(state.inner_radius, compliance->radii(i));
+      state.outer_radius = compliance->radii(i);
+    }
   return state;
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
   set_orientation(state.slip.orientation);
-  const double cosine = std::cos(state.direction);
-  const double sine = std::sin(state.direction);
-  std::vector<PointForce> points = law->load(state.solution).points;
-  for (PointForce &point : points)
-    point = { point.x * cosine - point.y * sine, point.x * sine + point.y * cosine, point.force };
-  return points;
+  return law->load(state.solution).points;
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
   set_orientation(state.slip.orientation);
-  return law->pressure_map(state.solution).turned(state.direction);
+  return law->pressure_map(state.solution);
 }
 
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
@@ -214,11 +302,11 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   dealii::Triangulation<2> triangulation;
   make_meridian_mesh(setup.profile, setup.resolution, triangulation);
   const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);
-  const MeridianField field(space, setup.material, body.force_modes());
+  const MeridianField field(space, setup.material, body.elastic_response().force_modes(body.forces()));
   const PressureField pressure(body, *law, state.solution,
                                [this](double r, double theta) { return gap(r, theta); });
   std::ostringstream file;
-  write_revolution_fields(field, pressure, { state.solution.motion, state.direction }, file);
+  write_revolution_fields(field, pressure, state.solution.motion, file);
   return { { "contact.vtu", file.str() } };
 }
 

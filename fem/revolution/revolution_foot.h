@@ -25,13 +25,20 @@ struct RevolutionSetup
   ElasticMaterial material;
   Table table = { std::make_shared<WinklerInterface>(), {} };
   RimImperfection imperfection;
-  /// mu of the friction that deforms the foot; 0: friction does not act back on the pressure.
+  bool foot_is_rigid = false; ///< the foot has no compliance
+  /// mu of the friction that deforms foot and substrate; 0: friction does not act back on the pressure.
   double friction_coefficient = 0;
+  bool friction_in_foot = true; ///< whether friction tractions deform the foot
+  bool friction_in_substrate = true;
 
-  MeridianOptions meridian;      ///< order and highest elastic harmonic
-  MeridianResolution resolution; ///< see resolved_for()
-  unsigned int n_lines = 256;    ///< azimuth lines; a hard interface takes 2 n_harmonics + 1
-  unsigned int n_load_harmonics = 24;
+  MeridianOptions meridian;          ///< order and highest elastic harmonic
+  MeridianResolution resolution;     ///< see resolved_for()
+  unsigned int n_lines = 256;        ///< azimuth lines
+  unsigned int n_load_harmonics = 0; ///< of the load; 0: as many as the lines resolve
+  /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
+  double hardness = 1000;
+  double normal_force = 1;       ///< N that the contact is resolved for [N], see resolved_for()
+  double contact_half_width = 0; ///< of a crowned rim on a hard interface under it, hertz_half_width() [m]
 
   /// This setup with a meridional mesh that resolves the contact under @p normal_force [N]: cells of half the
   /// contact's half-width where the interface is hard (Hertz line contact; towards the inner edge of a flat
@@ -43,8 +50,9 @@ struct RevolutionSetup
 /// q = N / (2 pi R) [m]; 0 for a flat land.
 double hertz_half_width(const RevolutionSetup &setup, double normal_force);
 
-/// The foot as a body of revolution. Solving is not collective; it is started from the solution before, cold
-/// where that fails.
+/// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
+/// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
+/// stiffened step by step.
 class RevolutionFoot : public Foot
 {
 public:
@@ -54,9 +62,8 @@ public:
   RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
   FootDescription description() const override;
-  /// Isotropic without imperfection and without friction that deforms the foot.
   FootCapabilities capabilities() const override;
-  ContactState solve(const Resultants &load, const Slip &slip = {},
+  ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
@@ -65,18 +72,19 @@ public:
   const BodyOfRevolution &elastic_body() const { return body; }
 
 private:
-  bool is_isotropic() const;
   double gap(double radius, double azimuth) const;
   void set_orientation(const FootOrientation &orientation);
-  std::unique_ptr<TableLaw> make_law() const;
-  ContactSolution solve_from_before(const Resultants &load);
+  ContactSolution solve_from_before(const LinearConditions &conditions);
+  ContactSolution solve_cold(const LinearConditions &conditions);
+  unsigned int n_load_harmonics() const;
 
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance;
   FootOrientation phase; ///< that the body's gap stands at
   BodyOfRevolution body;
-  std::unique_ptr<TableLaw> law;
-  std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before
+  const std::shared_ptr<const InterfaceLaw> interface; ///< a hard one as a stiff spring
+  const std::unique_ptr<TableLaw> law;
+  std::optional<ContactStart> before; ///< the solution before
 };
 
 } // namespace stemware::fem

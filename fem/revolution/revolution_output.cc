@@ -103,10 +103,10 @@ public:
 class FootPicture
 {
 public:
-  FootPicture(const MeridianField &field, const PressureField &pressure, const FootPose &pose)
+  FootPicture(const MeridianField &field, const PressureField &pressure, const Eigen::Vector3d &motion)
       : field(field)
       , pressure(pressure)
-      , pose(pose)
+      , motion(motion)
       , degree(field.space().dof_handler().get_fe().degree)
       , n_sectors(sectors_round_the_rim())
       , basis(n_harmonics(), degree * n_sectors)
@@ -141,19 +141,13 @@ private:
 
   unsigned int n_harmonics() const { return (field.n_modes() - 1) / 2; }
 
-  /// Six nodes to the wave of the highest harmonic; the azimuth lines themselves where the pressure is known
-  /// nowhere else.
-  unsigned int sectors_round_the_rim() const
-  {
-    return pressure.is_nodal() ? pressure.n_lines() : std::max(6 * n_harmonics(), 96u) / degree;
-  }
+  /// Six nodes to the wave of the highest harmonic.
+  unsigned int sectors_round_the_rim() const { return std::max(6 * n_harmonics(), 96u) / degree; }
 
   /// Halves the contact cells until the trapezoidal rule on the drawn nodes finds the normal force.
   unsigned int find_contact_pieces() const
   {
     constexpr unsigned int most = 32;
-    if (pressure.is_nodal())
-      return 1;
     unsigned int n_pieces = 1;
     while (n_pieces < most && std::abs(drawn_force(n_pieces) / pressure.force() - 1) > 0.005)
       n_pieces *= 2;
@@ -233,7 +227,7 @@ private:
       data[line].resize(n_rows, nodes.size());
       for (unsigned int node = 0; node < nodes.size(); ++node)
         data[line].col(node) =
-          in_slip_frame(nodes[node], basis.azimuth(line) + pose.direction,
+          in_slip_frame(nodes[node], basis.azimuth(line),
                         in_phase.block<6, 1>(6 * node, line), conjugate.block<3, 1>(3 * node, line));
     }
     if (is_contact(cell))
@@ -262,10 +256,10 @@ private:
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // columns e_r, e_theta, e_z
     axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(azimuth).toRotationMatrix();
     const Eigen::Vector3d point = axes * Eigen::Vector3d(at[0], 0, at[1]);
-    const Eigen::Vector2d tilt = Eigen::Rotation2Dd(pose.direction) * pose.motion.tail<2>();
+    const Eigen::Vector2d tilt = motion.tail<2>();
     Eigen::Vector3d displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
     displacement.head<2>() -= tilt * point(2);
-    displacement(2) += pose.motion(0) + tilt.dot(point.head<2>());
+    displacement(2) += motion(0) + tilt.dot(point.head<2>());
     Eigen::Matrix3d stress;
     stress << in_phase(2), conjugate(1), in_phase(5), //
       conjugate(1), in_phase(3), conjugate(2),        //
@@ -282,7 +276,7 @@ private:
 
   const MeridianField &field;
   const PressureField &pressure;
-  const FootPose &pose;
+  const Eigen::Vector3d motion;
   const unsigned int degree;
   const unsigned int n_sectors;
   const FourierBasis basis; ///< on the azimuths of the picture's nodes
@@ -291,10 +285,10 @@ private:
 
 } // namespace
 
-void write_revolution_fields(const MeridianField &field, const PressureField &pressure, const FootPose &pose,
+void write_revolution_fields(const MeridianField &field, const PressureField &pressure, const Eigen::Vector3d &motion,
                              std::ostream &file)
 {
-  PatchWriter writer(FootPicture(field, pressure, pose).patches());
+  PatchWriter writer(FootPicture(field, pressure, motion).patches());
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = field.space().dof_handler().get_fe().degree > 1;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;

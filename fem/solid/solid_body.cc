@@ -153,7 +153,7 @@ Eigen::VectorXd SolidBody::contact_displacement() const
 }
 
 NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
-                                 const Eigen::VectorXd &forces, const LinearConditions &conditions)
+                                 const Eigen::VectorXd &forces, const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
   Implementation &body = *implementation;
   body.set_tangent(contact_tangent);
@@ -178,9 +178,10 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tang
   {
     const Eigen::MatrixX3d weights = conditions.weights() * scale.asDiagonal();
     system.condition_border = scatter(contact_tangent * weights);
-    system.corner = weights.transpose() * stiffened;
+    system.corner =
+      weights.transpose() * stiffened - scale.asDiagonal() * conditions.motion_weights() * scale.asDiagonal();
   }
-  const BorderedVector rhs{ body.residual(forces), scale.asDiagonal() * conditions.residual(forces) };
+  const BorderedVector rhs{ body.residual(forces), scale.asDiagonal() * conditions.residual(forces, motion) };
   BorderedVector increment;
   NewtonIncrement step;
   step.linear_iterations = body.solver->solve(system, rhs, linear_reduction, increment);

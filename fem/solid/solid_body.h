@@ -50,7 +50,7 @@ public:
   const ContactSurface &contact_surface() const override;
   Eigen::VectorXd contact_displacement() const override;
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                        const LinearConditions &conditions) override;
+                        const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;

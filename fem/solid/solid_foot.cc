@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace stemware::fem
 {
@@ -82,7 +83,7 @@ FootCapabilities SolidFoot::capabilities() const
   return capabilities;
 }
 
-ContactState SolidFoot::solve(const Resultants &load, const Slip &slip,
+ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
                               const std::function<void(const ContactIteration &)> &progress)
 {
   ContactState state;
@@ -94,9 +95,12 @@ ContactState SolidFoot::solve(const Resultants &load, const Slip &slip,
     if (progress)
       progress(iteration);
   };
-  state.solution = solve_contact(body, *law, load, contact_radius, control, motion ? &*motion : nullptr);
-  motion = state.solution.motion;
-  state.load = extract_load(*law, state.solution, n_load_harmonics(body.contact_surface()));
+  state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
+                                 control, before ? &*before : nullptr);
+  before = { state.solution.motion, state.solution.normal_displacement };
+  state.load =
+    extract_load(*law, state.solution, n_load_harmonics(body.contact_surface()), demand.ring_radii);
+  std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
   return state;
 }
 

@@ -46,7 +46,7 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  ContactState solve(const Resultants &load, const Slip &slip = {},
+  ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
@@ -57,7 +57,7 @@ private:
   const SolidMesh mesh;
   SolidBody body;
   const std::unique_ptr<TableLaw> law;
-  std::optional<Eigen::Vector3d> motion; ///< of the table under the solution before
+  std::optional<ContactStart> before; ///< of the table under the solution before
 };
 
 } // namespace stemware::fem

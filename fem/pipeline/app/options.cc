@@ -1,12 +1,14 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/study/idle_entries.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +28,18 @@ std::string why_no_spin(const std::string &text)
   return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
            ? ""
            : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
+}
+
+/// Names the entries that have no effect, where the verb asks nothing but the study: the cases of a sweep
+/// have studies of their own.
+void note_idle_entries(Study study, const std::string &verb)
+{
+  if (verb == "sweep")
+    return;
+  if (verb == "compare") // asks for every moment balance
+    study.motion.closure = ring::Closure::full;
+  if (const std::string note = idle_note(idle_entries(study)); !note.empty())
+    console() << wrapped(note, "Unused    ") << std::endl;
 }
 
 } // namespace
@@ -79,6 +93,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     " << options.study_file << std::endl;
+  note_idle_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
   return study;

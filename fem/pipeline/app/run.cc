@@ -51,8 +51,8 @@ void run(const StudyOptions &options)
 void add_run_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App *verb =
-    program.add_subcommand("run", "Compute a study: contact, load harmonics, torque, spin, truncations");
+  CLI::App *verb = program.add_subcommand(
+    "run", "Compute a study: contact, torque, terminal spin, and what each effect does to it");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
   stemware run docs/cookbooks/paper.prm
@@ -64,12 +64,15 @@ void add_run_verb(CLI::App &program, Verb &chosen)
 
 Results are written to a temporary folder and renamed at the end; older results of the same name
 are replaced.
-  report.html        the answer, its figures and what is behind it, for a browser
-  figures/           the figures as SVG and PDF, with gnuplot scripts and data
-  summary.json       load harmonics, torque, terminal spin, truncations, closures, the parameters
+  report.html        the answer, its pictures and what is behind it, for a browser
+  figures/           the pictures as SVG and PDF, with gnuplot scripts and data
+  summary.json       load, torque, terminal spin, budget, error bands, the parameters (schema 2)
   parameters.prm     the study as it was run
-  load.dat           lambda(theta)
-  harmonics.dat      its Fourier coefficients; may be read again through Load/File
+  budget.dat         the terminal spin from the paper's model to the study's, step by step, and
+                     without one thing at a time
+  load.dat           lambda(theta), the sum of the rings and each ring
+  harmonics.dat      Fourier coefficients of the sum; may be read again through Load/File
+  rings.dat          Fourier coefficients ring by ring
   torque.dat         tau_z, T_x, T_y against the spin
   spin_up.dat        the spin against time
   truncation.dat     the answer after 1, 2, 3, 4, 6, 8 ... harmonics

@@ -10,13 +10,6 @@ namespace stemware::pipeline
 namespace
 {
 
-fem::ResolvedFriction friction_of(ElasticFoot &foot, const fem::ContactState &state,
-                                  const ring::Motion &motion, double omega)
-{
-  return fem::resolved_friction(foot.body().point_forces(state), motion.friction_coefficient, omega,
-                                motion.orbit_speed);
-}
-
 /// The contact in balance at @p omega; that at rest where the load is the same at every spin.
 fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, const ring::Motion &motion,
                            double omega)
@@ -30,19 +23,14 @@ fem::ContactState state_at(const ElasticFoot &foot, const BalancedLoad &load, co
                     { omega / motion.orbit_speed, { marks.glass, marks.table } });
 }
 
-FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load,
-                         double omega_terminal)
+FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLoad &load)
 {
-  const ring::Motion &motion = study.motion.orbit;
   const fem::ContactState &at_rest = *load.contact();
   FootReport report;
   report.foot = foot.body().description();
   report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
-  report.friction_at_rest = friction_of(foot, at_rest, motion, 0);
-  report.friction_at_terminal =
-    friction_of(foot, state_at(foot, load, motion, omega_terminal), motion, omega_terminal);
   // The fields are those of the state solved last.
   if (foot.n_solutions() > 1)
   {
@@ -61,12 +49,12 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double omega_terminal)
 {
-  ContactReport report = { load.report(), report_of(load.at(omega_terminal)), std::nullopt, std::nullopt };
+  ContactReport report = { load.report(), report_of(load.at(omega_terminal)), {}, 0, {}, {} };
   if (foot)
     report.load_at_terminal =
       report_of(state_at(*foot, load, study.motion.orbit, omega_terminal), foot->radius());
   if (foot)
-    report.foot = describe_foot(study, *foot, load, omega_terminal);
+    report.foot = describe_foot(study, *foot, load);
   report.coupling = load.statistics();
   return report;
 }

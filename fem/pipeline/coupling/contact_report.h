@@ -35,10 +35,8 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  fem::PressureMap footprint;                      ///< at rest
-  fem::ResolvedFriction friction_at_rest = {};     ///< of the pressure where it lies, beside the ring's
-  fem::ResolvedFriction friction_at_terminal = {}; ///< likewise at the terminal spin
-  std::vector<fem::FieldFile> fields = {};         ///< of the state at rest; this rank's
+  fem::PressureMap footprint;              ///< at rest
+  std::vector<fem::FieldFile> fields = {}; ///< of the state at rest; this rank's
 };
 
 /// How a load in balance with friction at every spin has been found.
@@ -53,10 +51,12 @@ struct CouplingStatistics
 /// Everything about the contact that a study reports, at rest and at the terminal spin.
 struct ContactReport
 {
-  LoadReport load;                            ///< at rest
-  LoadReport load_at_terminal;                ///< at the terminal spin
-  std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
-  std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
+  LoadReport load; ///< at rest
+  LoadReport load_at_terminal;
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< q_1, q_2 at the terminal spin
+  double half_width = 0;                          ///< of the loaded band at rest [m]
+  std::optional<FootReport> foot;                 ///< nothing where the load does not come from a contact
+  std::optional<CouplingStatistics> coupling;     ///< nothing where the load is the same at every spin
 };
 
 class BalancedLoad;

@@ -29,7 +29,8 @@ ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, 
 
 fem::RimImperfection imperfection_of(const Study &study)
 {
-  return { study.glass.waviness, study.table.waviness };
+  return study.model.waviness ? fem::RimImperfection{ study.glass.waviness, study.table.waviness }
+                              : fem::RimImperfection();
 }
 
 PhasePeriods phase_periods(const fem::RimImperfection &imperfection)

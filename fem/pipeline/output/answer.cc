@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/answer.h"
 
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/render/number_format.h"
 
 #include <algorithm>
@@ -31,81 +32,101 @@ std::string to_spread(double value, double spread)
   return fmt::format(FMT_STRING("{:.{}f}"), value, decimals_of(spread));
 }
 
-/// " (harmonics: +0.27 %)"; empty where one of the spins does not exist.
-std::string effect_in_brackets(const std::string &name, const SpinRow *from, const SpinRow *to)
+/// " (moment balance: +17.9 %)"; empty where one of the spins does not exist, or the first is rounding.
+std::string change_in_brackets(const std::string &name, const SpinRow &from, const SpinRow &to,
+                               double spin_unit)
 {
-  const auto effect = relative_effect(from, to);
-  return effect ? " (" + name + ": " + format::change(*effect) + ")" : "";
+  const auto before = from.omega_terminal(), after = to.omega_terminal();
+  const auto change =
+    before && after ? relative_to(before, *after - *before, spin_unit) : std::optional<double>();
+  return change ? " (" + name + ": " + format::change(*change) + ")" : "";
+}
+
+/// "The harmonics of the load beyond the first ".
+std::string harmonics_subject(const Study &study)
+{
+  return std::string("The harmonics of the ") + (is_one_way(study) ? "one-way " : "") +
+         "load beyond the first ";
+}
+
+/// "With the load of rest kept at every spin (one-way), "; empty for a load in balance.
+std::string one_way_beginning(const Study &study)
+{
+  if (!is_one_way(study))
+    return "";
+  if (study.load.source == LoadSource::file)
+    return "Under the given load (one-way: it is the same at every spin) ";
+  return (study.load.is_static() ? "Under the given moment, with" : "With") +
+         std::string(" the load of rest kept at every spin (one-way), ");
 }
 
 // ---- run
 
-std::string terminal_spin_sentence(const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
+std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
+                                   const std::vector<BandedQuantity> &bands)
 {
-  if (!spin.spins_up())
-    return "The glass does not spin up.";
-  return "The glass spins up to " +
+  const std::string beginning = one_way_beginning(study);
+  return beginning + (beginning.empty() ? "The" : "the") + " glass spins up to " +
          with_band(spin.all().omega_terminal().value(), band_of(bands, "omega_terminal")) + " rad/s.";
 }
 
-std::string harmonic_sentence(const SpinComparison &spins, unsigned int n_harmonics)
+/// The row whose step is the largest, those of the harmonics left out; null where none of them is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
 {
-  const auto effect = spins.harmonic_effect();
-  if (!effect || n_harmonics < 2)
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+std::string largest_step_sentence(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
     return "";
-  if (std::abs(*effect) < 1e-9)
-    return "The harmonics of the load beyond the first do not change that.";
-  return "The harmonics of the load beyond the first make it " + faster_or_slower(*effect) +
-         " than the first alone would (" + format::all_significant<6>(spins.first_harmonic) + " rad/s).";
+  const double from = *row->omega_terminal - *row->difference;
+  return "The largest other step from the paper's model to this " +
+         std::string(is_one_way(study) ? "one-way one" : "one") + " is \"" + row->name +
+         "\": " + format::signed_significant<3>(*row->difference) + " rad/s" +
+         (is_spin(study, from) ? " (" + faster_or_slower(*row->difference / from) + ")" : "") +
+         (row->standing == Standing::formal ? ", formally: such a load would have to pull on the table"
+                                            : "") +
+         ".";
+}
+
+/// What no band contains, with its sizes.
+std::string without_sentence(const Study &study, const Budget &budget, bool has_band)
+{
+  std::vector<std::string> parts;
+  for (const WithoutRow &row : budget.without)
+    if (row.difference)
+      parts.push_back(row.name + " " +
+                      format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
+  if (parts.empty())
+    return "";
+  std::string list;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  return std::string(has_band ? "The band is that of the discretisation; it" : "This") +
+         " does not contain what the " + (is_one_way(study) ? "one-way " : "") +
+         "model leaves open. Left out one at a time, these change the spin by (rad/s): " + list + ".";
 }
 
 // ---- truncate
 
-/// What the first harmonic alone and all of them lead to, without a full stop; with the error band of the
-/// latter where one is known.
-std::string both_spins(const TruncationTable &table, const std::optional<double> &band)
+/// What the first harmonic alone and all of them lead to.
+std::string both_spins_sentence(const Study &study, const TruncationStudy &truncations)
 {
-  const SpinRow &first = table.rows.front(), &all = table.all();
-  const std::string with_all = fmt::format(FMT_STRING("with all {} to {} rad/s"), all.harmonics,
-                                           with_band(all.omega_terminal().value(), band));
-  if (!first.omega_terminal())
-    return "With the first harmonic of its load alone the glass has no terminal spin, " + with_all;
-  return "With the first harmonic of its load alone the glass spins up to " +
-         format::significant<6>(*first.omega_terminal()) + " rad/s, " + with_all +
-         effect_in_brackets("harmonics", &first, &all);
-}
-
-std::string load_at_rest_sentence(const TruncationTable &table)
-{
-  const auto first = table.rows.front().omega_terminal();
-  return "With the load at rest kept at every spin it would be " +
-         format::significant<6>(table.all().omega_terminal().value()) + " rad/s" +
-         (first ? ", and " + format::significant<6>(*first) + " with the first harmonic alone" +
-                    effect_in_brackets("harmonics", &table.rows.front(), &table.all())
-                : "") +
-         ".";
-}
-
-/// The harmonics' part of the answer: in balance where there is a balance, and what the study's own load says
-/// where that is another.
-std::string harmonic_sentences(const TruncationStudy &study)
-{
-  const SpinRow &all = study.frozen.all();
-  if (!all.relative_change)
-    return "The glass does not spin up, whatever harmonics its load has.";
-  if (all.harmonics == 1)
-    return "The load has one harmonic; the terminal spin is " +
-           format::significant<6>(all.omega_terminal().value()) + " rad/s.";
-  if (!study.self_consistent || !study.acts_back)
-    return both_spins(study.frozen, all.band) + ".";
-  if (!study.same_whole_load)
-    return both_spins(*study.self_consistent, {}) + ", contact and friction in balance at every spin. " +
-           load_at_rest_sentence(study.frozen);
-  const auto first = study.frozen.rows.front().omega_terminal();
-  return both_spins(*study.self_consistent, all.band) + "." +
-         (first ? " (Truncated afterwards, with the moment unchanged, the first alone leaves " +
-                    format::significant<6>(*first) + " rad/s.)"
-                : "");
+  const SpinRow &first = truncations.rows.front(), &all = truncations.all();
+  const std::string beginning = one_way_beginning(study);
+  return beginning + (beginning.empty() ? "The" : "the") +
+         fmt::format(FMT_STRING(" glass spins up to {} rad/s with all {} harmonics of its load, "),
+                     with_band(all.omega_terminal().value(), all.band), all.harmonics) +
+         (first.omega_terminal()
+            ? "to " + format::significant<6>(*first.omega_terminal()) + " rad/s with the first alone."
+            : "and has no terminal spin with the first alone.");
 }
 
 // ---- compare
@@ -117,6 +138,15 @@ std::string spin_of(const SpinRow &row)
     return "nothing (" + to_string(row.standing) + ")";
   return with_band(*row.omega_terminal(), row.band) + " rad/s" +
          (row.standing == Standing::formal ? ", formally" : "");
+}
+
+/// "-0.0295 rad/s, -0.81 %"; "0" for less than 1e-9 @p spin_unit.
+std::string effect_text(const HarmonicEffect &effect, double spin_unit)
+{
+  if (std::abs(*effect.absolute) < 1e-9 * spin_unit)
+    return "0";
+  return format::signed_significant<3>(*effect.absolute) + " rad/s" +
+         (effect.relative ? ", " + format::change(*effect.relative) : "");
 }
 
 // ---- sweep
@@ -138,18 +168,19 @@ std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings
   const QuantityFindings *spin = findings.about("terminal spin");
   if (spin == nullptr)
     return "";
+  const std::string beginning = one_way_beginning(plan.base) + (is_one_way(plan.base) ? "in" : "In");
   if (!spin->band)
     return fmt::format(
-      FMT_STRING("In {} cases the glass spins up to between {:.6g} rad/s{} and {:.6g} rad/s{}."),
+      FMT_STRING("{} {} cases the glass spins up to between {:.6g} rad/s{} and {:.6g} rad/s{}."), beginning,
       spin->n_values, spin->least, at_case(plan, spin->least_case), spin->most,
       at_case(plan, spin->most_case));
   const SampleBand &band = *spin->band;
   // Where nothing varies, rounding would be shown as a spread.
   const double spread = std::max(band.deviation, 1e-9 * std::abs(band.mean));
   std::string sentence = fmt::format(
-    FMT_STRING("In {} samples the glass spins up to {} ± {} rad/s (mean and standard deviation; 95 % of them "
+    FMT_STRING("{} {} samples the glass spins up to {} ± {} rad/s (mean and standard deviation; 95 % of them "
                "lie between {} and {} rad/s)."),
-    spin->n_values, to_spread(band.mean, spread), to_spread(band.deviation, spread),
+    beginning, spin->n_values, to_spread(band.mean, spread), to_spread(band.deviation, spread),
     to_spread(band.lower, spread), to_spread(band.upper, spread));
   if (!spin->sensitivity)
     return sentence;
@@ -163,13 +194,15 @@ std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings
 std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &findings)
 {
   const QuantityFindings *effect = findings.about("harmonic effect");
-  if (effect == nullptr || (effect->least == 0 && effect->most == 0))
+  if (effect == nullptr)
     return "";
-  const std::string subject = "The harmonics of the load beyond the first ";
+  const std::string subject = harmonics_subject(plan.base);
   if (effect->band)
     return subject + "change it by " + in_percent_of_sweep(effect->band->mean) +
            " (mean; 95 % of the samples: " + in_percent_of_sweep(effect->band->lower) + " to " +
            in_percent_of_sweep(effect->band->upper) + ").";
+  if (std::max(std::abs(effect->least), std::abs(effect->most)) < 1e-7) // per cent
+    return subject + "do not change that.";
   const std::string faster =
     effect->most > 0 ? in_percent_of_sweep(effect->most) + " faster" + at_case(plan, effect->most_case) : "";
   const std::string slower =
@@ -201,36 +234,46 @@ std::string failed_cases_sentence(const SweepFindings &findings)
 
 } // namespace
 
-std::string run_answer(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                       const std::vector<BandedQuantity> &bands)
+std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
 {
-  return joined({ terminal_spin_sentence(spin, bands),
-                  harmonic_sentence(compare_spins(study, spin), report.load.rings.n_harmonics()),
-                  closure_sentence(spin.closures) });
+  if (!is_spin(study, spin.all().omega_terminal().value()))
+    return "The glass does not spin up.";
+  const bool has_band = band_of(bands, "omega_terminal").has_value();
+  return joined({ terminal_spin_sentence(study, spin, bands),
+                  spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
+                  largest_step_sentence(study, spin.budget),
+                  without_sentence(study, spin.budget, has_band) });
 }
 
-std::string closure_sentence(const std::vector<SpinRow> &closures)
+bool is_one_way(const Study &study)
 {
-  const SpinRow *paper = row_of(closures, ring::Closure::paper),
-                *full = row_of(closures, ring::Closure::full);
-  const auto effect = relative_effect(paper, full);
-  if (!effect)
+  return study.load.source == LoadSource::file || study.load.is_static() ||
+         (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
+}
+
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
+{
+  if (!effect.absolute)
     return "";
-  return "For scale: the friction that the paper's moment balance leaves out makes the glass " +
-         faster_or_slower(*effect) + " under a first-harmonic load (" +
-         format::all_significant<6>(*full->omega_terminal()) + " instead of " +
-         format::all_significant<6>(*paper->omega_terminal()) + " rad/s" +
-         (paper->pulls() || full->pulls() ? ", formally: such a load would have to pull on the table" : "") +
-         ").";
+  const std::string subject = harmonics_subject(study);
+  if (!is_spin(study, *effect.absolute))
+    return subject + "do not change that.";
+  const std::string size = format::signed_significant<3>(*effect.absolute) + " rad/s";
+  return subject + (effect.relative ? "make it " + faster_or_slower(*effect.relative) + " (" + size + ")."
+                                    : "change it by " + size + ".");
 }
 
 std::string lift_off_remark(const LoadReport &load)
 {
-  if (load.moment_ratio <= 1)
+  if (load.minimum < 0)
+    return "The load is negative somewhere, down to " + format::significant<4>(load.minimum) +
+           " N/rad: the table would have to pull. " + format::percent_fixed<1>(load.contact_fraction) +
+           " of the rim carries load.";
+  if (load.contact_fraction >= 1)
     return "";
-  return "The moment ratio is " + format::significant<4>(load.moment_ratio) +
-         ", above 1: a first-harmonic load would have to pull; " +
-         format::percent_fixed<1>(load.contact_fraction) + " of the rim carries load.";
+  return "The foot has left the table in part: " + format::percent_fixed<1>(load.contact_fraction) +
+         " of the rim carries load, at a moment ratio of " + format::significant<4>(load.moment_ratio) +
+         (load.moment_ratio > 1 ? ", above 1, where a first-harmonic load would have to pull." : ".");
 }
 
 std::string narrow_contact_remark(const Study &study, const std::optional<FootReport> &foot)
@@ -245,6 +288,20 @@ std::string narrow_contact_remark(const Study &study, const std::optional<FootRe
         "just above it");
 }
 
+std::string layer_remark(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return "";
+  return fmt::format(
+    FMT_STRING(
+      "Note: the contact is {:.2g} mm wide, its half-width less than the {:.3g} mm of the layer "
+      "(Table/Layer thickness). A Winkler interface stands for a layer only where the contact is much "
+      "wider than it; take an elastic disc instead (Table/Substrate = elastic)."),
+    2e3 * half_width, 1e3 * layer);
+}
+
 std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> &phases)
 {
   if (!phases)
@@ -256,31 +313,44 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> 
                      phases->spin_ripple, phases->torque_ripple);
 }
 
-std::string truncation_answer(const TruncationStudy &study)
+std::string truncation_answer(const Study &study, const TruncationStudy &truncations)
 {
-  const TruncationTable &best = study.self_consistent ? *study.self_consistent : study.frozen;
-  const bool has_more = best.all().relative_change && best.all().harmonics > 1;
-  return joined({ harmonic_sentences(study),
-                  has_more ? fmt::format(FMT_STRING("From {} harmonics on the spin is right to 1e-4."),
-                                         harmonics_enough(best, 1e-4))
-                           : "",
-                  closure_sentence(study.closures) });
+  const SpinRow &all = truncations.all();
+  if (!is_spin(study, all.omega_terminal().value()))
+    return "The glass does not spin up, whatever harmonics its load has.";
+  if (all.harmonics == 1)
+    return one_way_beginning(study) + "The load has one harmonic; the terminal spin is " +
+           with_band(*all.omega_terminal(), all.band) + " rad/s.";
+  return joined({ both_spins_sentence(study, truncations),
+                  harmonic_effect_sentence(study, truncations.harmonics),
+                  fmt::format(FMT_STRING("From {} harmonics on the spin is right to 1e-4."),
+                              harmonics_enough(truncations.rows, 1e-4)) });
 }
 
 std::string comparison_answer(const Comparison &comparison)
 {
   using ring::Closure;
   const std::string &load = comparison.rows.back().load; // the study's own, the last
-  const SpinRow *paper = comparison.find(Closure::paper, compared_load::first_harmonic);
-  const SpinRow *full = comparison.find(Closure::full, compared_load::first_harmonic);
-  const SpinRow *paper_all = comparison.find(Closure::paper, load);
-  const SpinRow *full_all = comparison.find(Closure::full, load);
-  return "With the paper's moment balance a first-harmonic load reaches " + spin_of(*paper) +
-         "; with the friction that this balance leaves out, " + spin_of(*full) +
-         effect_in_brackets("closure", paper, full) + ". All harmonics of the " + load +
-         " reach, with the paper's balance, " + spin_of(*paper_all) +
-         effect_in_brackets("harmonics", paper, paper_all) + ", and with the complete balance " +
-         spin_of(*full_all) + effect_in_brackets("harmonics", full, full_all) + ".";
+  const auto first = [&](Closure closure) -> const SpinRow &
+  { return *comparison.find(closure, compared_load::first_harmonic); };
+  const auto all_harmonics = [&](Closure closure)
+  {
+    const HarmonicEffect effect = comparison.harmonic_effect(closure, load);
+    return spin_of(*comparison.find(closure, load)) +
+           (effect.absolute ? " (harmonics: " + effect_text(effect, comparison.spin_unit) + ")" : "");
+  };
+  return "With the paper's moment balance a first-harmonic load reaches " + spin_of(first(Closure::paper)) +
+         "; with the friction that this balance leaves out, " + spin_of(first(Closure::full)) +
+         change_in_brackets("moment balance", first(Closure::paper), first(Closure::full),
+                            comparison.spin_unit) +
+         ". All harmonics of the " + name_of_load(load) + " reach, with the paper's balance, " +
+         all_harmonics(Closure::paper) + ", and with the complete balance " + all_harmonics(Closure::full) +
+         ".";
+}
+
+std::string name_of_load(const std::string &load)
+{
+  return load == compared_load::foot_at_rest ? load + " (one-way)" : load;
 }
 
 std::string refinement_answer(const RefinementResult &result)
@@ -310,10 +380,10 @@ std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::s
   return static_cast<std::size_t>(found - quantities.begin());
 }
 
-unsigned int harmonics_enough(const TruncationTable &table, double share)
+unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
 {
-  unsigned int enough = table.all().harmonics;
-  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
+  unsigned int enough = rows.back().harmonics;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
   {
     if (!row->relative_change || std::abs(*row->relative_change) > share)
       break;
@@ -334,9 +404,11 @@ std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))
     return format::all_significant<6>(value);
-  // Rounded up so that the band does not become narrower.
+  // Rounded up, so that what is printed contains all of value -/+ band.
   const double unit = std::pow(10, -decimals_of(*band));
-  return to_spread(value, *band) + " ± " + to_spread(std::ceil(*band / unit * (1 - 1e-9)) * unit, *band);
+  const double shift = std::abs(value - std::round(value / unit) * unit);
+  return to_spread(value, *band) + " ± " +
+         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin_comparison.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/truncation.h"
@@ -16,32 +15,42 @@
 namespace stemware::pipeline
 {
 
-/// The answer of `run`: the terminal spin, what the harmonics beyond the first do to it, and what the paper's
-/// moment balance leaves out; the spin with its error band where one is known.
-std::string run_answer(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                       const std::vector<BandedQuantity> &bands);
+/// The answer of `run`: the terminal spin with its error band, what the harmonics beyond the first do to it,
+/// the largest other step of the budget, and what the band does not contain. A one-way load is called so in
+/// each sentence about it.
+std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands);
 
-/// Says what the paper's moment balance leaves out does to the spin of a first-harmonic load; empty where one
-/// of the two spins does not exist. @p closures as SpinStudy::closures.
-std::string closure_sentence(const std::vector<SpinRow> &closures);
+/// Whether the load of rest is kept at every spin: that of Load/Coupling = one-way, of a given moment, or of
+/// a file.
+bool is_one_way(const Study &study);
 
-/// Says that the load has left part of the rim, so that its first harmonic would have to pull; empty where it
-/// has not.
+/// Says what the harmonics of the load beyond the first do to the spin; empty where there is no such effect
+/// to speak of.
+std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);
+
+/// Says that the load has left part of the rim, or, where it is given, that it would have to pull; empty
+/// where it does neither.
 std::string lift_off_remark(const LoadReport &load);
 
 /// Says that the contact is narrower than what its nodes can show; empty where it is not.
 std::string narrow_contact_remark(const Study &study, const std::optional<FootReport> &foot);
 
+/// Says that the contact is narrower than the layer that the Winkler interface stands for, which is then no
+/// such interface; empty where it is not, or no layer is named. @p half_width [m] is that of the contact.
+std::string layer_remark(const Study &study, double half_width);
+
 /// Says what an out-of-flat rim or table does to the spin; empty for flat ones.
 std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> &phases);
 
-/// The answer of `truncate`: what the harmonics do to the terminal spin, how many of them are enough, and
-/// what the paper's moment balance leaves out.
-std::string truncation_answer(const TruncationStudy &study);
+/// The answer of `truncate`: what the harmonics do to the terminal spin, and how many of them are enough.
+std::string truncation_answer(const Study &study, const TruncationStudy &truncations);
 
 /// The answer of `compare`: what the harmonics do to the terminal spin, beside what the paper's moment
 /// balance leaves out.
 std::string comparison_answer(const Comparison &comparison);
+
+/// A load of `compare` by the name that it is shown with, which says what is one-way.
+std::string name_of_load(const std::string &load);
 
 /// The answer of `converge` in a sentence or two.
 std::string refinement_answer(const RefinementResult &result);
@@ -52,8 +61,9 @@ std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings);
 /// Position of the quantity with that key; throws std::out_of_range where there is none.
 std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key);
 
-/// The least number of harmonics from which on the terminal spin stays within @p share of that of all.
-unsigned int harmonics_enough(const TruncationTable &table, double share);
+/// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
+/// is the last of @p rows.
+unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share);
 
 /// The sentences that are not empty, with a blank between them.
 std::string joined(const std::vector<std::string> &sentences);

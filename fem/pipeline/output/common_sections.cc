@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/common_sections.h"
 
+#include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -53,6 +54,39 @@ std::vector<ReportSection> study_sections(const Study &study)
   return { differences, everything };
 }
 
+/// A part of an error band: its key in BandedQuantity::parts and in summary.json, and its name in reports.
+struct BandPart
+{
+  const char *key, *name;
+};
+
+/// All of them, in the order in which they are shown.
+constexpr BandPart band_parts[] = { { "mesh", "mesh" },           { "degree", "degree" },
+                                    { "harmonics", "harmonics" }, { "lines", "lines" },
+                                    { "interface", "interface" }, { "load_harmonics", "load harmonics" },
+                                    { "rings", "rings" },         { "interpolation", "interpolation" },
+                                    { "solver", "solver" } };
+
+/// A part of the band; nothing where it was not estimated.
+std::optional<double> part_of(const BandedQuantity &quantity, const std::string &key)
+{
+  const auto part = quantity.parts.find(key);
+  return part == quantity.parts.end() ? std::nullopt : std::optional(part->second);
+}
+
+/// What the bands are made of: a column for each part that one of them has.
+Table part_table(const std::vector<BandedQuantity> &bands)
+{
+  Table table = band_table(bands).with("What the bands are made of", "quantity");
+  for (const BandPart &part : band_parts)
+    if (std::any_of(bands.begin(), bands.end(),
+                    [&](const BandedQuantity &each) { return each.parts.count(part.key) > 0; }))
+      table.columns.push_back(column(Quantity(part.key, part.name, "1", part.name, part.name, format::band),
+                                     bands,
+                                     [&](const BandedQuantity &each) { return part_of(each, part.key); }));
+  return table;
+}
+
 } // namespace
 
 void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files)
@@ -60,6 +94,20 @@ void add_closing_sections(Report &report, const Study &study, const std::vector<
   for (const ReportSection &section : study_sections(study))
     report.sections.push_back(section);
   report.sections.push_back(file_section(files));
+}
+
+std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
+{
+  return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
+}
+
+void say_one_way(Report &report)
+{
+  const std::string at_rest[] = { "load", "higher_harmonics", "spectrum", "footprint" };
+  for (ReportSection &section : report.sections)
+    for (Plot &plot : section.plots)
+      if (std::find(std::begin(at_rest), std::end(at_rest), plot.name) == std::end(at_rest))
+        plot = one_way(plot);
 }
 
 Table harmonics_table(const ring::RingStack &load)
@@ -102,7 +150,13 @@ Json series_summary(const ring::RingStack &load)
 
 Json load_summary(const LoadReport &load)
 {
-  Json summary = series_summary(load.rings);
+  Json summary = { { "radii", Json::array() }, { "rings", Json::array() } };
+  for (const ring::RingStack::Ring &ring : load.rings.rings())
+  {
+    summary["radii"].push_back(ring.radius);
+    summary["rings"].push_back({ { "a", ring.a }, { "b", ring.b } });
+  }
+  summary.update(series_summary(load.rings));
   summary.update({ { "normal_force", load.normal_force },
                    { "moment", { load.moment.x(), load.moment.y() } },
                    { "moment_ratio", load.moment_ratio },
@@ -125,20 +179,39 @@ Table band_table(const std::vector<BandedQuantity> &bands)
              column(quantity::richardson, bands, &Row::richardson) } };
 }
 
+Json band_summary(const std::vector<BandedQuantity> &bands)
+{
+  Json summary = Json::object();
+  for (const BandedQuantity &each : bands)
+  {
+    Json parts = Json::object();
+    for (const BandPart &part : band_parts)
+      parts[part.key] = json_number(part_of(each, part.key));
+    summary[each.quantity.key] = { { "value", each.quantity.value },
+                                   { "band", each.band },
+                                   { "parts", parts },
+                                   { "unit", each.quantity.unit } };
+  }
+  return summary;
+}
+
 ReportSection error_band_section(const std::vector<BandedQuantity> &bands)
 {
   std::vector<BandedQuantity> listed;
   std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
                [](const BandedQuantity &each) { return !each.is_zero(); });
-  return {
+  ReportSection section = {
     "Error bands",
-    "The exact solution of the same model lies within value ± band: what the mesh, the harmonics and "
-    "the azimuth lines leave open. The band says nothing about uncertain parameters such as μ, E or the "
-    "mass; stemware sweep --random does.",
+    "The exact solution of the same model lies within value ± band: what the discretisation leaves open. The "
+    "band says nothing about what the model itself leaves out, which the list \"without\" of the budget "
+    "measures, nor about uncertain parameters such as μ, E or the mass; stemware sweep --random does.",
     {},
     { band_table(listed).with("The study as it is; harmonics not listed are zero",
                               "quantity value band richardson unit") }
   };
+  if (const Table parts = part_table(listed); parts.columns.size() > 1)
+    section.tables.push_back(parts);
+  return section;
 }
 
 } // namespace stemware::pipeline

@@ -17,10 +17,17 @@ namespace stemware::pipeline
 /// section, and the files.
 void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files);
 
+/// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
+std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load);
+
+/// Says in the plots of a report that the load of rest is kept at every spin; those of the load itself stay.
+void say_one_way(Report &report);
+
 /// The first harmonics of a load over its mean.
 Table harmonics_table(const ring::RingStack &load);
 
-/// "load" of summary.json: a load at rest.
+/// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
+/// sum.
 nlohmann::ordered_json load_summary(const LoadReport &load);
 
 /// a_n and b_n [N/rad] of a load, as two lists.
@@ -28,6 +35,10 @@ nlohmann::ordered_json series_summary(const ring::RingStack &load);
 
 /// Quantities of interest with their error bands and Richardson values.
 Table band_table(const std::vector<BandedQuantity> &bands);
+
+/// "error_bands" of summary.json: value, half-width, what it is made of (null where a part was not estimated)
+/// and unit of each quantity.
+nlohmann::ordered_json band_summary(const std::vector<BandedQuantity> &bands);
 
 /// What the discretisation leaves open, as a section of a report.
 ReportSection error_band_section(const std::vector<BandedQuantity> &bands);

@@ -1,6 +1,7 @@
 #include "fem/pipeline/output/comparison_results.h"
 
 #include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
@@ -28,9 +29,10 @@ std::string harmonics_name(const SpinRow &row)
 /// "elastic foot, n <= 2", with @p at_most for the sign.
 std::string load_title(const SpinRow &row, const std::string &at_most)
 {
+  const std::string load = name_of_load(row.load);
   if (row.harmonics == 1)
-    return row.load == compared_load::first_harmonic ? row.load : row.load + ", n = 1";
-  return row.load + (row.all_harmonics ? ", all" : ", n " + at_most + " " + std::to_string(row.harmonics));
+    return row.load == compared_load::first_harmonic ? load : load + ", n = 1";
+  return load + (row.all_harmonics ? ", all" : ", n " + at_most + " " + std::to_string(row.harmonics));
 }
 
 std::vector<SpinRow> rows_of(const Comparison &comparison, Closure closure)
@@ -41,25 +43,39 @@ std::vector<SpinRow> rows_of(const Comparison &comparison, Closure closure)
   return rows;
 }
 
-Findings findings_of(const Comparison &comparison)
+/// All numbers of all rows; what the harmonics beyond the first do stands in the rows of all harmonics.
+Table row_table(const Comparison &comparison)
 {
-  const std::string &load = comparison.rows.back().load; // the study's own, the last
-  const SpinRow *paper = comparison.find(Closure::paper, compared_load::first_harmonic);
-  const SpinRow *full = comparison.find(Closure::full, compared_load::first_harmonic);
-  const auto effect = [](const SpinRow *from, const SpinRow *to)
-  { return json_number(relative_effect(from, to)); };
-  const Json rows = json_table(
+  Table table =
     spin_table(comparison.rows)
       .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
                 "omega_terminal_band difference_to_paper load_minimum_at_terminal "
-                "contact_fraction_at_terminal state message"));
-  Findings findings;
-  findings.key_figures = {
-    { "closure_effect", effect(paper, full) },
-    { "harmonic_effect_closure_paper", effect(paper, comparison.find(Closure::paper, load)) },
-    { "harmonic_effect_closure_full", effect(full, comparison.find(Closure::full, load)) }
+                "contact_fraction_at_terminal state message");
+  const auto effect = [&](std::optional<double> HarmonicEffect::*value)
+  {
+    return [&, value](const SpinRow &row)
+    { return row.all_harmonics ? comparison.harmonic_effect(row.closure, row.load).*value : std::nullopt; };
   };
-  findings.summary = { { "effects", findings.key_figures }, { "comparison", rows } };
+  const auto before = table.columns.end() - 2; // state and message stay the last
+  table.columns.insert(
+    before,
+    { column(quantity::harmonic_effect, comparison.rows, effect(&HarmonicEffect::absolute)),
+      column(quantity::harmonic_effect_relative, comparison.rows, effect(&HarmonicEffect::relative)) });
+  return table;
+}
+
+Findings findings_of(const Study &study, const Comparison &comparison)
+{
+  const std::string &load = comparison.rows.back().load; // the study's own, the last
+  const SpinRow *own = comparison.find(study.motion.closure, load);
+  const HarmonicEffect effect = comparison.harmonic_effect(study.motion.closure, load);
+  Findings findings;
+  findings.key_figures = { { "omega_terminal", json_number(own->omega_terminal()) },
+                           { "omega_terminal_band", json_number(own->band) },
+                           { "harmonic_effect", json_number(effect.absolute) },
+                           { "harmonic_effect_relative", json_number(effect.relative) } };
+  findings.summary = { { "harmonic_effect", harmonic_effect_summary(effect) },
+                       { "comparison", json_table(row_table(comparison)) } };
   return findings;
 }
 
@@ -109,9 +125,11 @@ ReportSection overview_section(const Comparison &comparison)
     "Harmonics beside moment balances",
     "Closure paper balances the centripetal part of the hand's force alone, hand the whole force of the "
     "hand, full also the moment of the friction about the centre of mass. In all rows but those of the "
-    "elastic foot at rest, the load is computed anew at each spin, in balance with friction. With n = 1 "
-    "the rigid rims coincide with the first row, whatever they stand on. Formal: the load, or what is "
-    "left of it, would have to pull on the table.",
+    "elastic foot at rest (one-way: that load is kept at every spin), the load is computed anew at each "
+    "spin, "
+    "in balance with friction. With n = 1 the rigid rims coincide with the first row, whatever they stand "
+    "on. "
+    "Formal: the load, or what is left of it, would have to pull on the table.",
     { comparison_plot(comparison) },
     { overview_table(comparison, false) }
   };
@@ -128,7 +146,7 @@ ReportSection table_section(const Comparison &comparison)
     section.tables.push_back(closure_table(comparison, closure));
   for (const SpinRow &row : comparison.rows)
     if (!row.reason.empty())
-      section.text += fmt::format(FMT_STRING("\n\n{}, closure {}, harmonics {}: {}."), row.load,
+      section.text += fmt::format(FMT_STRING("\n\n{}, closure {}, harmonics {}: {}."), name_of_load(row.load),
                                   ring::to_string(row.closure), harmonics_name(row), row.reason);
   return section;
 }
@@ -145,8 +163,8 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison
   std::string reasons;
   for (const SpinRow &row : comparison.rows)
     if (row.all_harmonics && !row.reason.empty())
-      reasons += fmt::format(FMT_STRING("closure {}, {}: {}. {}\n"), ring::to_string(row.closure), row.load,
-                             to_string(row.standing), row.reason);
+      reasons += fmt::format(FMT_STRING("closure {}, {}: {}. {}\n"), ring::to_string(row.closure),
+                             name_of_load(row.load), to_string(row.standing), row.reason);
   if (!reasons.empty())
     blocks.push_back({ reasons });
   return blocks;
@@ -156,10 +174,11 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Comparison
 
 Results tabulate(const Study &study, const Comparison &comparison)
 {
-  Table csv = spin_table(comparison.rows)
+  Table csv = row_table(comparison)
                 .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "
                           "omega_terminal difference_to_paper load_minimum_at_terminal "
-                          "contact_fraction_at_terminal state message");
+                          "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state "
+                          "message");
   csv["harmonics"].unit = "";
   csv["load_minimum_at_terminal"].name = "least load at terminal omega";
   Results results;
@@ -172,7 +191,7 @@ Results tabulate(const Study &study, const Comparison &comparison)
                      { overview_section(comparison), table_section(comparison) } };
   add_closing_sections(results.report, study, results.files);
   results.console = console_of(results.report.answer, comparison);
-  results.findings = findings_of(comparison);
+  results.findings = findings_of(study, comparison);
   return results;
 }
 

@@ -34,7 +34,7 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
                        const Findings &findings, Stopwatch &stopwatch, ResultsFolder &folder)
 {
   const fs::path &place = folder.working_folder();
-  Json summary = { { "schema", 1 },
+  Json summary = { { "schema", 2 },
                    { "program", { { "version", program_version() }, { "revision", program_revision() } } },
                    { "verb", options.verb } };
   if (study)

@@ -27,6 +27,10 @@ inline const Quantity relative_change("relative_change", "relative change of ter
                                       "1", "change of spin", "change\nof spin", change);
 inline const Quantity difference_to_paper("difference_to_paper", "relative difference to the paper", "1",
                                           "to the paper's", "to the\npaper's", change, change_fixed);
+inline const Quantity harmonic_effect("harmonic_effect", "harmonic effect", "rad/s", "harmonic effect",
+                                      "harmonic\neffect", signed_significant<4>);
+inline const Quantity harmonic_effect_relative("harmonic_effect_relative", "relative harmonic effect", "1",
+                                               "harmonic effect", "harmonic\neffect", change);
 inline const Quantity bound("bound", "a-priori bound on the change of tau_z at the terminal spin", "N m",
                             "bound on Δτ_z", "bound on torque", scientific_or_zero<2>, scientific_or_zero<3>);
 inline const Quantity spin_up_deviation("spin_up_deviation",
@@ -39,6 +43,26 @@ inline Quantity torque_at(double omega)
 {
   return { "torque[]", "tau_z at omega = " + significant<9>(omega) + " rad/s", "N m",
            "τ_z at " + significant<6>(omega) + " rad/s", "tau at " + significant<4>(omega) };
+}
+
+// ---- the budget: rows are models, from the paper's to the study's
+inline const Quantity step_of_budget("step", "step", "", "step", "step");
+inline const Quantity effect_name("name", "name", "");
+inline const Quantity effect("title", "what is added", "", "what is added", "what is added");
+inline const Quantity left_out("name", "without", "", "without", "without");
+inline const Quantity spin_difference("difference", "difference of terminal omega", "rad/s", "difference",
+                                      "difference", signed_significant<4>);
+inline const Quantity relative_difference("relative_difference", "relative difference", "1", "relative",
+                                          "relative", change);
+inline const Quantity spin_band("band", "half-width of the error band of terminal omega", "rad/s", "band",
+                                "band", format::band);
+inline const Quantity budget_state("remark", "", "");
+inline const Quantity formal_flag("formal", "1 if the load is negative somewhere");
+inline const Quantity reason("reason", "", "");
+/// tau_z at a @p place between rest and the complete model's terminal spin, in a list of such.
+inline Quantity torque_of_budget(const std::string &place)
+{
+  return { "torques[]", "tau_z at " + place + " of the last row", "N m", place, place, significant<6> };
 }
 
 // ---- the load on the ring

@@ -1,7 +1,9 @@
 #include "fem/pipeline/output/run_results.h"
 
 #include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/common_sections.h"
+#include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
@@ -21,37 +23,39 @@ namespace
 using Json = nlohmann::ordered_json;
 
 /// Terminal spin and torque by the number of harmonics.
-Table truncation_table(const SpinStudy &spin,
-                       const std::string &title = "The answer with the load cut off after some harmonics")
+Table truncation_table(const SpinStudy &spin)
 {
   return spin_table(spin.rows).with(
-    title, "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
+    "The answer with the load cut off after some harmonics",
+    "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
 }
 
-/// A first-harmonic load under each moment balance.
-Table closure_table(const SpinStudy &spin)
+/// truncation_table() for people, with all harmonics on one ring as a further row.
+Table shown_truncation_table(const SpinStudy &spin)
 {
-  Table table = spin_table(spin.closures)
-                  .with("A first-harmonic load in balance at every spin",
-                        "closure tau_at_rest omega_terminal moment_ratio_at_rest moment_ratio_at_terminal "
-                        "formal");
-  table["tau_at_rest"].digits = format::significant<6>;
-  table["omega_terminal"].digits = format::all_significant<6>;
-  table["moment_ratio_at_rest"].digits = table["moment_ratio_at_terminal"].digits = format::significant<4>;
-  table["moment_ratio_at_rest"].heading = "moment ratio at rest";
-  table["moment_ratio_at_terminal"].heading = "at the terminal spin";
+  std::vector<SpinRow> rows = spin.rows;
+  std::vector<std::string> names;
+  for (const SpinRow &row : rows)
+    names.push_back(std::to_string(row.harmonics));
+  if (spin.one_ring)
+  {
+    rows.push_back(*spin.one_ring);
+    names.push_back(std::to_string(spin.one_ring->harmonics) + ", on one ring");
+  }
+  Table table =
+    spin_table(rows).with("The answer with the load cut off after some harmonics",
+                          "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
+  table.columns.front() = column(quantity::harmonics, names);
   return table;
 }
 
 // ---- summary.json
 
-Json closure_summary(const SpinStudy &spin)
+/// Whether the load pushes everywhere, at rest and at the terminal spin.
+bool has_no_lift_off(const ContactReport &report)
 {
-  Table table =
-    spin_table(spin.closures)
-      .with("", "closure tau_at_rest omega_terminal moment_ratio_at_rest moment_ratio_at_terminal pulls");
-  table["pulls"].key = "formal";
-  return json_by_name(table);
+  const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
+  return pushes(report.load) && pushes(report.load_at_terminal);
 }
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
@@ -61,8 +65,9 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "tau_closed_form", study.motion.orbit.friction_coefficient * report.load.moment.x() },
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
-           { "no_lift_off", report.load.moment_ratio <= 1 },
+           { "no_lift_off", has_no_lift_off(report) },
            { "moment_ratio_at_terminal", all.at_terminal.value().moment_ratio },
+           { "tilt_at_terminal", { report.tilt.x(), report.tilt.y() } },
            { "phase_dependent", spin.phases.has_value() },
            { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
 }
@@ -94,43 +99,33 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
            { "interpolation_error", json_number(coupling->interpolation_error) } };
 }
 
-/// Friction of the pressure field beside that of the ring; null without a contact.
-Json resolved_summary(const ContactReport &report, const Table &friction)
-{
-  if (!report.foot)
-    return nullptr;
-  const auto row = [&](std::size_t field, std::size_t ring)
-  {
-    const Table numbers = friction.with("", "torque force[]");
-    Json object = json_row(numbers, field);
-    const Json on_ring = json_row(numbers, ring);
-    object["ring_torque"] = on_ring["torque"];
-    object["ring_force"] = on_ring["force"];
-    return object;
-  };
-  return { { "at_rest", row(2, 0) }, { "at_terminal", row(3, 1) } };
-}
-
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
                      const std::vector<BandedQuantity> &bands)
 {
   Findings findings;
   findings.summary = { { "load", load_summary(report.load) },
+                       { "load_at_terminal", load_summary(report.load_at_terminal) },
                        { "contact", report.foot ? json_row(contact_table(*report.foot)) : Json(nullptr) },
                        { "ring", ring_summary(study, report, spin) },
                        { "coupling", coupling_summary(report.coupling) },
                        { "waviness", waviness_summary(spin.phases) },
-                       { "resolved", resolved_summary(report, friction_table(study, report, spin.all())) },
+                       { "budget", budget_summary(study, spin.budget) },
+                       { "without", without_summary(study, spin.budget) },
+                       { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
                        { "truncation", json_table(truncation_table(spin)) },
-                       { "closures", closure_summary(spin) } };
+                       { "one_ring", spin.one_ring ? json_row(spin_table({ *spin.one_ring })
+                                                                .with("", "tau_at_rest omega_terminal "
+                                                                          "relative_change"))
+                                                   : Json(nullptr) } };
   if (!bands.empty())
-    findings.summary["error_bands"] = json_by_name(band_table(bands).with("", "key value band unit"));
-  const SpinRow &first = spin.rows.front();
+    findings.summary["error_bands"] = band_summary(bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
                            { "omega_terminal", spin.all().omega_terminal().value() },
                            { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
-                           { "omega_terminal_first_harmonic", json_number(first.omega_terminal()) },
-                           { "relative_change", json_number(first.relative_change) } };
+                           { "omega_terminal_first_harmonic",
+                             json_number(spin.rows.front().omega_terminal()) },
+                           { "harmonic_effect", json_number(spin.budget.harmonics.absolute) },
+                           { "harmonic_effect_relative", json_number(spin.budget.harmonics.relative) } };
   return findings;
 }
 
@@ -150,30 +145,33 @@ std::string title(const Study &study)
   throw std::logic_error("a load source without a title");
 }
 
-/// From the paper's model to the study's, one step at a time.
-Table model_table(const Study &study, const ContactReport &report, const SpinStudy &spin)
+ReportSection budget_section(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                             const std::vector<BandedQuantity> &bands)
 {
-  const auto spin_cell = [](const std::optional<double> &omega)
-  { return omega ? format::all_significant<6>(*omega) : "–"; };
-  const auto effect_cell = [](const std::string &name, const std::optional<double> &effect)
-  { return name + ": " + (effect ? format::change(*effect) : "–"); };
-  const SpinComparison spins = compare_spins(study, spin);
-  std::vector<std::vector<std::string>> rows = {
-    { "first harmonic", "closure paper", spin_cell(spins.paper_closure), "" },
-    { "first harmonic", "closure full", spin_cell(spins.complete_closure),
-      effect_cell("closure", spins.closure_effect()) }
+  const Budget &budget = spin.budget;
+  const auto band = band_of(bands, "omega_terminal");
+  const Table rows = shown_budget_table(study, budget);
+  ReportSection section = {
+    "From the paper's model to this study's",
+    joined({ lift_off_remark(report.load), layer_remark(study, report.half_width),
+             waviness_remark(study, spin.phases) }) +
+      "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
+      "The "
+      "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
+      "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
+    { waterfall_plot(budget, band), effects_plot(budget, band, 1e-9 * spin_unit(study)) },
+    { rows.with("Terminal spin in models of increasing detail",
+                "step title omega_terminal difference relative_difference band remark") }
   };
-  if (const unsigned int n_harmonics = report.load.rings.n_harmonics(); n_harmonics > 1)
-  {
-    const std::string own = study.load.source == LoadSource::file ? "given load"
-                            : study.load.is_static()              ? "given moment"
-                                                     : "closure " + ring::to_string(study.motion.closure);
-    rows.push_back({ "first harmonic", own, spin_cell(spins.first_harmonic), "" });
-    rows.push_back({ "all " + std::to_string(n_harmonics) + " harmonics", own, spin_cell(spins.all_harmonics),
-                     effect_cell("harmonics", spins.harmonic_effect()) });
-  }
-  return words("Terminal spin of the same glass in models of increasing detail",
-               { "load", "moment balance", heading_with_unit(quantity::omega_terminal), "effect" }, rows);
+  if (budget.rows.back().name == "harmonics" && !budget.omega.empty())
+    section.plots.push_back(harmonic_torque_plot(budget));
+  if (!budget.without.empty())
+    section.tables.push_back(without_table(study, budget)
+                               .with("The complete model without one thing at a time",
+                                     "name omega_terminal difference relative_difference remark"));
+  section.tables.push_back(rows.with("Torque τ_z at rest, at half and at all of this study's terminal spin",
+                                     "step title torques[]"));
+  return section;
 }
 
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, 0 beyond those that are
@@ -192,6 +190,7 @@ std::vector<double> spectrum_band(const std::vector<BandedQuantity> &bands, unsi
 ReportSection load_section(const LoadReport &load, const std::vector<BandedQuantity> &bands)
 {
   const ring::RingStack &rings = load.rings;
+  const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
   const double rounding = 1e-12 * load.normal_force * rings.radius();
   const auto moment = [=](double value)
   { return format::significant<6>(std::abs(value) < rounding ? 0 : value); };
@@ -202,15 +201,18 @@ ReportSection load_section(const LoadReport &load, const std::vector<BandedQuant
         "Before the glass spins it presses on the table with N = {:.6g} N and the moment M_N = ({}, "
         "{}) N m, a moment ratio m = |M_N| / (N R / 2) of {:.4g}. Above 1 a first-harmonic load would "
         "have to pull, at 2 the glass tips. {:.1f} % of the rim carries load; the least load is "
-        "{:.4g} N/rad. The equivalent ring, with the same N, M_N and first harmonic, has a radius of "
-        "{:.6g} m."),
+        "{:.4g} N/rad. {} with the same N, M_N and first harmonic has a radius of {:.6g} m."),
       load.normal_force, moment(load.moment.x()), moment(load.moment.y()), load.moment_ratio,
-      100 * load.contact_fraction, load.minimum, rings.radius()),
-    { load_plot(rings, {}) },
+      100 * load.contact_fraction, load.minimum,
+      rings.rings().size() > 1
+        ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
+        : "The ring",
+      rings.radius()),
+    { load_plot(rings, pointwise) },
     { harmonics_table(rings) }
   };
   if (rings.n_harmonics() > 1)
-    section.plots.push_back(higher_harmonics_plot(rings));
+    section.plots.push_back(higher_harmonics_plot(rings, pointwise));
   section.plots.push_back(spectrum_plot(rings, spectrum_band(bands, rings.n_harmonics())));
   return section;
 }
@@ -227,13 +229,14 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
     text +=
       ", which the glass approaches with a time constant of " + format::significant<4>(*time_constant) + " s";
   const SpinUpCurves &curves = spin.spin_up;
+  std::vector<Curve> spin_ups = { { "all harmonics", curves.time, curves.adaptive } };
+  if (!curves.first_harmonic.empty())
+    spin_ups.push_back({ "first harmonic", curves.time, curves.first_harmonic });
+  spin_ups.push_back({ "the paper's model", curves.time, curves.paper });
   return { "Torque and spin",
            text + ".",
-           { torque_plot(spin.torque, spin.rows),
-             spin_up_plot({ { "all harmonics", curves.time, curves.adaptive },
-                            { "first harmonic", curves.time, curves.first_harmonic },
-                            { "the paper's model", curves.time, curves.paper } }) },
-           { friction_table(study, report, all) } };
+           { torque_plot(spin.torque, spin.rows), spin_up_plot(spin_ups) },
+           { friction_table(study, all) } };
 }
 
 ReportSection truncation_section(const SpinStudy &spin)
@@ -243,17 +246,7 @@ ReportSection truncation_section(const SpinStudy &spin)
            "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
            "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
            { truncation_plot(spin.rows) },
-           { truncation_table(spin) } };
-}
-
-ReportSection closure_section(const SpinStudy &spin)
-{
-  return { "Moment balances",
-           "The paper balances the centripetal part of the hand's force alone (closure paper). Closure hand "
-           "takes the whole force of the hand, closure full adds the moment of the friction about the centre "
-           "of mass. A formal load would have to pull on the table.",
-           {},
-           { closure_table(spin) } };
+           { shown_truncation_table(spin) } };
 }
 
 ReportSection contact_section(const Study &study, const FootReport &foot)
@@ -269,7 +262,7 @@ ReportSection contact_section(const Study &study, const FootReport &foot)
            { as_list(numbers) } };
 }
 
-std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &spin)
+std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   Table truncations = truncation_table(spin);
   truncations["relative_change"].name += ", nan where that is 0";
@@ -278,6 +271,10 @@ std::vector<ResultFile> files_of(const ContactReport &report, const SpinStudy &s
     { "parameters.prm", "the study, to be run again" },
     { "load.dat", "λ(θ) at rest", load_table(report.load.rings) },
     { "harmonics.dat", "its Fourier coefficients; Load/File reads them", load_file_text(report.load.rings) },
+    { "rings.dat", "the same ring by ring", ring_table(report.load.rings) },
+    { "budget.dat",
+      "the terminal spin from the paper's model to this study's, and without one thing at a time",
+      budget_file_text(study, spin.budget) },
     { "torque.dat", "τ_z, T_x, T_y against the spin", torque_table(spin.torque) },
     { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
     { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations }
@@ -304,13 +301,13 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
                  const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files)
 {
   Report report = { title(study),
-                    run_answer(study, contact, spin, bands),
-                    { { "What changes the spin", "", {}, { model_table(study, contact, spin) } },
-                      load_section(contact.load, bands),
+                    run_answer(study, spin, bands),
+                    { budget_section(study, contact, spin, bands), load_section(contact.load, bands),
                       spin_section(study, contact, spin) } };
   if (contact.load.rings.n_harmonics() > 1)
     report.sections.push_back(truncation_section(spin));
-  report.sections.push_back(closure_section(spin));
+  if (is_one_way(study))
+    say_one_way(report);
   if (contact.foot)
     report.sections.push_back(contact_section(study, *contact.foot));
   if (!bands.empty())
@@ -325,12 +322,22 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
                  const std::vector<BandedQuantity> &bands)
 {
   Results results;
-  results.files = files_of(report, spin);
+  results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files);
-  results.console = { { joined({ results.report.answer, lift_off_remark(report.load),
-                                 narrow_contact_remark(study, report.foot),
-                                 waviness_remark(study, spin.phases) }) },
-                      { "", truncation_table(spin, "") } };
+  const std::vector<std::string> remarks = { lift_off_remark(report.load),
+                                             narrow_contact_remark(study, report.foot),
+                                             layer_remark(study, report.half_width),
+                                             waviness_remark(study, spin.phases) };
+  results.console = {
+    { joined({ results.report.answer, joined(remarks) }) },
+    { "From the paper's model to this study's:",
+      budget_table(study, spin.budget)
+        .with("", "console_title omega_terminal difference relative_difference band remark") }
+  };
+  if (!spin.budget.without.empty())
+    results.console.push_back({ "The complete model without one thing at a time:",
+                                without_table(study, spin.budget)
+                                  .with("", "name omega_terminal difference relative_difference remark") });
   results.findings = findings_of(study, report, spin, bands);
   if (report.foot)
     results.fields = report.foot->fields;

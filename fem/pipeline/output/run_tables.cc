@@ -14,16 +14,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A row of friction_table(), as seen by the ring or by the pressure field.
-struct FrictionRow
+/// lambda_j(theta) of one ring [N/rad].
+double value_of(const ring::RingStack::Ring &ring, double angle)
 {
-  std::string name;
-  ring::Wrench friction;
-};
-
-FrictionRow resolved(const std::string &name, const fem::ResolvedFriction &friction)
-{
-  return { name, { friction.torque, friction.force_x, friction.force_y } };
+  double value = ring.a[0];
+  for (std::size_t n = 1; n < ring.a.size(); ++n)
+    value += ring.a[n] * std::cos(static_cast<double>(n) * angle) +
+             ring.b[n] * std::sin(static_cast<double>(n) * angle);
+  return value;
 }
 
 } // namespace
@@ -56,29 +54,18 @@ Table contact_table(const FootReport &foot)
   };
 }
 
-Table friction_table(const Study &study, const ContactReport &report, const SpinRow &all)
+Table friction_table(const Study &study, const SpinRow &all)
 {
-  const double force = study.motion.orbit.friction_coefficient * report.load.normal_force;
-  const double torque = force * report.load.rings.radius();
-  std::vector<FrictionRow> rows = { { "equivalent ring, at rest", all.at_rest.value().friction },
-                                    { "equivalent ring, at the terminal spin",
-                                      all.at_terminal.value().friction } };
-  if (report.foot)
-  {
-    rows.push_back(resolved("pressure field p(r, θ), at rest", report.foot->friction_at_rest));
-    rows.push_back(
-      resolved("pressure field p(r, θ), at the terminal spin", report.foot->friction_at_terminal));
-  }
-  return {
-    "Friction of the table on the glass",
-    { column(Quantity("name", "", ""), rows, &FrictionRow::name),
-      column(
-        quantity::tau_z, rows, [](const FrictionRow &row) { return row.friction.torque; }, 1e-12 * torque),
-      column(
-        quantity::force_x, rows, [](const FrictionRow &row) { return row.friction.force_x; }, 1e-12 * force),
-      column(
-        quantity::force_y, rows, [](const FrictionRow &row) { return row.friction.force_y; }, 1e-12 * force) }
-  };
+  const ring::RingStack &load = all.at_rest.value().load;
+  const double force = study.motion.orbit.friction_coefficient * load.normal_force();
+  const double torque = force * load.radius();
+  const std::vector<std::string> names = { "at rest", "at the terminal spin" };
+  const std::vector<ring::Wrench> friction = { all.at_rest->friction, all.at_terminal.value().friction };
+  return { "Friction of the table on the glass",
+           { column(Quantity("name", "", ""), names),
+             column(quantity::tau_z, friction, &ring::Wrench::torque, 1e-12 * torque),
+             column(quantity::force_x, friction, &ring::Wrench::force_x, 1e-12 * force),
+             column(quantity::force_y, friction, &ring::Wrench::force_y, 1e-12 * force) } };
 }
 
 Table load_table(const ring::RingStack &load)
@@ -88,10 +75,36 @@ Table load_table(const ring::RingStack &load)
   std::vector<double> angles;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     angles.push_back(boost::math::double_constants::two_pi * i / n_intervals);
-  return { "Load on the table round the ring at rest",
-           { column(quantity::theta, angles),
-             column(quantity::lambda_all, angles, [&](double angle) { return load(angle); }),
-             column(quantity::lambda_first, angles, [&](double angle) { return first(angle); }) } };
+  Table table = { "Load on the table round the rim at rest",
+                  { column(quantity::theta, angles),
+                    column(quantity::lambda_all, angles, [&](double angle) { return load(angle); }),
+                    column(quantity::lambda_first, angles, [&](double angle) { return first(angle); }) } };
+  if (load.rings().size() > 1)
+    for (const ring::RingStack::Ring &ring : load.rings())
+    {
+      std::vector<double> values;
+      for (const double angle : angles)
+        values.push_back(value_of(ring, angle));
+      table.columns.push_back(
+        numbers("lambda, ring of radius " + to_short_text(ring.radius) + " m", "N/rad", values));
+    }
+  return table;
+}
+
+Table ring_table(const ring::RingStack &load)
+{
+  std::vector<std::vector<double>> rows;
+  for (std::size_t j = 0; j < load.rings().size(); ++j)
+    for (std::size_t n = 0; n <= load.n_harmonics(); ++n)
+    {
+      const ring::RingStack::Ring &ring = load.rings()[j];
+      rows.push_back(
+        { static_cast<double>(j + 1), ring.radius, static_cast<double>(n), ring.a[n], ring.b[n] });
+    }
+  return number_rows(
+    "Load at rest ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n "
+    "theta); the load is the sum of the rings",
+    { { "ring j", "1" }, { "r_j", "m" }, { "n", "1" }, { "a_n", "N/rad" }, { "b_n", "N/rad" } }, rows);
 }
 
 std::string load_file_text(const ring::RingStack &load)
@@ -156,10 +169,11 @@ Table spin_up_table(const SpinUpCurves &curves, const std::optional<CouplingStat
   if (coupling && coupling->interpolation_error)
     title += "; columns 3 to 5 from loads interpolated in omega, within " +
              to_short_text(*coupling->interpolation_error) + " of a_0";
+  const std::vector<double> nothing(curves.time.size(), std::nan(""));
   return { title,
            { column(quantity::time, curves.time), column(quantity::omega_adaptive, curves.adaptive),
              column(quantity::omega_euler, curves.euler),
-             column(quantity::omega_first, curves.first_harmonic),
+             column(quantity::omega_first, curves.first_harmonic.empty() ? nothing : curves.first_harmonic),
              column(quantity::yaw_angle, curves.yaw_angle) } };
 }
 

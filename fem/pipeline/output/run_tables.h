@@ -14,15 +14,19 @@ namespace stemware::pipeline
 /// Size of the finite-element system and residuals of the contact at rest: one row.
 Table contact_table(const FootReport &foot);
 
-/// Friction of the table on the glass, on the ring and on the pressure field; values below 1e-12 of mu N and
-/// mu N R are shown as 0. At rest, then at the terminal spin.
-Table friction_table(const Study &study, const ContactReport &report, const SpinRow &all);
+/// Friction of the table on the glass at rest, then at the terminal spin; values below 1e-12 of mu N and mu N
+/// R are shown as 0.
+Table friction_table(const Study &study, const SpinRow &all);
 
-/// lambda(theta) at rest, round the ring.
+/// lambda(theta), round the rim: the sum of the rings, its first harmonic, and each ring where there are
+/// several.
 Table load_table(const ring::RingStack &load);
 
-/// The Fourier coefficients of a load as a file that read_load_file() reads: ring radius, then rows n a_n
-/// b_n, with amplitude over a_0 and direction of the crest as further columns.
+/// Fourier coefficients ring by ring.
+Table ring_table(const ring::RingStack &load);
+
+/// The Fourier coefficients of a load, sums over its rings, as a file that read_load_file() reads: ring
+/// radius, then rows n a_n b_n, with amplitude over a_0 and direction of the crest as further columns.
 std::string load_file_text(const ring::RingStack &load);
 
 /// lambda(theta) at rest where the contact was solved.

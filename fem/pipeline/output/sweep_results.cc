@@ -41,8 +41,9 @@ bool is_for_people(const QuantityFindings &about)
 std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 {
   std::vector<QuantityFindings> list;
-  for (const char *name : { "moment ratio", "contact fraction", "torque at rest", "terminal spin",
-                            "terminal spin of the first harmonic alone", "harmonic effect" })
+  for (const char *name :
+       { "moment ratio", "contact fraction", "torque at rest", "terminal spin",
+         "terminal spin of the first harmonic alone", "absolute harmonic effect", "harmonic effect" })
     if (const QuantityFindings *about = findings.about(name))
       list.push_back(*about);
   return list;
@@ -78,6 +79,7 @@ Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
   findings.summary = { { "sweep", sweep }, { "quantities", quantities } };
   findings.key_figures = { { "cases", found.n_cases }, { "failed", found.n_failed } };
   for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
+                                       std::pair("harmonic_effect", "absolute harmonic effect"),
                                        std::pair("harmonic_effect_percent", "harmonic effect") })
     if (const QuantityFindings *about = found.about(quantity))
       findings.key_figures[key] =
@@ -282,6 +284,8 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
                                                             : grid_section(plan, cases, findings) } };
   if (findings.n_failed > 0)
     results.report.sections.push_back(failure_section(plan, cases));
+  if (is_one_way(plan.base))
+    say_one_way(results.report);
   add_closing_sections(results.report, plan.base, results.files);
   const std::vector<QuantityFindings> main = main_quantities(findings);
   const bool has_bands = std::any_of(main.begin(), main.end(), has_band);

@@ -7,8 +7,8 @@
 namespace stemware::pipeline
 {
 
-/// The results of `truncate`: what is left of the answer with fewer harmonics, truncated afterwards and in
-/// the loop of contact, friction and moment balance. @p load is the study's at rest.
+/// The results of `truncate`: what is left of the answer with fewer harmonics, in balance where the study's
+/// load is two-way. @p load is the study's at rest.
 Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations);
 
 } // namespace stemware::pipeline

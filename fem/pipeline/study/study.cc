@@ -64,13 +64,15 @@ double moment_ratio(const fem::Resultants &load, double contact_radius)
 
 std::string friction_note(const Study &study)
 {
-  if (!study.load.is_from_contact() || !study.table.is_hard())
+  if (!study.load.is_from_contact())
     return "";
+  const bool is_hard = study.table.is_hard();
   if (study.friction_deforms())
-    return "deforms the foot: on this hard table it decides the second harmonic";
-  return fmt::format(
-    FMT_STRING("does not deform {} foot; on this hard table that would decide the second harmonic"),
-    abilities(study.contact.body).friction_can_deform ? "the" : "a solid");
+    return std::string("deforms the foot") + (study.table.make().substrate ? " and the table" : "") +
+           (is_hard ? ": on this hard table it decides the second harmonic" : "");
+  return std::string("does not deform ") +
+         (abilities(study.contact.body).friction_can_deform ? "the" : "a solid") + " foot" +
+         (is_hard ? "; on this hard table that would decide the second harmonic" : "");
 }
 
 } // namespace stemware::pipeline

@@ -187,8 +187,8 @@ struct Study
 /// m = |M_N| / (N R / 2).
 double moment_ratio(const fem::Resultants &load, double contact_radius);
 
-/// A sentence without subject for the console where the table is hard, so that friction matters for the
-/// pressure: whether friction deforms the foot. Empty elsewhere.
+/// A sentence without subject for the console: whether friction deforms the foot of a contact, and that this
+/// matters where the table is hard. Empty where there is no contact.
 std::string friction_note(const Study &study);
 
 /// Throws BadInput, with one sentence, for values that do not go together, that no physical system has, or

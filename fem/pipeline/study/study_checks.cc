@@ -28,6 +28,53 @@ void require_able_body(const Study &study)
           "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
 }
 
+/// A length that no glass or table has beside this contact radius is most likely given in another unit.
+struct Length
+{
+  std::string entry;
+  double value;       ///< [m]
+  double least, most; ///< over the contact radius
+};
+
+void require_alike_lengths(const Study &study)
+{
+  const fem::GlassProfile &profile = study.glass.profile;
+  const double radius = profile.contact_radius;
+  constexpr double small = 1e-5, large = 300;
+  std::vector<Length> lengths = { { "Motion/Orbit radius", study.motion.orbit.orbit_radius, 0.01, 1e5 } };
+  if (study.load.is_from_contact() && study.contact.mesh_file.empty())
+    lengths.insert(lengths.end(), { { "Glass/Foot radius", profile.foot_radius, small, large },
+                                    { "Glass/Foot thickness", profile.foot_thickness, small, large },
+                                    { "Glass/Land width", profile.land_width, small, large },
+                                    { "Glass/Land height", profile.land_height, small, large },
+                                    { "Glass/Stem radius", profile.stem_radius, small, large },
+                                    { "Glass/Stem height", profile.stem_height, small, large } });
+  if (study.load.is_from_contact() && profile.shape == fem::GlassShape::foot)
+    lengths.push_back({ "Glass/Edge thickness", profile.edge_thickness, small, large });
+  if (study.load.is_from_contact() && study.table.make().substrate)
+    lengths.insert(lengths.end(), { { "Table/Disc radius", study.table.disc.radius, small, large },
+                                    { "Table/Disc thickness", study.table.disc.thickness, small, large } });
+  for (const Length &length : lengths)
+  {
+    const double ratio = length.value / radius;
+    require(length.least <= ratio && ratio <= length.most,
+            fmt::format(FMT_STRING("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is "
+                                   "allowed; give both in one unit."),
+                        length.entry, to_text(length.value), to_short_text(ratio), to_text(radius),
+                        to_text(length.least), to_text(length.most)));
+  }
+}
+
+/// The lines resolve a load harmonic by more than two lines for each of its waves.
+void require_resolved_load(const ContactSection &contact)
+{
+  require(
+    !abilities(contact.body).is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
+    fmt::format(FMT_STRING("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; "
+                           "give more lines, or fewer load harmonics."),
+                contact.load_harmonics, 2 * contact.load_harmonics, contact.azimuth_lines));
+}
+
 void require_steps(const MotionSection &motion)
 {
   constexpr double most_steps = 1e7;
@@ -98,6 +145,8 @@ void check_study(const Study &study)
 {
   require_able_body(study);
   require_known_waviness(study);
+  require_alike_lengths(study);
+  require_resolved_load(study.contact);
   require_steps(study.motion);
   require_load_file(study.load);
   if (study.load.source == LoadSource::file)

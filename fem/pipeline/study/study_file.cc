@@ -76,6 +76,19 @@ void apply(const std::string &override_text, const std::vector<StudyEntry> &entr
   assign(entries, "--set: ", path, boost::trim_copy(override_text.substr(equal_sign + 1)));
 }
 
+/// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
+/// that differ from their defaults.
+void forget_stated_defaults(Study &study)
+{
+  Study defaults, copy = study;
+  const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
+  if (study.given_entries.size() < own.size())
+    return;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i].text() == standard[i].text())
+      study.given_entries.erase(own[i].path());
+}
+
 /// The entries that name files.
 std::vector<std::string *> paths_of(Study &study)
 {
@@ -93,6 +106,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
     read_json(shortened_path(file), text, entries);
   else
     read_prm(file, text, entries);
+  forget_stated_defaults(study);
   for (std::string *path : paths_of(study))
     if (!path->empty())
       *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();

@@ -192,12 +192,20 @@ std::vector<std::string> names_in(const fs::path &folder)
   return names;
 }
 
+std::string plain_study(const std::string &further)
+{
+  return "subsection Motion\n  set Tilt = neglected\nend\n"
+         "subsection Glass\n  set Shape = step\nend\n"
+         "subsection Contact\n  set Friction coupling = none\nend\n"
+         "subsection Load\n  set Coupling = one-way\nend\n" +
+         further;
+}
+
 std::string coarse_study(const std::string &further)
 {
-  return "subsection Contact\n  set Body = solid\n  set Degree = 1\n  set Azimuthal cells = 16\n  set Radial "
-         "cells = 2\n"
-         "  set Foot layers = 1\nend\n" +
-         further;
+  return plain_study("subsection Contact\n  set Body = solid\n  set Degree = 1\n  set Azimuthal cells = 16\n"
+                     "  set Radial cells = 2\n  set Foot layers = 1\nend\n" +
+                     further);
 }
 
 } // namespace stemware::test

@@ -77,8 +77,11 @@ std::map<std::string, std::string> all_files(const std::filesystem::path &folder
 /// Names of everything in a folder, hidden files too, without the runner's own .out and .err.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 
-/// A study of a solid body on a mesh so coarse that it runs in a fraction of a second; @p further lines are
-/// appended.
+/// A study that runs in a second: a step profile that friction does not deform and that does not tilt, the
+/// load of rest at every spin. @p further lines are appended.
+std::string plain_study(const std::string &further = "");
+
+/// The plain study of a solid body, on a mesh so coarse that it runs in a fraction of a second.
 std::string coarse_study(const std::string &further = "");
 
 } // namespace stemware::test

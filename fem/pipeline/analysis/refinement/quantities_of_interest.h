@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "ring_model/motion.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct BandedQuantity
   QuantityOfInterest quantity;
   double band = 0;       ///< half-width: the exact value of the model lies within quantity.value -/+ band
   double richardson = 0; ///< the value with the errors of all axes taken away as far as they are known
+  std::map<std::string, double> parts = {}; ///< what the band is made of, by its cause: "mesh", "degree", ...
 
   /// Whether the value is zero to within rounding, as that of a harmonic which symmetry forbids.
   bool is_zero() const;

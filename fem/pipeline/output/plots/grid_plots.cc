@@ -41,6 +41,9 @@ std::vector<Drawing> drawings()
 {
   return { { "terminal_spin", heading_with_unit(quantity::omega_terminal),
              "Terminal spin under all harmonics of the load", value_of("terminal spin") },
+           { "absolute_harmonic_effect", "harmonic effect (rad/s)",
+             "What the harmonics of the load beyond the first add to the terminal spin",
+             value_of("absolute harmonic effect") },
            { "harmonic_effect", "harmonic effect (%)",
              "How much faster the harmonics of the load beyond the first make the glass",
              value_of("harmonic effect") },
@@ -140,8 +143,8 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
 {
   CurvePlot plot = {
     "terminal_spin",
-    "Terminal spin under all harmonics of the load, under the first alone, and of a first-harmonic load "
-    "in balance at every spin",
+    "Terminal spin under all harmonics of the load, under the first alone, and of a first harmonic on a ring "
+    "of the contact radius",
     axis_of(plan.entries[0]),
     { heading_with_unit(quantity::omega_terminal) },
     {}
@@ -149,7 +152,7 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
   for (const auto &[title, quantity] :
        { std::pair("all harmonics", "terminal spin"),
          std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
-         std::pair("first harmonic of the closure", "terminal spin of the closure's first harmonic") })
+         std::pair("first harmonic on a ring", "terminal spin of the closure's first harmonic") })
   {
     plot.curves.push_back(curve_over(plan, cases, {}, 0, value_of(quantity)));
     plot.curves.back().title = title;

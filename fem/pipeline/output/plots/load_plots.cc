@@ -16,6 +16,9 @@ namespace stemware::pipeline
 namespace
 {
 
+/// What lambda is called where it is drawn as it was solved, all harmonics without the overshoot of a series.
+constexpr char pointwise_title[] = "all harmonics";
+
 /// Azimuths at which series are drawn.
 std::vector<double> azimuths()
 {
@@ -37,6 +40,18 @@ std::vector<unsigned int> shown_truncations(const ring::RingStack &load)
   return orders;
 }
 
+/// lambda itself, closed after a whole turn: @p pointwise, or the series where that is empty.
+std::vector<fem::AzimuthLoad> whole_load(const ring::RingStack &load, std::vector<fem::AzimuthLoad> pointwise)
+{
+  if (pointwise.empty())
+    for (const double theta : azimuths())
+      pointwise.push_back({ theta, load(theta) });
+  else
+    pointwise.push_back(
+      { pointwise.front().azimuth + boost::math::double_constants::two_pi, pointwise.front().density });
+  return pointwise;
+}
+
 /// Logarithmic range that shows @p values down to where rounding begins.
 std::pair<double, double> amplitude_range(const std::vector<double> &values)
 {
@@ -48,17 +63,11 @@ std::pair<double, double> amplitude_range(const std::vector<double> &values)
 }
 
 /// 1 where the rim carries load, nan elsewhere, so that gnuplot interrupts the line.
-Table contact_arc(const ring::RingStack &load, std::vector<fem::AzimuthLoad> samples)
+Table contact_arc(const std::vector<fem::AzimuthLoad> &whole)
 {
-  if (samples.empty())
-    for (const double theta : azimuths())
-      samples.push_back({ theta, load(theta) });
-  else // closed
-    samples.push_back(
-      { samples.front().azimuth + boost::math::double_constants::two_pi, samples.front().density });
   return { "Arc of the rim that carries load",
-           { column(quantity::theta, samples, &fem::AzimuthLoad::azimuth),
-             column(quantity::under_load, samples,
+           { column(quantity::theta, whole, &fem::AzimuthLoad::azimuth),
+             column(quantity::under_load, whole,
                     [](const fem::AzimuthLoad &place)
                     { return place.density > 0 ? 1 : std::numeric_limits<double>::quiet_NaN(); }) } };
 }
@@ -91,23 +100,24 @@ std::string truncation_title(unsigned int n, unsigned int n_all)
 
 Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
 {
-  const std::vector<double> theta = azimuths();
   const std::vector<unsigned int> orders = shown_truncations(load);
+  const std::vector<fem::AzimuthLoad> whole = whole_load(load, pointwise);
   std::vector<Table> blocks;
   std::string curves;
   for (std::size_t i = 0; i < orders.size(); ++i)
   {
+    const bool is_pointwise = i + 1 == orders.size() && !pointwise.empty();
     const ring::RingStack truncated = load.truncated(orders[i]);
-    std::vector<double> values;
-    for (const double angle : theta)
-      values.push_back(truncated(angle) / load.a(0));
-    const std::string name = truncation_title(orders[i], load.n_harmonics());
+    const std::string name = is_pointwise ? pointwise_title : truncation_title(orders[i], load.n_harmonics());
     blocks.push_back(
-      { "λ(θ)/a_0, " + name, { column(quantity::theta, theta), column(quantity::load_over_mean, values) } });
+      { "λ(θ)/a_0, " + name,
+        { column(quantity::theta, is_pointwise ? whole : whole_load(load, {}), &fem::AzimuthLoad::azimuth),
+          column(quantity::load_over_mean, is_pointwise ? whole : whole_load(truncated, {}),
+                 [&](const fem::AzimuthLoad &place) { return place.density / load.a(0); }) } });
     curves += ", \\\n     data index " + std::to_string(i) + " using (x($1, $2)):(y($1, $2)) with lines lt " +
               std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
   }
-  blocks.push_back(contact_arc(load, pointwise));
+  blocks.push_back(contact_arc(whole));
   return { "load",
            "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of "
            "travel, n the harmonics kept. A curve inside the rim would pull on the table.",
@@ -117,11 +127,8 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
            380 };
 }
 
-Plot higher_harmonics_plot(const ring::RingStack &load)
+Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
 {
-  std::vector<double> degrees;
-  for (const double theta : azimuths())
-    degrees.push_back(theta * 360 / boost::math::double_constants::two_pi);
   const ring::RingStack first = load.truncated(1);
   CurvePlot plot = {
     "higher_harmonics",
@@ -134,10 +141,13 @@ Plot higher_harmonics_plot(const ring::RingStack &load)
   for (const unsigned int n : shown_truncations(load))
     if (n > 1)
     {
-      Curve curve = { truncation_title(n, load.n_harmonics()), degrees, {} };
-      curve.line_type = n == load.n_harmonics() ? 1 : n + 1;
-      for (const double theta : azimuths())
-        curve.y.push_back((load.truncated(n)(theta) - first(theta)) / load.a(0));
+      const bool is_whole = n == load.n_harmonics(), is_pointwise = is_whole && !pointwise.empty();
+      Curve curve = { is_pointwise ? pointwise_title : truncation_title(n, load.n_harmonics()) };
+      curve.line_type = is_whole ? 1 : n + 1;
+      for (const fem::AzimuthLoad &place :
+           is_pointwise ? whole_load(load, pointwise) : whole_load(load.truncated(n), {}))
+        curve.add(place.azimuth / boost::math::double_constants::degree,
+                  (place.density - first(place.azimuth)) / load.a(0));
       plot.curves.push_back(curve);
     }
   return curve_plot(plot);

@@ -20,12 +20,12 @@ namespace stemware::pipeline
 std::string truncation_title(unsigned int n, unsigned int n_all);
 
 /// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
-/// and the arc of the rim that carries load according to @p pointwise (sorted by azimuth; empty: the whole
-/// rim where the series is positive).
+/// and the arc of the rim that carries load. Where @p pointwise (sorted by azimuth) is given, it is drawn
+/// instead of all harmonics, and tells which arc carries load; else that is where the series is positive.
 Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise);
 
-/// What the harmonics beyond the first add to the load, over a_0.
-Plot higher_harmonics_plot(const ring::RingStack &load);
+/// What the harmonics beyond the first add to the load, over a_0; @p pointwise as in load_plot().
+Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise = {});
 
 /// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
 Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
@@ -36,22 +36,20 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
 
 /// tau_z(omega) of all harmonics and of truncations, with the terminal spins of @p rows, the last of which
 /// has all harmonics.
-Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows,
-                 const std::string &name = "torque");
+Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows);
 
 /// omega(t) of several models of one glass, over the time [s].
-Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &name = "spin_up",
+Plot spin_up_plot(const std::vector<Curve> &curves,
                   const std::string &caption = "Spin-up of the glass from rest.");
 
 /// How fast the terminal spin approaches that of all harmonics.
 Plot truncation_plot(const std::vector<SpinRow> &rows);
 
-/// As truncation_plot(), of a load truncated both ways, beside the a-priori bound.
+/// As above, beside the a-priori bound.
 Plot truncation_plot(const TruncationStudy &study);
 
-/// How far omega(t) of each truncation is from that of all harmonics; @p how says how it was truncated.
-Plot deviation_plot(const std::string &name, const std::string &how, const std::vector<double> &time,
-                    const TruncationTable &table);
+/// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows.
+Plot deviation_plot(const std::vector<double> &time, const std::vector<SpinRow> &rows);
 
 /// Terminal spins as points, a line of its own for each load, the first on top.
 Plot comparison_plot(const Comparison &comparison);

@@ -1,3 +1,4 @@
+#include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 
@@ -30,11 +31,11 @@ Curve change_curve(const std::string &title, const std::vector<SpinRow> &rows, d
 
 /// What the a-priori bound on the torque says about the spin, to first order: bound / |d tau / d omega|,
 /// relative to the spin.
-Curve bound_curve(const TruncationTable &table, double slope, double rounding)
+Curve bound_curve(const TruncationStudy &study, double rounding)
 {
   Curve curve = { "a-priori bound, to first order" };
-  const double scale = slope * std::abs(table.all().omega_terminal().value());
-  for (const SpinRow &row : table.rows)
+  const double scale = std::abs(study.torque_slope * study.all().omega_terminal().value());
+  for (const SpinRow &row : study.rows)
     if (row.bound && *row.bound / scale > rounding)
       curve.add(row.harmonics, *row.bound / scale);
   return curve;
@@ -42,9 +43,9 @@ Curve bound_curve(const TruncationTable &table, double slope, double rounding)
 
 } // namespace
 
-Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, const std::string &name)
+Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
 {
-  CurvePlot plot = { name,
+  CurvePlot plot = { "torque",
                      "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
                      "vanishes (points).",
                      { heading_with_unit(quantity::omega), false,
@@ -71,9 +72,9 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, con
   return curve_plot(plot);
 }
 
-Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &name, const std::string &caption)
+Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &caption)
 {
-  return curve_plot({ name,
+  return curve_plot({ "spin_up",
                       caption,
                       { heading_with_unit(quantity::time) },
                       { heading_with_unit(quantity::omega) },
@@ -97,30 +98,25 @@ Plot truncation_plot(const std::vector<SpinRow> &rows)
 Plot truncation_plot(const TruncationStudy &study)
 {
   constexpr double rounding = 1e-13;
-  CurvePlot plot = {
-    "terminal_spin",
-    "What is missing in the terminal spin when the load is truncated, relative to all harmonics.",
-    { "harmonics kept" },
-    { "|change of terminal spin|", true },
-    { change_curve("truncated afterwards", study.frozen.rows, rounding) }
-  };
-  if (study.self_consistent && study.acts_back)
-    plot.curves.push_back(change_curve("truncated in the loop", study.self_consistent->rows, rounding));
-  plot.curves.push_back(bound_curve(study.frozen, std::abs(study.torque_slope), rounding));
-  return curve_plot(plot);
+  return curve_plot({ "terminal_spin",
+                      "What is missing in the terminal spin when the load is truncated, relative to all "
+                      "harmonics.",
+                      { "harmonics kept" },
+                      { "|Δω / ω|", true },
+                      { change_curve("terminal spin, relative change", study.rows, rounding),
+                        bound_curve(study, rounding) } });
 }
 
-Plot deviation_plot(const std::string &name, const std::string &how, const std::vector<double> &time,
-                    const TruncationTable &table)
+Plot deviation_plot(const std::vector<double> &time, const std::vector<SpinRow> &rows)
 {
-  CurvePlot plot = { name,
-                     "How far ω(t) is from that of all harmonics, " + how + ".",
+  CurvePlot plot = { "deviation",
+                     "How far ω(t) of fewer harmonics is from that of all.",
                      { quantity::axis::time },
                      { quantity::axis::deviation, true },
                      {} };
-  const SpinRow &all = table.all();
+  const SpinRow &all = rows.back();
   const double rounding = 1e-10 * std::abs(all.omega_terminal().value());
-  for (const SpinRow &row : table.rows)
+  for (const SpinRow &row : rows)
   {
     Curve curve = { truncation_title(row.harmonics, all.harmonics) };
     curve.line_type = static_cast<unsigned int>(plot.curves.size()) + 2; // all harmonics have the first
@@ -148,7 +144,7 @@ Plot comparison_plot(const Comparison &comparison)
   // names.
   plot.commands = "set lmargin at screen 0.3\nset key width 0\nset ytics (";
   for (std::size_t i = 0; i < loads.size(); ++i)
-    plot.commands += (i ? ", '" : "'") + loads[i] + "' " + std::to_string(loads.size() - i);
+    plot.commands += (i ? ", '" : "'") + name_of_load(loads[i]) + "' " + std::to_string(loads.size() - i);
   plot.commands += ")\nset grid x y\n";
   for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
   {

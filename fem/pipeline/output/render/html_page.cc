@@ -26,13 +26,22 @@ std::string link(const std::string &file, const std::string &text)
   return "<a href=\"" + html_text(file) + "\">" + html_text(text) + "</a>";
 }
 
+/// A text as HTML; numbers stay on one line with their units.
+std::string flowing_text(const std::string &text)
+{
+  std::string html = html_formula(text);
+  for (const std::string unit : { "%", "rad/s" })
+    boost::replace_all(html, " " + unit, "\u00a0" + unit);
+  return html;
+}
+
 std::string paragraphs(const std::string &text)
 {
   std::string html;
   for (std::size_t begin = 0; begin < text.size();)
   {
     const std::size_t end = std::min(text.find("\n\n", begin), text.size());
-    html += element("p", html_formula(text.substr(begin, end - begin)));
+    html += element("p", flowing_text(text.substr(begin, end - begin)));
     begin = end + 2;
   }
   return html;
@@ -136,7 +145,7 @@ std::string html_page(const Report &report, const std::map<std::string, std::str
                       const std::string &notice)
 {
   std::string content =
-    element("h1", html_formula(report.title)) + element("p class=\"answer\"", html_formula(report.answer));
+    element("h1", html_formula(report.title)) + element("p class=\"answer\"", flowing_text(report.answer));
   if (!notice.empty())
     content += element("p class=\"notice\" role=\"note\"", html_text(notice));
   for (const ReportSection &item : report.sections)

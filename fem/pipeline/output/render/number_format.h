@@ -23,6 +23,13 @@ std::string all_significant(double value)
   return fmt::format(FMT_STRING("{:#.{}g}"), value, digits);
 }
 
+/// Up to @p digits significant digits with the sign: "+0.0295"; "0" for nothing.
+template <int digits>
+std::string signed_significant(double value)
+{
+  return value == 0 ? "0" : fmt::format(FMT_STRING("{:+.{}g}"), value, digits);
+}
+
 /// "-3.129e+00".
 template <int digits>
 std::string scientific(double value)
@@ -58,10 +65,10 @@ std::string percent_fixed(double share)
   return fmt::format(FMT_STRING("{:.{}f} %"), 100 * share, digits);
 }
 
-/// A change in per cent with its sign, to three significant digits: "+0.274 %".
+/// A change in per cent with its sign, to three significant digits: "+0.274 %"; "0 %" for none.
 inline std::string change(double share)
 {
-  return fmt::format(FMT_STRING("{:+.3g} %"), 100 * share);
+  return share == 0 ? "0 %" : fmt::format(FMT_STRING("{:+.3g} %"), 100 * share);
 }
 
 /// A change in per cent with its sign and three decimals: "+17.900 %".

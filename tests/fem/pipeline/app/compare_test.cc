@@ -16,8 +16,8 @@ using Json = nlohmann::json;
 
 Json compared(const ScratchFolder &scratch, const std::vector<std::string> &settings)
 {
-  std::vector<std::string> arguments = { "compare", scratch.write("study.prm", "# the default glass\n"),
-                                         "--output", "compared" };
+  std::vector<std::string> arguments = { "compare", scratch.write("study.prm", plain_study()), "--output",
+                                         "compared" };
   for (const std::string &setting : settings)
     arguments.insert(arguments.end(), { "--set", setting });
   const Ended ended = stemware(scratch, arguments);
@@ -105,7 +105,7 @@ TEST(Compare, RowsOfTheElasticFootAreThoseOfRun)
   const ScratchFolder scratch;
   const Json rows = compared(scratch, { "Table/Foundation modulus=1e9" });
   for (const auto &[load, coupling] :
-       { std::pair("elastic foot at rest", "frozen"), { "elastic foot", "exact" } })
+       { std::pair("elastic foot at rest", "one-way"), { "elastic foot", "two-way" } })
     for (const std::string closure : { "paper", "full" })
     {
       const Ended run =
@@ -116,7 +116,7 @@ TEST(Compare, RowsOfTheElasticFootAreThoseOfRun)
       const Json summary = read_summary(scratch / "run");
       EXPECT_NEAR(spin(row_of(rows, closure, load)), summary["ring"]["omega_terminal"].get<double>(), 1e-8)
         << load << ", closure " << closure;
-      if (std::string(coupling) == "exact")
+      if (std::string(coupling) == "two-way")
         continue;
       for (const unsigned int n : { 1u, 2u, 3u })
         EXPECT_NEAR(spin(row_of(rows, closure, load, n)),
@@ -128,7 +128,7 @@ TEST(Compare, RowsOfTheElasticFootAreThoseOfRun)
 TEST(Compare, ProgramsAndPeopleAreToldTheSame)
 {
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   const Ended quiet = stemware(scratch, { "compare", study, "--set", "Load/Source=first harmonic", "--set",
                                           "Motion/Centre of mass height=0.1", "--quiet", "--json" });
   ASSERT_EQ(quiet.exit_code, 0) << quiet.err;
@@ -161,7 +161,7 @@ TEST(Compare, ProgramsAndPeopleAreToldTheSame)
 TEST(Compare, RefusesWhatHasNoClosure)
 {
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   const Ended given = stemware(scratch, { "compare", study, "--set", "Load/Moment ratio=1.3" });
   EXPECT_EQ(given.exit_code, 1);
   EXPECT_NE(given.err.find("Load/Moment ratio is given"), std::string::npos) << given.err;
@@ -171,7 +171,7 @@ TEST(Compare, RefusesWhatHasNoClosure)
   EXPECT_EQ(file.exit_code, 1);
   EXPECT_NE(file.err.find("Load/Source = file"), std::string::npos) << file.err;
   const Ended wavy = stemware(
-    scratch, { "compare", study, "--set", "Glass/Rim waviness=3: 2e-6", "--set", "Load/Coupling=exact" });
+    scratch, { "compare", study, "--set", "Glass/Rim waviness=3: 2e-6", "--set", "Load/Coupling=two-way" });
   EXPECT_EQ(wavy.exit_code, 1);
   EXPECT_NE(wavy.err.find("Glass/Rim waviness makes the load depend on the yaw angle"), std::string::npos)
     << wavy.err;

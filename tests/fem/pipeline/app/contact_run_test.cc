@@ -102,9 +102,9 @@ TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
 TEST(ContactRun, TorqueAtRestIsThatOfTheMoment)
 {
   const ScratchFolder scratch;
-  for (const char *table : { "mat", "rigid" })
+  for (const char *table : { "Winkler", "hard" })
   {
-    const auto summary = run(scratch, { std::string("Table/Kind=") + table });
+    const auto summary = run(scratch, { std::string("Table/Interface=") + table });
     const double torque = summary["ring"]["tau_at_rest"];
     EXPECT_NEAR(torque, 0.3 * summary["load"]["moment"][0].get<double>(), 1e-10 * std::abs(torque)) << table;
     EXPECT_NEAR(torque, -0.003675, 1e-9 * 0.003675) << table;
@@ -187,7 +187,7 @@ TEST(ContactRun, UnitsDoNotMatter)
     "Glass/Crown radius=3",     "Glass/Stem radius=5",         "Glass/Stem height=10",
     "Glass/Young modulus=70e3", "Table/Foundation modulus=10",
   };
-  for (const char *table : { "Table/Kind=mat", "Table/Kind=rigid" })
+  for (const char *table : { "Table/Interface=Winkler", "Table/Interface=hard" })
   {
     const auto metres = run(scratch, { table });
     auto settings = in_millimetres;

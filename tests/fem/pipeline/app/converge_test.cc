@@ -81,7 +81,7 @@ TEST(ConvergeRun, SolidBody)
 TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
 {
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   const Ended no_mesh = stemware(scratch, { "converge", study, "--set", "Load/Source=first harmonic" });
   EXPECT_EQ(no_mesh.exit_code, 1);
   EXPECT_NE(no_mesh.err.find("no discretisation to refine"), std::string::npos) << no_mesh.err;

@@ -17,11 +17,12 @@ const std::string meshes = STEMWARE_MESHES;
 /// A foot whose contact depends on its crown.
 std::string soft_study(const std::string &crown_radius)
 {
-  return "subsection Glass\n  set Land width = 0.002\n  set Crown radius = " + crown_radius +
+  return "subsection Glass\n  set Shape = step\n  set Land width = 0.002\n  set Crown radius = " +
+         crown_radius +
          "\nend\nsubsection Table\n  set Foundation modulus = 1e9\nend\nsubsection Contact\n"
          "  set Body = solid\n  set Degree = 2\n  set Azimuthal cells = 16\n  set Radial cells = 8\n"
          "  set Foot layers = 1\nend\nsubsection Load\n  set Moment ratio = 1.3\n"
-         "  set Coupling = frozen\nend\n";
+         "  set Coupling = one-way\nend\n";
 }
 
 using Vertex = std::array<double, 3>;
@@ -140,7 +141,7 @@ TEST(MeshVerb, RefusesMeshesThatCannotBeUsed)
 TEST(MeshVerb, ComparesAFileWithTheStudy)
 {
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   const std::string in_millimetres = scratch.write("mm.msh", moved(read_text(meshes + "/flat_foot.msh"),
                                                                    [](Vertex &x)
                                                                    {
@@ -172,7 +173,7 @@ TEST(MeshVerb, LeavesAReportWhereItIsTold)
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure), std::string::npos) << figure;
 
   // Of a study: with its parameters. What cannot be used leaves nothing.
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   ASSERT_EQ(stemware(scratch, { "mesh", study, "--output", "own" }).exit_code, 0);
   EXPECT_TRUE(read_summary(scratch / "own").contains("parameters"));
   const std::string upside_down =
@@ -184,7 +185,7 @@ TEST(MeshVerb, LeavesAReportWhereItIsTold)
 TEST(MeshVerb, RefusesWhatItCannotDo)
 {
   const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "# the default glass\n");
+  const std::string study = scratch.write("study.prm", plain_study());
   const auto refused = [&](const std::vector<std::string> &arguments, int exit_code, const std::string &why)
   {
     const Ended ended = stemware(scratch, arguments);

@@ -13,7 +13,7 @@ namespace
 /// Runs a study without finite elements.
 Ended run_with(const ScratchFolder &scratch, const std::vector<std::string> &options)
 {
-  std::vector<std::string> arguments = { "run", scratch.write("study.prm", "# the default glass\n"), "--set",
+  std::vector<std::string> arguments = { "run", scratch.write("study.prm", plain_study()), "--set",
                                          "Load/Source=first harmonic" };
   arguments.insert(arguments.end(), options.begin(), options.end());
   return stemware(scratch, arguments);
@@ -87,7 +87,7 @@ TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
     scratch, { "run", scratch.write("study.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(bad_lines(ended.out + ended.err), "");
-  const std::string study = scratch.write("default.prm", "# the default glass\n");
+  const std::string study = scratch.write("default.prm", plain_study());
   for (const char *verb : { "truncate", "compare", "converge" })
   {
     const Ended other = stemware(scratch, { verb, study });

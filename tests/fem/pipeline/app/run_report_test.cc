@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 /// Arguments of a run of the glass as a body of revolution whose foot lifts off, with a short spin-up.
 std::vector<std::string> lifted_run(const ScratchFolder &scratch)
 {
-  std::vector<std::string> arguments = { "run", scratch.write("study.prm", "# the default glass\n"),
-                                         "--output", "results" };
+  std::vector<std::string> arguments = { "run", scratch.write("study.prm", plain_study()), "--output",
+                                         "results" };
   for (const char *setting : { "Contact/Body=revolution", "Load/Moment ratio=1.3", "Motion/Closure=paper",
                                "Motion/End time=0.2", "Motion/Euler step=0.01" })
     arguments.insert(arguments.end(), { "--set", setting });

@@ -21,7 +21,8 @@ namespace
 /// A body of revolution that is solved in a few milliseconds.
 std::string quick_study()
 {
-  return "subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n  set Azimuth lines = 64\nend\n";
+  return plain_study(
+    "subsection Contact\n  set Body = revolution\n  set Harmonics = 6\n  set Azimuth lines = 64\nend\n");
 }
 
 /// `stemware sweep study.prm` with further arguments; the results are in the folder `results`.

@@ -19,9 +19,9 @@ using Json = nlohmann::json;
 std::vector<std::string> arguments(const ScratchFolder &scratch, const std::string &verb,
                                    const std::vector<std::string> &settings)
 {
-  std::vector<std::string> all = { verb,       scratch.write("study.prm", "# the default glass\n"),
+  std::vector<std::string> all = { verb,       scratch.write("study.prm", plain_study()),
                                    "--output", verb,
-                                   "--set",    "Load/Coupling=exact",
+                                   "--set",    "Load/Coupling=two-way",
                                    "--set",    "Motion/End time=0.2" };
   for (const std::string &setting : settings)
     all.insert(all.end(), { "--set", setting });
@@ -191,7 +191,7 @@ TEST(Truncate, FrozenRowsByPlainQuadrature)
 {
   // A static study with lift-off: the load is the same at every spin.
   const ScratchFolder scratch;
-  const Json summary = summary_of(scratch, "truncate", { "Load/Moment ratio=1.3", "Load/Coupling=frozen" });
+  const Json summary = summary_of(scratch, "truncate", { "Load/Moment ratio=1.3", "Load/Coupling=one-way" });
   const auto spin_up = read_columns(scratch / "truncate/spin_up.dat");
   const Json &rows = summary["truncation"];
   ASSERT_EQ(spin_up.size(), rows.size() + 1);
@@ -257,9 +257,9 @@ TEST(Truncate, SaysWhyThereIsNoBalance)
 {
   const ScratchFolder scratch;
   for (const auto &[settings, reason] :
-       { std::pair(std::vector<std::string>{ "Load/Moment ratio=1.3", "Load/Coupling=frozen" },
+       { std::pair(std::vector<std::string>{ "Load/Moment ratio=1.3", "Load/Coupling=one-way" },
                    "Moment ratio"),
-         { std::vector<std::string>{ "Load/Source=first harmonic", "Load/Coupling=frozen" },
+         { std::vector<std::string>{ "Load/Source=first harmonic", "Load/Coupling=one-way" },
            "first-harmonic" } })
   {
     const Json summary = summary_of(scratch, "truncate", settings);
@@ -280,10 +280,10 @@ TEST(Truncate, ClosureWithoutFrictionHasOneAnswer)
 TEST(Truncate, TheStudysOwnLoadMayBeThatOfRest)
 {
   const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, arguments(scratch, "truncate", { "Load/Coupling=frozen" }));
+  const Ended ended = stemware(scratch, arguments(scratch, "truncate", { "Load/Coupling=one-way" }));
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const Json summary = read_summary(scratch / "truncate");
-  const Ended run = stemware(scratch, arguments(scratch, "run", { "Load/Coupling=frozen" }));
+  const Ended run = stemware(scratch, arguments(scratch, "run", { "Load/Coupling=one-way" }));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NEAR(number(summary["truncation"].back(), "omega_terminal"),
               read_summary(scratch / "run")["ring"]["omega_terminal"].get<double>(), 1e-9);
@@ -323,11 +323,11 @@ TEST(Truncate, LoadsThatDoNotSpinOrHaveOneHarmonic)
 {
   const ScratchFolder scratch;
   const Json rest =
-    summary_of(scratch, "truncate", { "Load/Moment ratio=0", "Load/Coupling=frozen" })["truncation"];
+    summary_of(scratch, "truncate", { "Load/Moment ratio=0", "Load/Coupling=one-way" })["truncation"];
   EXPECT_NEAR(number(rest[0], "omega_terminal"), 0, 1e-9);
   EXPECT_TRUE(rest[0]["relative_change"].is_null());
   const Json one =
-    summary_of(scratch, "truncate", { "Load/Source=first harmonic", "Load/Coupling=frozen" })["truncation"];
+    summary_of(scratch, "truncate", { "Load/Source=first harmonic", "Load/Coupling=one-way" })["truncation"];
   ASSERT_EQ(one.size(), 1u);
   EXPECT_NEAR(number(one[0], "omega_terminal"), -3.67874799852576, 1e-10);
 }

@@ -32,6 +32,18 @@ private:
   unsigned int n = 0;
 };
 
+/// Two rings with two harmonics.
+inline ring::RingStack hand_made_rings(Numbers &next)
+{
+  std::vector<ring::RingStack::Ring> rings;
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    const double radius = next(), a0 = next(), a1 = next(), b1 = next(), a2 = next(), b2 = next();
+    rings.push_back({ radius, { a0, a1, a2 }, { 0, b1, b2 } });
+  }
+  return ring::RingStack(rings);
+}
+
 /// A ring with two harmonics.
 inline ring::RingStack hand_made_load(Numbers &next)
 {
@@ -86,7 +98,7 @@ inline pipeline::SpinRow missing_row(unsigned int harmonics)
 
 inline pipeline::LoadReport hand_made_load_report(Numbers &next)
 {
-  pipeline::LoadReport load = { hand_made_load(next) };
+  pipeline::LoadReport load = { hand_made_rings(next) };
   load.normal_force = next();
   load.moment = { next(), next() };
   load.moment_ratio = next();

@@ -51,12 +51,51 @@ inline pipeline::TorqueCurve hand_made_torque_curve(Numbers &next)
   return curve;
 }
 
+/// Every kind of row: the second is formal, and the one with tilt has no balance.
+inline pipeline::Budget hand_made_budget(Numbers &next)
+{
+  pipeline::Budget budget;
+  const auto add = [&](const char *step, const char *name, std::optional<unsigned int> harmonics)
+  {
+    pipeline::BudgetRow row = { step, name, harmonics };
+    row.omega_terminal = -next();
+    if (!budget.rows.empty())
+      row.difference = *row.omega_terminal - budget.rows.back().omega_terminal.value_or(-1);
+    row.band = next() / 1000;
+    row.torques = { next(), next(), next() };
+    row.standing = pipeline::Standing::full_contact;
+    budget.rows.push_back(row);
+  };
+  add("1", "paper", 1);
+  add("2", "moment balance", 1);
+  budget.rows.back().standing = pipeline::Standing::formal;
+  add("2a", "grip", 1);
+  add("3", "where the foot touches", 1);
+  budget.rows.push_back({ "3a", "tilt", 1 });
+  budget.rows.back().standing = pipeline::Standing::tips;
+  budget.rows.back().reason = "The foot tips";
+  add("4", "harmonics", 2);
+  budget.rows.back().difference.reset();
+  add("5", "harmonics", {});
+  budget.without = { { "tilt", -next(), next() / 100, "" },
+                     { "elasticity of the foot", -next(), -next() / 100, "" },
+                     { "compliance of the interface", {}, {}, "not defined" } };
+  budget.harmonics = { -next() / 100, next() / 1000 };
+  budget.shown_spins = { 0, -next(), -next() };
+  budget.omega = { 0, -next() };
+  budget.torque_all = { next(), next() };
+  budget.torque_first = { next(), next() };
+  return budget;
+}
+
 struct RunByHand
 {
   RunByHand()
   {
     Numbers next;
-    report = { hand_made_load_report(next), pipeline::FootReport(), pipeline::CouplingStatistics() };
+    report.load = hand_made_load_report(next);
+    report.foot = pipeline::FootReport();
+    report.coupling = pipeline::CouplingStatistics();
     pipeline::FootReport &foot = *report.foot;
     foot.foot = { "solid", 101, 102, 103, fem::MeshReport() };
     foot.foot.mesh_report->rim_radius = next();
@@ -75,12 +114,9 @@ struct RunByHand
     foot.at_rest.history = { { 1, 201, 202, next(), next(), 203 }, { 2, 204, 205, next(), next(), 206 } };
     foot.footprint.is_grid = true;
     foot.footprint.cuts = { { { next(), 0.25, next() }, { next(), 0.25, next() } } };
-    foot.friction_at_rest = { next(), next(), next() };
-    foot.friction_at_terminal = { next(), next(), next() };
     foot.fields = { { "contact.vtu", "" } };
     *report.coupling = { 301, 302, next(), next() };
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
-    spin.closures = hand_made_closures(next);
     spin.torque = hand_made_torque_curve(next);
     spin.spin_up = {
       { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }
@@ -93,10 +129,17 @@ struct RunByHand
               hand_made_band(next, "a2", "a_2/a_0", "1"), zero_band("b2"),
               hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
     study.table.waviness.push_back({});
+    report.load_at_terminal = hand_made_load_report(next);
+    report.tilt = { next(), next() };
+    report.half_width = next() / 1000;
+    spin.budget = hand_made_budget(next);
+    bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
   }
 
   pipeline::Study study;
-  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, {} }; // replaced
+  pipeline::ContactReport report = {
+    { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, 0, {}, {}
+  }; // replaced
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;
 };

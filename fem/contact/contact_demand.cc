@@ -1,0 +1,77 @@
+#include "fem/contact/contact_demand.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// What a unit force at azimuth theta adds to a load function, by the ring that it goes to. Nodes that follow
+/// each other on one azimuth are asked for once.
+class RingValues
+{
+public:
+  explicit RingValues(const LoadFunction &function)
+      : function(function)
+      , values(static_cast<Eigen::Index>(function.a.size()))
+  {
+  }
+
+  const Eigen::VectorXd &at(double cosine, double sine)
+  {
+    if (std::abs(cosine - last_cosine) + std::abs(sine - last_sine) < 1e-14)
+      return values;
+    last_cosine = cosine;
+    last_sine = sine;
+    for (std::size_t j = 0; j < function.a.size(); ++j)
+    {
+      double even = 1, odd = 0, sum = function.a[j][0] / 2;
+      for (std::size_t n = 1; n < function.a[j].size(); ++n)
+      {
+        const double next = even * cosine - odd * sine;
+        odd = even * sine + odd * cosine;
+        even = next;
+        sum += function.a[j][n] * even + function.b[j][n] * odd;
+      }
+      values(static_cast<Eigen::Index>(j)) = sum / boost::math::double_constants::pi;
+    }
+    return values;
+  }
+
+private:
+  const LoadFunction &function;
+  Eigen::VectorXd values;
+  double last_cosine = 2;
+  double last_sine = 2;
+};
+
+} // namespace
+
+LinearConditions conditions_of(const ContactSurface &surface, const ContactDemand &demand)
+{
+  if (!demand.has_friction() && demand.tilt_moment == 0)
+    return prescribed_resultants(surface, demand);
+  Eigen::MatrixX3d weights = surface.motion_modes();
+  if (demand.has_friction())
+  {
+    const RingShares shares(demand.ring_radii);
+    RingValues of_x(demand.friction_x), of_y(demand.friction_y);
+    for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+    {
+      const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
+      const double radius = std::hypot(x, y);
+      const double cosine = radius > 0 ? x / radius : 1, sine = radius > 0 ? y / radius : 0;
+      const Eigen::VectorXd &share = shares.at(radius);
+      weights(i, 1) += share.dot(of_y.at(cosine, sine));
+      weights(i, 2) -= share.dot(of_x.at(cosine, sine));
+    }
+  }
+  const Eigen::Matrix3d leaning = Eigen::Vector3d(0, demand.tilt_moment, demand.tilt_moment).asDiagonal();
+  return { surface, std::move(weights), { demand.normal_force, -demand.moment_y, demand.moment_x }, leaning };
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fem/contact/linear_conditions.h"
+#include "fem/contact/load_harmonics.h"
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// What the contact has to carry: a normal force N, and the moment
+///
+///   M_N = moment + (friction_x, friction_y)(load) + tilt_moment (-q2, +q1),
+///
+/// the sum of what is prescribed, of what the friction of the load itself adds, and of the weight of a glass
+/// that leans by the table motions q1, q2 (docs/theory/closures.md). Plain resultants are the case without the
+/// last two.
+struct ContactDemand : Resultants
+{
+  ContactDemand() = default;
+  ContactDemand(const Resultants &resultants) // NOLINT(google-explicit-constructor): resultants are a demand
+      : Resultants(resultants)
+  {
+  }
+  ContactDemand(double normal_force, double moment_x, double moment_y)
+      : Resultants{ normal_force, moment_x, moment_y }
+  {
+  }
+
+  /// Radii of the rings on which the load is gathered, ascending [m]; empty: the one ring that has the load's
+  /// moment and first harmonic.
+  std::vector<double> ring_radii;
+  /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
+  LoadFunction friction_x;
+  LoadFunction friction_y;
+  double tilt_moment = 0; ///< N z_CM [N m]
+
+  bool has_friction() const { return !friction_x.a.empty(); }
+};
+
+/// The demand as linear conditions on the nodal forces of @p surface and the table motions. Throws
+/// std::invalid_argument unless N > 0 and all is finite.
+LinearConditions conditions_of(const ContactSurface &surface, const ContactDemand &demand);
+
+} // namespace stemware::fem

@@ -1,0 +1,159 @@
+#include "fem/pipeline/output/budget_tables.h"
+
+#include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/table_renderers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// A spin that nothing is related to [rad/s].
+double rounding_of_spins(const Study &study)
+{
+  return 1e-9 * spin_unit(study);
+}
+
+/// "formal", or why a row has no spin; empty for what stands as it is.
+std::string state_of(const BudgetRow &row)
+{
+  if (!row.omega_terminal)
+    return row.reason.empty() ? to_string(row.standing) : row.reason;
+  return row.standing == Standing::formal ? to_string(row.standing) : "";
+}
+
+std::optional<std::string> reason_or_nothing(const std::string &reason)
+{
+  return reason.empty() ? std::nullopt : std::optional(reason);
+}
+
+/// Titles of rows as comments of a data file: "\n# row 1: the paper's model".
+template <typename Row, typename Title>
+std::string row_comments(const std::vector<Row> &rows, Title title)
+{
+  std::string comments;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    comments += fmt::format(FMT_STRING("\n# row {}: {}"), i + 1, title(rows[i]));
+  return comments;
+}
+
+} // namespace
+
+std::string title_of(const BudgetRow &row, const std::string &at_most)
+{
+  if (row.name == "paper")
+    return "the paper's model";
+  if (row.name != "harmonics")
+    return row.name;
+  return row.harmonics ? fmt::format(FMT_STRING("harmonics, n {} {}"), at_most, *row.harmonics)
+                       : "harmonics, all";
+}
+
+Table budget_table(const Study &study, const Budget &budget)
+{
+  using Row = BudgetRow;
+  const std::vector<Row> &rows = budget.rows;
+  const double small_spin = rounding_of_spins(study);
+  const auto harmonics = [](const Row &row) { return row.harmonics ? Json(*row.harmonics) : Json("all"); };
+  const auto relative = [&](const Row &row)
+  {
+    const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+    return relative_to(above, row.difference, spin_unit(study));
+  };
+  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
+  Table table = {
+    "",
+    { column(quantity::step_of_budget, rows, &Row::step), column(quantity::effect_name, rows, &Row::name),
+      column(quantity::effect, rows, [](const Row &row) { return title_of(row); }),
+      column(
+        quantity::effect.with(&Quantity::key, "console_title").with(&Quantity::label, "model, row by row"),
+        rows, [](const Row &row) { return title_of(row, "<="); }),
+      column(quantity::harmonics, rows, harmonics),
+      column(quantity::harmonics.with(&Quantity::key, "harmonics_kept")
+               .with(&Quantity::name, "harmonics kept, nan: all"),
+             rows, &Row::harmonics),
+      column(quantity::omega_terminal, rows, &Row::omega_terminal),
+      column(quantity::spin_difference, rows, &Row::difference, small_spin),
+      column(quantity::relative_difference, rows, relative, 1e-9),
+      column(quantity::spin_band, rows, &Row::band), column(quantity::budget_state, rows, state_of),
+      column(quantity::state, rows, [](const Row &row) { return to_string(row.standing); }),
+      column(quantity::formal_flag, rows, [](const Row &row) { return row.standing == Standing::formal; }),
+      column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) }
+  };
+  const char *places[] = { "rest", "half the terminal spin", "the terminal spin" };
+  for (std::size_t i = 0; i < 3; ++i)
+    table.columns.push_back(column(
+      quantity::torque_of_budget(places[i]), rows, [=](const Row &row) { return row.torques[i]; },
+      1e-9 * std::abs(torque_at_rest)));
+  return table;
+}
+
+Table shown_budget_table(const Study &study, const Budget &budget)
+{
+  Budget shown = budget;
+  const auto changes_nothing = [&](const BudgetRow &row)
+  { return row.name == "harmonics" && row.harmonics && row.difference && !is_spin(study, *row.difference); };
+  shown.rows.erase(std::remove_if(shown.rows.begin(), shown.rows.end(), changes_nothing), shown.rows.end());
+  return budget_table(study, shown);
+}
+
+Table without_table(const Study &study, const Budget &budget)
+{
+  using Row = WithoutRow;
+  const std::vector<Row> &rows = budget.without;
+  const std::optional<double> complete =
+    budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;
+  return { "",
+           { column(quantity::left_out, rows, &Row::name),
+             column(quantity::omega_terminal, rows, &Row::omega_terminal),
+             column(quantity::spin_difference, rows, &Row::difference, rounding_of_spins(study)),
+             column(
+               quantity::relative_difference, rows,
+               [&](const Row &row) { return relative_to(complete, row.difference, spin_unit(study)); }, 1e-9),
+             column(quantity::budget_state, rows, &Row::reason),
+             column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) } };
+}
+
+std::string budget_file_text(const Study &study, const Budget &budget)
+{
+  const Table chain = budget_table(study, budget)
+                        .with("From the paper's model to the study's; the rows are" +
+                                row_comments(budget.rows, [](const BudgetRow &row)
+                                             { return row.step + ", " + title_of(row, "<="); }),
+                              "harmonics_kept omega_terminal difference band formal torques[]");
+  const Table without =
+    without_table(study, budget)
+      .with("The complete model without one thing at a time; the rows are" +
+              row_comments(budget.without, [](const WithoutRow &row) { return "without " + row.name; }),
+            "omega_terminal difference");
+  return data_tables({ chain, without });
+}
+
+Json budget_summary(const Study &study, const Budget &budget)
+{
+  return json_table(budget_table(study, budget)
+                      .with("", "step name harmonics omega_terminal difference band torques[] state reason"));
+}
+
+Json without_summary(const Study &study, const Budget &budget)
+{
+  return json_table(without_table(study, budget).with("", "name omega_terminal difference reason"));
+}
+
+Json harmonic_effect_summary(const HarmonicEffect &effect)
+{
+  return { { "absolute", json_number(effect.absolute) }, { "relative", json_number(effect.relative) } };
+}
+
+bool is_spin(const Study &study, double omega)
+{
+  return std::abs(omega) >= rounding_of_spins(study);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/output/render/table.h"
+#include "fem/pipeline/study/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// The budget of effects in numbers: for the console, reports, data files and summary.json.
+namespace stemware::pipeline
+{
+
+/// What a row of the budget is called by people: "the paper's model", "moment balance", "harmonics, n ≤ 2",
+/// "harmonics, all"; @p at_most stands for the sign "≤".
+std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
+
+/// The chain of models by row: what each adds, how many harmonics it keeps, its terminal spin and the
+/// difference to the row above, in rad/s and relative, and tau_z at 0, half and all of the complete model's
+/// terminal spin. Relative differences to a glass that does not spin do not exist; people read 0 where a
+/// difference is less than 1e-9 v/R.
+Table budget_table(const Study &study, const Budget &budget);
+
+/// budget_table() without the numbers of harmonics that change nothing.
+Table shown_budget_table(const Study &study, const Budget &budget);
+
+/// The complete model with one thing left out at a time, beside the complete model.
+Table without_table(const Study &study, const Budget &budget);
+
+/// budget.dat: the chain and the list "without" as two blocks of numbers, whose comments say what the rows
+/// are.
+std::string budget_file_text(const Study &study, const Budget &budget);
+
+/// "budget" of summary.json; "harmonics" is "all" where none are left out.
+nlohmann::ordered_json budget_summary(const Study &study, const Budget &budget);
+
+/// "without" of summary.json.
+nlohmann::ordered_json without_summary(const Study &study, const Budget &budget);
+
+/// "harmonic_effect" of summary.json: absolute [rad/s] and relative.
+nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
+
+/// Whether a spin is more than rounding: |omega| >= 1e-9 v/R.
+bool is_spin(const Study &study, double omega);
+
+} // namespace stemware::pipeline

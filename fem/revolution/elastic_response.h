@@ -1,0 +1,78 @@
+#pragma once
+
+#include "fem/contact/sliding_traction.h"
+#include "fem/revolution/contact_compliance.h"
+#include "fem/revolution/fourier_basis.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace stemware::fem
+{
+
+/// Modes of the normal, radial and azimuthal forces on the contact circles, sum_j f_j mode(theta_j) [N], each
+/// of shape [n_radii, n_modes].
+struct ForceModes
+{
+  Eigen::MatrixXd normal;
+  Eigen::MatrixXd radial;    ///< empty without friction, `azimuthal` too
+  Eigen::MatrixXd azimuthal; ///< against the conjugates of the modes
+};
+
+/// What the contact circles of foot and table do under normal forces on the azimuth lines, and under the
+/// friction that these bring along (docs/method/revolution.md, "Harmonics and lines").
+///
+/// The compliance C_n of harmonic n acts up to n_harmonics(). All harmonics beyond, which only the lines
+/// resolve, have one compliance, that of ContactCompliance::beyond: at wave lengths that are short beside the
+/// foot and long beside the contact's width it is that of a line contact, so each line answers to its own
+/// force. In sum
+///
+///   u_j = D f_j + sum_{n <= n_max} (C_n - C_beyond) f_n cos n(theta - theta_n) ...,  D = C_beyond n_lines / 2
+///   pi,
+///
+/// which is positive definite on every line, however many there are. Friction tractions t = s f with the
+/// direction s(r, theta) of sliding add C^zr and C^ztheta; the latter up to n_max alone.
+///
+/// Forces and displacements on the lines have the shape [n_radii, n_lines].
+class ElasticResponse
+{
+public:
+  /// @p compliance of foot and table. Throws std::invalid_argument when @p n_lines is too small for its
+  /// harmonics.
+  ElasticResponse(ContactCompliance compliance, unsigned int n_lines);
+
+  /// Friction that deforms, or none. Throws as SlidingTraction::validate.
+  void set_sliding(const std::optional<SlidingTraction> &traction);
+  bool has_sliding() const { return slide_radial.size() > 0; }
+
+  const FourierBasis &basis() const { return modes; }
+  const ContactCompliance &compliance() const { return circles; }
+  unsigned int n_radii() const { return circles.n_nodes(); }
+  unsigned int n_lines() const { return modes.n_lines(); }
+
+  /// Radial and azimuthal force per normal force; empty without friction.
+  const Eigen::MatrixXd &radial_traction() const { return slide_radial; }
+  const Eigen::MatrixXd &azimuthal_traction() const { return slide_azimuthal; }
+
+  /// u_z under the normal @p forces [N] and the friction that they bring along [m].
+  Eigen::MatrixXd displacement(const Eigen::MatrixXd &forces) const;
+
+  /// The forces' harmonics up to n_max.
+  ForceModes force_modes(const Eigen::MatrixXd &forces) const;
+
+  /// D with friction: displacement of the circles @p first ... @p first + @p size - 1 on @p line under forces
+  /// there [m/N].
+  Eigen::MatrixXd local(Eigen::Index line, Eigen::Index first, Eigen::Index size) const;
+
+  /// C_n - C_beyond on a range of circles; the azimuthal part is C_n itself.
+  HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const;
+
+private:
+  ContactCompliance circles;
+  FourierBasis modes;
+  Eigen::MatrixXd slide_radial; ///< shape [n_radii, n_lines]
+  Eigen::MatrixXd slide_azimuthal;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,263 @@
+#include "fem/revolution/line_newton.h"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// How far the step may miss that of Newton's method: share of the compliance that its functions leave out.
+constexpr double step_accuracy = 1e-4;
+constexpr Eigen::Index most_functions = 10;
+
+/// Orthonormal polynomials of degree 0 ... @p n_functions - 1 at @p radii.
+Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functions)
+{
+  const Eigen::Index n_radii = radii.size();
+  const double middle = (radii(0) + radii(n_radii - 1)) / 2;
+  const double half_width = std::max((radii(n_radii - 1) - radii(0)) / 2, 1e-3 * middle);
+  Eigen::MatrixXd values(n_radii, n_functions);
+  for (Eigen::Index i = 0; i < n_radii; ++i)
+  {
+    const double x = (radii(i) - middle) / half_width;
+    for (Eigen::Index k = 0; k < n_functions; ++k) // Chebyshev's, which are far from dependent
+      values(i, k) = k == 0 ? 1 : k == 1 ? x : 2 * x * values(i, k - 1) - values(i, k - 2);
+  }
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(values).householderQ() *
+         Eigen::MatrixXd::Identity(n_radii, n_functions);
+}
+
+HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCompliance &whole)
+{
+  const auto reduce = [&](const Eigen::MatrixXd &matrix) -> Eigen::MatrixXd
+  { return functions.transpose() * matrix * functions; };
+  return { reduce(whole.normal), reduce(whole.radial), reduce(whole.azimuthal) };
+}
+
+} // namespace
+
+LineNewton::LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
+                       const Eigen::MatrixXd &unbalanced)
+    : response(response)
+{
+  eliminate_lines(tangent, unbalanced);
+  choose_functions();
+}
+
+void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
+                                 const Eigen::MatrixXd &unbalanced)
+{
+  const Eigen::Index n_radii = response.n_radii();
+  lines.resize(response.n_lines());
+  Eigen::Index last_circle = -1;
+  first_circle = n_radii;
+  Eigen::MatrixXd dense_before, local;
+  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(lines.size()); ++j)
+  {
+    Line &line = lines[static_cast<std::size_t>(j)];
+    const auto carries = [&](Eigen::Index i)
+    {
+      if (unbalanced(i, j) != 0)
+        return true;
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + i); entry; ++entry)
+        if (entry.value() != 0)
+          return true;
+      return false;
+    };
+    Eigen::Index first = 0, end = n_radii;
+    while (first < end && !carries(first))
+      ++first;
+    while (end > first && !carries(end - 1))
+      --end;
+    line.first = first;
+    line.size = end - first;
+    if (line.size == 0)
+      continue;
+    first_circle = std::min(first_circle, first);
+    last_circle = std::max(last_circle, end - 1);
+
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(line.size, line.size);
+    for (Eigen::Index i = first; i < end; ++i)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + i); entry; ++entry)
+        if (entry.value() != 0)
+          dense(entry.row() - j * n_radii - first, i - first) = entry.value();
+    Eigen::MatrixXd matrix = dense * response.local(j, first, line.size);
+    matrix.diagonal().array() += 1;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(matrix);
+    line.softened = factors.solve(dense);
+    line.balanced = factors.solve(unbalanced.col(j).segment(first, line.size));
+  }
+  if (last_circle < 0)
+    throw std::runtime_error("No place of the contact zone carries load.");
+  n_circles = last_circle - first_circle + 1;
+}
+
+void LineNewton::choose_functions()
+{
+  const unsigned int n_max = response.basis().n_harmonics();
+  const Eigen::VectorXd radii = response.compliance().radii.segment(first_circle, n_circles);
+  std::vector<HarmonicCompliance> whole;
+  for (unsigned int n = 0; n <= n_max; ++n)
+    whole.push_back(response.difference(n, first_circle, n_circles));
+  const double allowed =
+    step_accuracy *
+    (response.compliance().beyond.normal.block(first_circle, first_circle, n_circles, n_circles).norm() +
+     whole[0].normal.norm());
+  for (Eigen::Index n_functions = std::min<Eigen::Index>(2, n_circles);; ++n_functions)
+  {
+    functions = polynomials(radii, n_functions);
+    const auto left_out = [&](const Eigen::MatrixXd &matrix) {
+      return (matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose()).norm();
+    };
+    double worst = 0;
+    for (const unsigned int n : { 0u, 1u, n_max / 2, n_max })
+    {
+      worst = std::max(worst, left_out(whole[n].normal));
+      if (response.has_sliding())
+        worst = std::max({ worst, left_out(whole[n].radial), left_out(whole[n].azimuthal) });
+    }
+    if (worst <= allowed || n_functions >= std::min(n_circles, most_functions))
+      break;
+  }
+  for (const HarmonicCompliance &harmonic : whole)
+    reduced.push_back(reduced_to(functions, harmonic));
+}
+
+Eigen::MatrixXd LineNewton::functions_on(const Line &line) const
+{
+  return functions.middleRows(line.first - first_circle, line.size);
+}
+
+Eigen::MatrixXd LineNewton::motions_on(Eigen::Index j) const
+{
+  const Line &line = lines[static_cast<std::size_t>(j)];
+  const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
+  const Eigen::VectorXd radii = response.compliance().radii.segment(line.first, line.size);
+  Eigen::MatrixXd motions(line.size, 3);
+  motions << Eigen::VectorXd::Ones(line.size), radii * std::cos(theta), radii * std::sin(theta);
+  return motions;
+}
+
+LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
+                                        const Eigen::Vector3d &residual) const
+{
+  const FourierBasis &basis = response.basis();
+  const Eigen::Index p = functions.cols();
+  const Eigen::Index n_modes = basis.n_modes();
+  const Eigen::Index n_lines = response.n_lines();
+  const Eigen::Index n_radii = response.n_radii();
+  const bool slides = response.has_sliding();
+  const Eigen::Index n_kinds = slides ? 3 : 1; // normal, radial and azimuthal forces
+
+  // What each line contributes, by kind: its answer to the functions, to the table motions and to what is
+  // unbalanced, tested with the functions; and the same tested with the conditions.
+  std::vector<Eigen::MatrixXd> to_functions(n_kinds, Eigen::MatrixXd::Zero(p * p, n_lines));
+  std::vector<Eigen::MatrixXd> to_motions(n_kinds, Eigen::MatrixXd::Zero(p * 3, n_lines));
+  std::vector<Eigen::MatrixXd> to_unbalanced(n_kinds, Eigen::MatrixXd::Zero(p, n_lines));
+  Eigen::MatrixXd conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
+  Eigen::Matrix3d corner = -conditions.motion_weights();
+  Eigen::Vector3d rhs = residual;
+  for (Eigen::Index j = 0; j < n_lines; ++j)
+  {
+    const Line &line = lines[static_cast<std::size_t>(j)];
+    if (line.size == 0)
+      continue;
+    const Eigen::MatrixXd shape = functions_on(line);
+    const Eigen::MatrixXd answer = line.softened * shape;
+    const Eigen::MatrixXd moved = line.softened * motions_on(j);
+    for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
+    {
+      Eigen::MatrixXd test = shape;
+      if (kind > 0)
+        test = (kind == 1 ? response.radial_traction() : response.azimuthal_traction())
+                 .col(j)
+                 .segment(line.first, line.size)
+                 .asDiagonal() *
+               shape;
+      to_functions[kind].col(j) = (test.transpose() * answer).reshaped();
+      to_motions[kind].col(j) = (test.transpose() * moved).reshaped();
+      to_unbalanced[kind].col(j) = test.transpose() * line.balanced;
+    }
+    const auto weights = conditions.weights().middleRows(j * n_radii + line.first, line.size);
+    conditions_on_functions.col(j) = (weights.transpose() * answer).reshaped();
+    corner += weights.transpose() * moved;
+    rhs += weights.transpose() * line.balanced;
+  }
+
+  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions; tilts count as
+  // heights at the rim.
+  const Eigen::Index n = n_modes * p;
+  const double length = response.compliance().radii(n_radii - 1);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 3, n + 3);
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(n + 3);
+  for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
+  {
+    const bool conjugate = kind == 2;
+    const FourierProducts products(basis, to_functions[kind], true);
+    const auto project = [&](const Eigen::MatrixXd &samples)
+    { return conjugate ? basis.project_on_conjugates(samples) : basis.project(samples); };
+    const Eigen::MatrixXd motions = project(to_motions[kind]);       // [p * 3, n_modes]
+    const Eigen::MatrixXd unbalanced = project(to_unbalanced[kind]); // [p, n_modes]
+    Eigen::MatrixXd sums(p, n);
+    for (Eigen::Index row = 0; row < n_modes; ++row)
+    {
+      const auto row_mode = static_cast<unsigned int>(row);
+      for (Eigen::Index column = 0; column < n_modes; ++column)
+      {
+        const FourierProducts::OfPair pair =
+          conjugate ? products.with_conjugate(row_mode, static_cast<unsigned int>(column))
+                    : products(row_mode, static_cast<unsigned int>(column));
+        double *block = sums.data() + column * p * p;
+        for (Eigen::Index k = 0; k < p * p; ++k)
+          block[k] = pair(k);
+      }
+      const HarmonicCompliance &harmonic = reduced[FourierBasis::harmonic(row_mode)];
+      const Eigen::MatrixXd weight =
+        (kind == 0 ? harmonic.normal : kind == 1 ? harmonic.radial : harmonic.azimuthal) /
+        FourierBasis::norm(row_mode);
+      matrix.block(row * p, 0, p, n).noalias() += weight * sums;
+      matrix.block(row * p, n, p, 3).noalias() += weight * motions.col(row).reshaped(p, 3);
+      solution.segment(row * p, p).noalias() += weight * unbalanced.col(row);
+    }
+  }
+  matrix.diagonal().head(n).array() += 1;
+  const Eigen::MatrixXd on_modes = basis.project(conditions_on_functions); // [3 * p, n_modes]
+  for (Eigen::Index mode = 0; mode < n_modes; ++mode)
+    matrix.block(n, mode * p, 3, p) = on_modes.col(mode).reshaped(3, p);
+  matrix.bottomRightCorner(3, 3) = corner;
+  solution.tail<3>() = rhs;
+
+  // Forces count per N and lengths per the depth that N makes: rows and columns of like size.
+  const double force_unit = corner(0, 0);
+  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / force_unit;
+  const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
+  matrix.bottomRows(3) = row_scale.asDiagonal() * matrix.bottomRows(3);
+  solution.tail<3>() = row_scale.asDiagonal() * solution.tail<3>();
+  matrix.rightCols(3) = matrix.rightCols(3) * column_scale.asDiagonal();
+  solution = matrix.partialPivLu().solve(solution).eval();
+  if (!solution.allFinite())
+    throw std::runtime_error(
+      "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
+
+  Increment increment;
+  increment.motion = column_scale.asDiagonal() * solution.tail<3>();
+  increment.forces = Eigen::MatrixXd::Zero(n_radii, n_lines);
+  const Eigen::MatrixXd amplitudes = basis.evaluate(solution.head(n).reshaped(p, n_modes)); // [p, n_lines]
+  for (Eigen::Index j = 0; j < n_lines; ++j)
+  {
+    const Line &line = lines[static_cast<std::size_t>(j)];
+    if (line.size > 0)
+      increment.forces.col(j).segment(line.first, line.size) =
+        line.balanced -
+        line.softened * (functions_on(line) * amplitudes.col(j) + motions_on(j) * increment.motion);
+  }
+  return increment;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,50 @@
+#include "ring_model/load_functional.h"
+
+#include "ring_model/friction_kernels.h"
+#include "ring_model/require.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace stemware::ring
+{
+double LoadFunctional::operator()(const RingStack &load) const
+{
+  const std::vector<RingStack::Ring> &rings = load.rings();
+  require(rings.size() == a.size(), "the load has ", rings.size(), " rings, but the functional has ",
+          a.size());
+  double sum = 0.;
+  for (std::size_t j = 0; j < a.size(); ++j)
+  {
+    const std::size_t n_common = std::min(a[j].size(), rings[j].a.size());
+    for (std::size_t n = 0; n < n_common; ++n)
+      sum += a[j][n] * rings[j].a[n] + b[j][n] * rings[j].b[n];
+  }
+  return sum;
+}
+
+FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
+                                         double omega, double speed)
+{
+  const std::vector<std::vector<double>> zeros(radii.size(), std::vector<double>(n_max + 1, 0.));
+  const LoadFunctional none{ zeros, zeros };
+  FrictionFunctionals friction{ none, none, none };
+  for (std::size_t j = 0; j < radii.size(); ++j)
+  {
+    const FrictionKernels kernels(omega * radii[j], speed, n_max);
+    for (unsigned int n = 0; n <= n_max; ++n)
+    {
+      // One of c_n, s_n is zero, the other 1 or -1.
+      const double sign = n % 4 < 2 ? 1. : -1.;
+      auto &torque = n % 2 == 0 ? friction.torque.a : friction.torque.b;
+      auto &drag = n % 2 == 0 ? friction.drag.a : friction.drag.b;
+      auto &side = n % 2 == 0 ? friction.side.b : friction.side.a;
+      torque[j][n] = sign * mu * radii[j] * kernels.K(n);
+      drag[j][n] = -sign * mu * kernels.U(n);
+      if (n > 0)
+        side[j][n] = (n % 2 == 0 ? -sign : sign) * mu * n * kernels.P(n);
+    }
+  }
+  return friction;
+}
+} // namespace stemware::ring

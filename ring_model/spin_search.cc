@@ -1,0 +1,239 @@
+#include "ring_model/spin_search.h"
+
+#include "ring_model/require.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <vector>
+
+namespace stemware::ring
+{
+namespace
+{
+constexpr double farthest = 64.;            ///< end of the search [spin scales]
+constexpr double shortest_way = 1. / 4096.; ///< to a spin without torque, before one gives up [spin scales]
+constexpr double scan_step = 1. / 16.;      ///< [spin scales]
+constexpr double steepness_ratio = 16.;     ///< of the torque near the zero to the mean that needs no scan
+constexpr unsigned int most_evaluations = 200; ///< of one search
+
+/// What drives the glass on at a spin, both in the direction in which it is driven at rest.
+struct Sample
+{
+  double spin; ///< > 0 [rad/s]
+  double push; ///< tau_z - tau_g [N m], positive before the zero
+};
+
+/// Estimate of the spin at which the push vanishes.
+struct Estimate
+{
+  double spin;  ///< by the polynomial spin(push) through at most four samples
+  double error; ///< its difference to the one without the sample farthest away
+};
+
+/// From the samples with the least |push|; as many as fall with the spin.
+Estimate inverse_interpolation(std::vector<Sample> samples)
+{
+  std::sort(samples.begin(), samples.end(),
+            [](const Sample &a, const Sample &b) { return std::abs(a.push) < std::abs(b.push); });
+  const auto falls = [&](std::size_t n)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!((samples[i].push - samples[j].push) * (samples[i].spin - samples[j].spin) < 0.))
+          return false;
+    return true;
+  };
+  std::size_t n = std::min<std::size_t>(samples.size(), 4);
+  while (!falls(n))
+    --n;
+  // Neville's scheme: value[i] goes through the samples 0...level and, from there on, through i.
+  std::vector<double> value;
+  for (std::size_t i = 0; i < n; ++i)
+    value.push_back(samples[i].spin);
+  if (n < 2)
+    return { value[0], HUGE_VAL };
+  double before = value[0];
+  for (std::size_t level = 1; level < n; ++level)
+  {
+    before = value[level - 1];
+    for (std::size_t i = level; i < n; ++i)
+      value[i] = (samples[level - 1].push * value[i] - samples[i].push * value[level - 1]) /
+                 (samples[level - 1].push - samples[i].push);
+  }
+  return { value[n - 1], std::abs(value[n - 1] - before) };
+}
+
+/// The search from rest in the direction in which the glass is driven there.
+class OutwardSearch
+{
+public:
+  /// @p push_at_rest > 0 is @p push(0).
+  OutwardSearch(const std::function<double(double)> &push, double push_at_rest, const SpinSearch &search)
+      : push(push)
+      , search(search)
+      , samples{ { 0., push_at_rest } }
+  {
+  }
+
+  /// The first zero; the spin @p first > 0 is tried first.
+  double zero(double first)
+  {
+    const double spin = converge(samples.front(), first, {});
+    return needs_scan(spin) ? scanned(spin) : spin;
+  }
+
+private:
+  /// The zero beyond @p near, where the push is positive, and before @p far, where it is negative.
+  double converge(Sample near, double proposal, std::optional<Sample> far)
+  {
+    std::vector<Sample> used{ near };
+    if (far)
+      used.push_back(*far);
+    std::exception_ptr failure; // of the torque at `barrier`
+    double barrier = 0.;
+    for (unsigned int i = 0; i < most_evaluations; ++i)
+    {
+      const double least = std::abs(std::min_element(used.begin(), used.end(),
+                                                     [](const Sample &a, const Sample &b)
+                                                     { return std::abs(a.push) < std::abs(b.push); })
+                                      ->push);
+      Sample sample{ proposal, 0. };
+      bool has_push = true, halved = true;
+      try
+      {
+        sample.push = push(proposal);
+      }
+      catch (const std::runtime_error &)
+      {
+        failure = std::current_exception();
+        barrier = proposal;
+        far.reset();
+        has_push = false;
+        used.erase(std::remove_if(used.begin(), used.end(),
+                                  [&](const Sample &other) { return other.spin > proposal; }),
+                   used.end());
+      }
+      if (has_push)
+      {
+        used.push_back(sample);
+        samples.push_back(sample);
+        if (sample.push == 0.)
+          return sample.spin;
+        halved = used.size() <= 2 || std::abs(sample.push) <= 0.5 * least;
+        if (sample.push > 0.)
+          near = sample;
+        else
+        {
+          far = sample;
+          failure = nullptr;
+        }
+      }
+      const Estimate estimate = inverse_interpolation(used);
+      const double tolerance = search.tolerance * std::max(estimate.spin, 1e-3 * search.spin_scale);
+      if (estimate.error <= tolerance && !(failure && estimate.spin >= barrier))
+        return estimate.spin;
+      if (far && far->spin - near.spin <= tolerance)
+        return (near.spin + far->spin) / 2.;
+      if (failure && barrier - near.spin < shortest_way * search.spin_scale)
+        std::rethrow_exception(failure);
+      proposal = next(estimate, near.spin, far ? &far->spin : failure ? &barrier : nullptr, halved);
+    }
+    throw std::runtime_error(sentence("the terminal spin did not converge in ", most_evaluations,
+                                      " evaluations of the torque, the last one at ", proposal, " rad/s"));
+  }
+
+  /// The next proposal between @p near and @p end, or not much farther than @p near without end.
+  double next(const Estimate &estimate, double near, const double *end, bool halved) const
+  {
+    const double reach = end ? *end : near + 2. * std::max(near, 0.25 * search.spin_scale);
+    const bool inside = near < estimate.spin && estimate.spin < reach;
+    if (inside && (halved || !end))
+      return estimate.spin;
+    if (end)
+      return (near + *end) / 2.;
+    if (near >= farthest * search.spin_scale)
+      throw NoTerminalSpin(sentence("no terminal spin: from rest to ", near,
+                                    " rad/s the torque that drives the spin does not vanish"));
+    return std::min(reach, farthest * search.spin_scale);
+  }
+
+  /// Whether the samples up to the zero at @p spin leave doubt that it is the first. Takes one about
+  /// halfway if there is none.
+  bool needs_scan(double spin)
+  {
+    std::vector<Sample> way;
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(way),
+                 [&](const Sample &sample) { return sample.spin < spin; });
+    if (std::none_of(way.begin(), way.end(),
+                     [&](const Sample &sample)
+                     { return sample.spin > 0.2 * spin && sample.spin < 0.8 * spin; }))
+      way.push_back({ 0.5 * spin, push(0.5 * spin) });
+    std::sort(way.begin(), way.end(), [](const Sample &a, const Sample &b) { return a.spin < b.spin; });
+    for (std::size_t i = 1; i < way.size(); ++i)
+      if (way[i].push >= way[i - 1].push)
+        return true;
+    // Next to the zero itself rounding decides about the slope.
+    const double too_close = 1e-6 * search.spin_scale;
+    const Sample *nearest = nullptr;
+    for (const Sample &sample : samples)
+      if (std::abs(sample.spin - spin) > too_close &&
+          (!nearest || std::abs(sample.spin - spin) < std::abs(nearest->spin - spin)))
+        nearest = &sample;
+    if (!nearest)
+      return false;
+    const double mean = samples.front().push / spin;
+    const double local = nearest->push / (spin - nearest->spin);
+    return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
+  }
+
+  /// The first zero before the one at @p spin, or that one.
+  double scanned(double spin)
+  {
+    Sample near = samples.front();
+    for (double here = scan_step * search.spin_scale; here < spin; here += scan_step * search.spin_scale)
+    {
+      const Sample sample{ here, push(here) };
+      if (sample.push <= 0.)
+        return converge(near, (near.spin * sample.push - sample.spin * near.push) / (sample.push - near.push),
+                        sample);
+      near = sample;
+    }
+    return spin;
+  }
+
+  const std::function<double(double)> &push;
+  const SpinSearch &search;
+  std::vector<Sample> samples; ///< the first one at spin 0
+};
+} // namespace
+
+SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search)
+{
+  require_positive(search.spin_scale, "the spin scale v / R", "rad/s");
+  require_positive(search.tolerance, "the tolerance of the terminal spin", "");
+  require(std::isfinite(search.grip_torque) && search.grip_torque >= 0., "the grip torque is ",
+          search.grip_torque, " N m, but must be finite and not negative");
+  unsigned int n_evaluations = 0;
+  const auto counted = [&](double omega)
+  {
+    ++n_evaluations;
+    const double value = torque(omega);
+    if (!std::isfinite(value))
+      throw std::runtime_error(sentence("the yaw torque at ", omega, " rad/s is ", value, " N m"));
+    return value;
+  };
+
+  const double at_rest = counted(0.);
+  if (std::abs(at_rest) <= search.grip_torque)
+    return { 0., search.grip_torque > 0., n_evaluations };
+  const double direction = at_rest > 0. ? 1. : -1.;
+  const std::function<double(double)> push = [&](double spin)
+  { return direction * counted(direction * spin) - search.grip_torque; };
+  const double expected = direction * search.expected.value_or(0.);
+  const double first = expected > 0. ? expected : 0.25 * search.spin_scale;
+  OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, search);
+  const double spin = outward.zero(first);
+  return { direction * spin, false, n_evaluations };
+}
+} // namespace stemware::ring

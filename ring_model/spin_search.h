@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+/// Yaw torque tau_z [N m] at the spin omega [rad/s].
+using TorqueFunction = std::function<double(double omega)>;
+
+/// The torque keeps its sign as far as one searches: nothing ends the spin-up.
+class NoTerminalSpin : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// How the spin is searched at which a torque that is costly to evaluate vanishes.
+struct SpinSearch
+{
+  double spin_scale;                   ///< spin at which the torque varies, v / R [rad/s]
+  std::optional<double> expected = {}; ///< where the zero is believed to be [rad/s]
+  double grip_torque = 0.;             ///< tau_g >= 0 of the fingers [N m], which the table has to overcome
+  /// Of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; not smaller than what the noise of the
+  /// torque allows.
+  double tolerance = 1e-12;
+};
+
+/// Where the torques on the glass balance.
+struct SpinZero
+{
+  double omega;               ///< [rad/s]
+  bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
+  unsigned int n_evaluations; ///< of the torque
+};
+
+/**
+ * The terminal spin that is reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
+ * direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g.
+ *
+ * The search steps outwards, first to the spin that is expected, until the torque changes sign or inverse
+ * interpolation (up to cubic) has converged; proposals outside the bracket, and those after a step that did
+ * not halve the torque, are replaced by bisection. It ends when the interpolations with and without the
+ * sample farthest away agree to the tolerance. A pair of zeros that lies between neighbouring samples is not
+ * seen, but there is a sample about halfway, and where the samples up to the zero do not fall, or fall near
+ * the zero sixteen times more or less steeply than on average, the way to it is scanned in steps of 1/16
+ * spin_scale, and the first zero that the scan meets is taken.
+ *
+ * If @p torque throws a std::runtime_error (no balance at that spin) the search steps back towards rest.
+ * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
+ * sign within 64 spin scales, what @p torque throws at rest, during the scan, or where that happens before a
+ * zero is found.
+ */
+SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
+} // namespace stemware::ring

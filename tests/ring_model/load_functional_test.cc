@@ -1,0 +1,52 @@
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/load_functional.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace stemware::ring
+{
+namespace
+{
+/// Three rings, one of them negative, so that the two inner ones slide faster than they spin at 15 rad/s and
+/// the outer one does not.
+const RingStack load({ { 0.020, { 0.30, 0.05, -0.02, 0.01 }, { 0., 0.10, 0.03, -0.02 } },
+                       { 0.022, { -0.10, 0.02, 0.01, 0.04 }, { 0., -0.06, 0.02, 0.03 } },
+                       { 0.040, { 0.25, -0.07, 0.06, 0.02 }, { 0., 0.04, -0.05, 0.01 } } });
+const std::vector<double> radii{ 0.020, 0.022, 0.040 };
+const double speed = 0.35, mu = 0.3;
+
+TEST(FrictionFunctionals, AreTheFrictionOfTheLoad)
+{
+  // Reference: trapezoidal rule on the integrals, exact to rounding at these slip ratios.
+  for (const double omega : { -15., -3., 0., 4., 15., 60. })
+  {
+    const FrictionFunctionals friction = friction_functionals(mu, radii, 3, omega, speed);
+    const Wrench expected = CoulombRing(mu).wrench_by_quadrature(load, omega, speed, 800);
+    EXPECT_NEAR(friction.drag(load), expected.force_x, 1e-14) << omega;
+    EXPECT_NEAR(friction.side(load), expected.force_y, 1e-14) << omega;
+    EXPECT_NEAR(friction.torque(load), expected.torque, 3e-16) << omega;
+  }
+}
+
+TEST(FrictionFunctionals, LeaveOutWhatLiesAboveTheirHarmonics)
+{
+  const Wrench kept = CoulombRing(mu).wrench(load.truncated(1), 4., speed);
+  const FrictionFunctionals friction = friction_functionals(mu, radii, 1, 4., speed);
+  EXPECT_EQ(friction.torque(load), kept.torque);
+  EXPECT_EQ(friction.drag(load), kept.force_x);
+  EXPECT_EQ(friction.side(load), kept.force_y);
+  const FrictionFunctionals more = friction_functionals(mu, radii, 9, 4., speed);
+  EXPECT_NEAR(more.torque(load), CoulombRing(mu).wrench(load, 4., speed).torque, 1e-17);
+}
+
+TEST(FrictionFunctionals, RefuseAnotherNumberOfRings)
+{
+  const FrictionFunctionals friction = friction_functionals(mu, { 0.02, 0.04 }, 3, 4., speed);
+  EXPECT_THROW(friction.torque(load), std::invalid_argument);
+  EXPECT_THROW(friction_functionals(mu, radii, 3, 0., 0.), std::invalid_argument);
+}
+} // namespace
+} // namespace stemware::ring

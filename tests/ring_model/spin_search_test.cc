@@ -1,0 +1,195 @@
+#include "ring_model/first_harmonic_ring.h"
+#include "ring_model/self_consistent_ring.h"
+#include "ring_model/spin_search.h"
+#include "ring_model/terminal_spin.h"
+#include "ring_model/unilateral_foundation.h"
+#include "tests/ring_model/reference.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::ring
+{
+namespace
+{
+using test::expect_relative;
+using test::reference;
+
+const double radius = 0.03;
+const double scale = 0.35 / radius; ///< v / R [rad/s]
+
+Motion motion_with_height(double centre_of_mass_height)
+{
+  Motion motion;
+  motion.centre_of_mass_height = centre_of_mass_height;
+  return motion;
+}
+
+TEST(SpinSearch, FindsTheReferenceInFewTorques)
+{
+  // Reference: other program (ring_cases.json). From nothing, and from the
+  // terminal spin of the closure `paper`.
+  for (const auto &row : reference()["closures_first_harmonic"])
+  {
+    if (row["closure"] != "C" || row["g"] != 9.81 || row["formal_negative_load"])
+      continue;
+    const FirstHarmonicRing ring(Closure::full, motion_with_height(row["zcm"]), radius);
+    const auto torque = [&](double omega) { return ring.torque(omega); };
+    for (const auto &search : { SpinSearch{ scale }, SpinSearch{ scale, -3.12 } })
+    {
+      const SpinZero zero = find_terminal_spin(torque, search);
+      expect_relative(zero.omega, row["omega_T"], 1e-12, "omega");
+      EXPECT_LE(zero.n_evaluations, 6u) << row["zcm"];
+      EXPECT_FALSE(zero.held);
+    }
+  }
+}
+
+TEST(SpinSearch, FindsTheSpinOfAUnilateralFoundationFromThatOfTheFirstHarmonic)
+{
+  // Reference: other program (ring_cases.json), 13 digits at least.
+  for (const auto &row : reference()["closures_C_unilateral"]["cases"])
+  {
+    const Motion motion = motion_with_height(row["zcm"]);
+    const double expected = FirstHarmonicRing(Closure::full, motion, radius).terminal_spin().omega;
+    const SelfConsistentRing ring(
+      Closure::full, motion, std::make_shared<UnilateralFoundation>(radius, row["p"].get<double>(), 256));
+    const SpinZero zero =
+      find_terminal_spin([&](double omega) { return ring.torque(omega); }, { scale, expected });
+    expect_relative(zero.omega, row["omega"], 1e-11, "omega");
+    EXPECT_LE(zero.n_evaluations, 7u) << row;
+  }
+}
+
+TEST(SpinSearch, ABadGuessCostsLittle)
+{
+  const FirstHarmonicRing ring(Closure::full, Motion(), radius);
+  const auto torque = [&](double omega) { return ring.torque(omega); };
+  for (const double expected : { 1e-9, -0.05, -1., -3.7, -11., -20., 3.7, -600. })
+  {
+    const SpinZero zero = find_terminal_spin(torque, { scale, expected });
+    expect_relative(zero.omega, -3.678747998525761128, 1e-12, "omega");
+    EXPECT_LE(zero.n_evaluations, 12u) << expected;
+  }
+}
+
+TEST(SpinSearch, OvercomesTheGrip)
+{
+  // Closed form, first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R), b_1 = k_0 in
+  // the closure `paper`. Zeros with 40 digits (mpmath, kernels by quadrature).
+  struct Row
+  {
+    Closure closure;
+    double grip, omega;
+  };
+  for (const Row &row : { Row{ Closure::paper, 0., -3.120558701525858902686 },
+                          Row{ Closure::paper, 2e-4, -2.957786221000013522103 },
+                          Row{ Closure::paper, 1e-3, -2.297718412629718143769 },
+                          Row{ Closure::paper, 3e-3, -0.5913208069446393606937 },
+                          Row{ Closure::full, 2e-4, -3.49585319473942429094 },
+                          Row{ Closure::full, 1e-3, -2.742239997780318092963 },
+                          Row{ Closure::full, 3e-3, -0.7186711254385290776323 } })
+    for (const OrbitSense sense : { OrbitSense::counterclockwise, OrbitSense::clockwise })
+    {
+      Motion motion;
+      motion.orbit_sense = sense;
+      const FirstHarmonicRing ring(row.closure, motion, radius);
+      const SpinZero zero =
+        find_terminal_spin([&](double omega) { return ring.torque(omega); }, { scale, -3.1, row.grip });
+      expect_relative(zero.omega, motion.sense_sign() * row.omega, 1e-12, "omega");
+      EXPECT_LE(zero.n_evaluations, 7u) << row.grip;
+      EXPECT_FALSE(zero.held);
+    }
+}
+
+TEST(SpinSearch, TheGripHoldsTheGlass)
+{
+  // |torque(0)| = mu M_x = 0.003675 N m.
+  const FirstHarmonicRing ring(Closure::full, Motion(), radius);
+  const auto torque = [&](double omega) { return ring.torque(omega); };
+  const SpinZero zero = find_terminal_spin(torque, { scale, -3.1, 0.0036751 });
+  EXPECT_TRUE(zero.held);
+  EXPECT_EQ(zero.omega, 0.);
+  EXPECT_EQ(zero.n_evaluations, 1u);
+  EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
+  const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
+  EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
+  // Neither driven nor held: upright sliding.
+  const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
+  EXPECT_TRUE(upright.omega == 0. && !upright.held);
+}
+
+TEST(SpinSearch, GivesTheSlope)
+{
+  for (const auto &row : reference()["closures_first_harmonic"])
+  {
+    if (row["closure"] != "A" || row["g"] != 9.81)
+      continue;
+    const FirstHarmonicRing ring(Closure::paper, Motion(), radius);
+    const TerminalSpin spin =
+      terminal_spin([&](double omega) { return ring.torque(omega); }, 3e-4, SpinSearch{ scale });
+    expect_relative(spin.torque_slope, row["dtau_domega_T"], 1e-6, "slope");
+    expect_relative(spin.time_constant, 3e-4 / -row["dtau_domega_T"].get<double>(), 1e-6, "time constant");
+    EXPECT_TRUE(spin.stable);
+  }
+}
+
+TEST(SpinSearch, TakesTheFirstZeroWhereTheSamplesShowThatThereAreMore)
+{
+  const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
+  // 12 N m at rest, negative between 1 and 3: halfway to 4 and to 3.
+  expect_relative(find_terminal_spin(torque, { 4., 4.0001 }).omega, 1., 1e-11, "the last one expected");
+  expect_relative(find_terminal_spin(torque, { 4., 3.5 }).omega, 1., 1e-11, "a sample between the zeros");
+  expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
+}
+
+TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
+{
+  const auto torque_up_to = [](double limit, double zero)
+  {
+    return [=](double omega)
+    {
+      if (omega > limit)
+        throw std::runtime_error("tips");
+      return zero - omega - 0.1 * omega * omega / zero + 0.1 * zero;
+    };
+  };
+  const SpinZero before = find_terminal_spin(torque_up_to(2.1, 2.), { 10., 5. });
+  expect_relative(before.omega, 2., 1e-12, "omega");
+  EXPECT_LE(before.n_evaluations, 8u);
+  try
+  {
+    find_terminal_spin(torque_up_to(2.1, 2.2), { 10., 5. });
+    FAIL() << "a spin was found beyond the last balance";
+  }
+  catch (const std::runtime_error &failure)
+  {
+    EXPECT_STREQ(failure.what(), "tips");
+  }
+  EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), std::runtime_error);
+  EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), std::runtime_error);
+}
+
+TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)
+{
+  const auto torque = [](double omega) { return 1. - omega + 1e-9 * std::sin(1e12 * omega); };
+  SpinSearch search{ 3. };
+  search.tolerance = 1e-7;
+  const SpinZero zero = find_terminal_spin(torque, search);
+  EXPECT_NEAR(zero.omega, 1., 1e-7);
+  EXPECT_LE(zero.n_evaluations, 5u);
+  // Asked for more than the noise allows it bisects down to the noise.
+  EXPECT_NEAR(find_terminal_spin(torque, { 3. }).omega, 1., 3e-9);
+}
+
+TEST(SpinSearch, SaysWhatIsWrong)
+{
+  EXPECT_THROW(find_terminal_spin([](double) { return 1.; }, { 1. }), NoTerminalSpin);
+  EXPECT_THROW(find_terminal_spin([](double omega) { return 1. + omega; }, { 1. }), NoTerminalSpin);
+  EXPECT_THROW(find_terminal_spin([](double) { return std::nan(""); }, { 1. }), std::runtime_error);
+  EXPECT_THROW(find_terminal_spin([](double omega) { return 1. - omega; }, { 0. }), std::invalid_argument);
+  EXPECT_THROW(find_terminal_spin([](double omega) { return 1. - omega; }, { 1., {}, -1. }),
+               std::invalid_argument);
+}
+} // namespace
+} // namespace stemware::ring
