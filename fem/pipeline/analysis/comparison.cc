@@ -155,20 +155,18 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
   return row;
 }
 
-/// Rows of a load under the moment balance of @p study, the one of all harmonics being the last; that alone
-/// where there is no load at rest. @p n_all is how many harmonics that were under another moment balance.
+/// Rows of a load under the moment balance of @p study, the one of all harmonics being the last. @p n_all is
+/// how many harmonics that were under another moment balance, for a load that does not exist under this one.
 std::vector<SpinRow> compared_rows(const Study &study, const ComparedLoad &compared, unsigned int &n_all)
 {
   SpinRow all = compared_row(study, compared, all_harmonics, true);
-  std::vector<SpinRow> rows;
   if (all.at_rest)
-  {
     n_all = all.harmonics;
-    for (const unsigned int n : compared_orders(n_all))
-      if (n < n_all)
-        rows.push_back(compared_row(study, compared, n, false));
-  }
   all.harmonics = n_all;
+  std::vector<SpinRow> rows;
+  for (const unsigned int n : compared_orders(n_all))
+    if (n < n_all)
+      rows.push_back(compared_row(study, compared, n, false));
   rows.push_back(all);
   return rows;
 }

@@ -130,6 +130,7 @@ LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const Spi
 {
   try
   {
+    require_standing(study);
     return attempt_row(study, study_foot(study, cache), question, n_harmonics);
   }
   catch (const std::exception &)
@@ -144,7 +145,7 @@ LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const Spi
 LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                         const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics)
 {
-  if (foot)
+  if (study.load.is_in_balance())
     return attempt_row(study, foot, question, n_harmonics);
   const BalancedLoad cut = load.truncated(n_harmonics);
   return { attempt_spin_row(cut, question), cut };

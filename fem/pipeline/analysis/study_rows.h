@@ -45,16 +45,14 @@ LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &fo
 LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
                       unsigned int n_harmonics);
 
-/// attempt_row() with some harmonics of @p load, which is find_load() of @p foot with all of them: in a
-/// balance of their own, or, where the load does not come from a contact, cut off.
+/// The answer with the first @p n_harmonics of @p load, which is find_load() of @p foot with all of them: in
+/// a balance of their own where loads are two-way, else that load cut off. Does not throw, as attempt_row().
 LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                         const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics);
 
-/// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each in its
-/// own balance, related to the last one (relate_to_all()). A solid body that is in balance has 1 and all:
-/// each of its balances takes minutes. @p foot is study_foot(), @p load find_load() of it with all harmonics;
-/// one that does not come from a contact is cut off. Throws as @p load and spin_row() where all harmonics
-/// have no answer.
+/// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each as
+/// truncated_row(), related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
+/// of its balances takes minutes. Throws as @p load and spin_row() where all harmonics have no answer.
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
                                          Progress &progress = silent_progress());

@@ -20,6 +20,19 @@ TEST(VariedEntry, RangeInEqualSteps)
             (Values{ "0.05", "0", "-0.05" }));
 }
 
+TEST(VariedEntry, RangeInEqualStepsPassesThroughZero)
+{
+  // -0.08 + 32 * 0.0025 is 1.4e-17 in doubles, -0.3 + 3 * 0.1 is 5.6e-17.
+  const Values hand = parse_varied_entry("Motion/Force offset=-0.08:0.02:41").values;
+  EXPECT_EQ(hand[31], "-0.0025");
+  EXPECT_EQ(hand[32], "0");
+  EXPECT_EQ(hand[33], "0.0025");
+  EXPECT_EQ(parse_varied_entry("A/B=-0.3:0.6:10").values,
+            (Values{ "-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6" }));
+  EXPECT_EQ(parse_varied_entry("A/B=0:0:2").values, (Values{ "0", "0" }));
+  EXPECT_EQ(parse_varied_entry("A/B=1e-20:3e-20:3").values, (Values{ "1e-20", "2e-20", "3e-20" }));
+}
+
 TEST(VariedEntry, RangeByEqualFactors)
 {
   EXPECT_EQ(parse_varied_entry("Table/Foundation modulus=1e8:1e12:5:log").values,

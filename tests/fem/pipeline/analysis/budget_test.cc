@@ -1,0 +1,350 @@
+// The budget of effects: which rows a study has, what their differences are, and what a row that fails
+// leaves.
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/first_harmonic_ring.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace stemware::test;
+using Texts = std::vector<std::string>;
+
+/// "step name n" of every row.
+Texts rows_of(const Budget &budget)
+{
+  Texts rows;
+  for (const BudgetRow &row : budget.rows)
+    rows.push_back(row.step + " " + row.name + " " +
+                   (row.harmonics ? std::to_string(*row.harmonics) : "all"));
+  return rows;
+}
+
+Texts names_without(const Study &study)
+{
+  Texts names;
+  for (const ModelVariant &variant : variants_without(study))
+    names.push_back(variant.name);
+  return names;
+}
+
+/// The budget of a load that the test gives.
+Budget budget_of(const Study &study, const ring::RingStack &load)
+{
+  fem::ComplianceCache cache;
+  return find_budget(study, rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
+}
+
+Budget budget_of(const Study &study)
+{
+  fem::ComplianceCache cache;
+  return find_budget(study, cache);
+}
+
+/// The rows of a contact: the first ones, and one for each number of harmonics.
+Texts contact_rows(const Study &study, Texts rows)
+{
+  fem::ComplianceCache cache;
+  const std::vector<unsigned int> orders =
+    truncation_orders(find_load(study, study_foot(study, cache)).n_harmonics());
+  for (std::size_t i = 1; i < orders.size(); ++i)
+    rows.push_back(std::to_string(i + 3) + " harmonics " +
+                   (i + 1 < orders.size() ? std::to_string(orders[i]) : "all"));
+  return rows;
+}
+
+TEST(Budget, AnEffectIsRelativeToASpinOnly)
+{
+  const double unit = 0.35 / 0.03;
+  const HarmonicEffect effect = harmonic_effect(-3.5, -3.43, unit);
+  EXPECT_NEAR(*effect.absolute, 0.07, 1e-15);
+  EXPECT_NEAR(*effect.relative, -0.02, 1e-15);
+  EXPECT_TRUE(harmonic_effect(1.1e-9 * unit, 1, unit).relative);
+  const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
+  EXPECT_TRUE(of_rounding.absolute);
+  EXPECT_FALSE(of_rounding.relative);
+  EXPECT_FALSE(harmonic_effect(std::nullopt, -3, unit).absolute);
+  EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).absolute);
+  EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).relative);
+}
+
+TEST(Budget, RowsOfALoadFile)
+{
+  Study study = study_of_given_load();
+  const Budget budget = budget_of(study, rich_load());
+  EXPECT_EQ(rows_of(budget),
+            (Texts{ "1 paper 1", "3 where the foot touches 1", "4 harmonics 2", "5 harmonics 3",
+                    "6 harmonics 4", "7 harmonics 6", "8 harmonics 8", "9 harmonics all" }));
+  EXPECT_TRUE(budget.without.empty());
+  study.motion.grip_torque = 1e-4;
+  EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
+}
+
+TEST(Budget, RowsOfAFileWithAFirstHarmonicOnly)
+{
+  const Budget budget = budget_of(study_of_given_load(), rich_load().truncated(1));
+  EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "3 where the foot touches 1", "4 harmonics all" }));
+  EXPECT_EQ(budget.harmonics.absolute, 0.);
+}
+
+TEST(Budget, RowsOfAFirstHarmonic)
+{
+  Study study;
+  study.load.source = LoadSource::first_harmonic;
+  Budget budget = budget_of(study);
+  EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1" }));
+  EXPECT_NEAR(*budget.rows[0].omega_terminal, -3.12055870152586, 1e-10); // docs/theory/closures.md
+  EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
+  EXPECT_EQ(budget.harmonics.absolute, 0.);
+  EXPECT_TRUE(budget.without.empty());
+
+  study.load.moment_ratio = 1.3;
+  EXPECT_EQ(rows_of(budget_of(study)).back(), "2 given moment 1");
+  EXPECT_EQ(budget_of(study).rows.back().standing, Standing::formal);
+
+  study.load.moment_ratio = -1;
+  study.motion.grip_torque = 2e-4;
+  budget = budget_of(study);
+  EXPECT_EQ(rows_of(budget), (Texts{ "1 paper 1", "2 moment balance 1", "2a grip 1" }));
+  EXPECT_NEAR(*budget.rows[1].omega_terminal, -3.67874799852576, 1e-10);
+  const ring::FirstHarmonicRing ring(ring::Closure::full, study.motion.orbit, 0.03);
+  EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // the grip turns it back
+}
+
+TEST(Budget, RowsOfContacts)
+{
+  Study study = quick_contact_study();
+  EXPECT_EQ(rows_of(budget_of(study)), contact_rows(study, { "1 paper 1", "2 moment balance 1",
+                                                             "3 where the foot touches 1", "3a tilt 1" }));
+  study.motion.tilt = false;
+  study.motion.grip_torque = 1e-4;
+  EXPECT_EQ(rows_of(budget_of(study)), contact_rows(study, { "1 paper 1", "2 moment balance 1", "2a grip 1",
+                                                             "3 where the foot touches 1" }));
+  study.motion.grip_torque = 0;
+  study.load.coupling = LoadCoupling::one_way;
+  EXPECT_EQ(rows_of(budget_of(study)),
+            contact_rows(study, { "1 paper 1", "2 moment balance 1", "3 where the foot touches 1" }));
+  study.motion.tilt = true;
+  study.load.moment_ratio = 0.5;
+  EXPECT_EQ(rows_of(budget_of(study)),
+            contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
+}
+
+TEST(Budget, LeavesOutWhatAStudyHas)
+{
+  Study study; // a Winkler interface on a rigid substrate
+  EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",
+                                          "compliance of the interface", "tilt" }));
+  study.motion.grip_torque = 1e-4;
+  study.glass.waviness = { { 3, 1e-6, 0 } };
+  study.table.substrate = TableSubstrate::elastic;
+  EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "friction in the substrate",
+                                          "elasticity of the foot", "elasticity of the substrate",
+                                          "compliance of the interface", "tilt", "grip", "waviness" }));
+  for (const ModelVariant &variant : variants_without(study))
+    EXPECT_EQ(names_without(variant.study).size(), 7u - (variant.name == "elasticity of the foot" ||
+                                                         variant.name == "elasticity of the substrate"))
+      << variant.name; // each of them is gone, with the friction in a body that has gone rigid
+  study = Study();
+  study.table.interface = TableInterface::hard;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  study.motion.closure = ring::Closure::paper;
+  EXPECT_EQ(names_without(study), Texts{ "elasticity of the foot" });
+  study.contact.body = BodyKind::solid;
+  EXPECT_TRUE(names_without(study).empty());
+  study.load.source = LoadSource::file;
+  EXPECT_TRUE(names_without(study).empty());
+}
+
+TEST(Budget, WithoutAnyComplianceThereIsNoPressure)
+{
+  Study study;
+  study.table.interface = TableInterface::hard;
+  EXPECT_TRUE(has_compliance(study));
+  study.model.foot_is_rigid = true;
+  EXPECT_FALSE(has_compliance(study));
+  study.table.substrate = TableSubstrate::elastic;
+  EXPECT_TRUE(has_compliance(study));
+  study.table = {};
+  EXPECT_TRUE(has_compliance(study)); // of the Winkler interface
+}
+
+TEST(Budget, DifferencesAddUpToTheWholeWay)
+{
+  const Budget budget = budget_of(quick_contact_study());
+  EXPECT_FALSE(budget.rows.front().difference);
+  double sum = *budget.rows.front().omega_terminal, of_harmonics = 0;
+  for (std::size_t i = 1; i < budget.rows.size(); ++i)
+  {
+    ASSERT_TRUE(budget.rows[i].difference) << budget.rows[i].step << budget.rows[i].reason;
+    sum += *budget.rows[i].difference;
+    of_harmonics += budget.rows[i].name == "harmonics" ? *budget.rows[i].difference : 0;
+  }
+  EXPECT_NEAR(sum, *budget.rows.back().omega_terminal, 1e-12);
+  EXPECT_NEAR(of_harmonics, *budget.harmonics.absolute, 1e-12);
+  ASSERT_EQ(budget.without.size(), 4u);
+  for (const WithoutRow &row : budget.without)
+  {
+    ASSERT_TRUE(row.omega_terminal) << row.name << row.reason;
+    EXPECT_NEAR(*row.difference, *row.omega_terminal - *budget.rows.back().omega_terminal, 1e-12) << row.name;
+  }
+}
+
+TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
+{
+  const Study study = study_of_given_load();
+  const ring::Motion &motion = study.motion.orbit;
+  const Budget budget = budget_of(study, rich_load());
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  const double terminal = *budget.rows.back().omega_terminal;
+  for (const BudgetRow &row : budget.rows)
+    if (row.step != "1")
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const ring::RingStack kept = rich_load().truncated(row.harmonics.value_or(9));
+        const double omega = terminal * static_cast<double>(i) / 2;
+        EXPECT_NEAR(*row.torques[i], friction.wrench(kept, omega, motion.orbit_speed).torque, 1e-16)
+          << row.step << " " << i;
+      }
+  EXPECT_NEAR(*budget.rows.front().torques[0],
+              motion.friction_coefficient * ring::required_moment_at_rest(ring::Closure::paper, motion).x(),
+              1e-14);
+
+  ASSERT_EQ(budget.omega.size(), 33u);
+  EXPECT_EQ(budget.omega.front(), 0);
+  EXPECT_DOUBLE_EQ(budget.omega.back(), 1.2 * terminal);
+  for (std::size_t i = 0; i < budget.omega.size(); ++i)
+  {
+    const auto torque = [&](const ring::RingStack &load)
+    { return friction.wrench(load, budget.omega[i], motion.orbit_speed).torque; };
+    EXPECT_NEAR(budget.torque_all[i], torque(rich_load()), 1e-16);
+    EXPECT_NEAR(budget.torque_first[i], torque(rich_load().truncated(1)), 1e-16);
+  }
+}
+
+TEST(Budget, HarmonicEffectIsThatOfRowAllAgainstTheFirstHarmonic)
+{
+  const Study study = study_of_given_load();
+  const Budget budget = budget_of(study, rich_load());
+  const double all = ring::terminal_spin(rich_load(), study.motion.orbit).omega;
+  const double first = ring::terminal_spin(rich_load().truncated(1), study.motion.orbit).omega;
+  EXPECT_GT(std::abs(all / first - 1), 0.01);
+  EXPECT_NEAR(*budget.harmonics.absolute, all - first, 1e-9);
+  EXPECT_NEAR(*budget.harmonics.relative, all / first - 1, 1e-9);
+}
+
+TEST(Budget, WithoutAMomentNothingIsRelative)
+{
+  Study study = quick_contact_study();
+  study.motion.orbit.force_offset = 0;
+  study.motion.closure = ring::Closure::paper;
+  const Budget budget = budget_of(study);
+  EXPECT_NEAR(*budget.rows.front().omega_terminal, 0, 1e-9);
+  EXPECT_NEAR(*budget.rows.back().omega_terminal, 0, 1e-9);
+  EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
+  EXPECT_FALSE(budget.harmonics.relative);
+  EXPECT_GT(std::abs(budget.omega.back()), 0.1); // there is something to show
+}
+
+TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
+{
+  const Study study = study_of_given_load();
+  std::vector<LoadedRow> rows =
+    rows_by_harmonics(study, nullptr, given_load(rich_load()), spin_question(study));
+  rows[1] = {};
+  rows[1].row.harmonics = 2;
+  rows[1].row.standing = Standing::tips;
+  rows[1].row.reason = "it tips";
+  fem::ComplianceCache cache;
+  const Budget budget = find_budget(study, rows, cache);
+  const BudgetRow &failed = budget.rows[2];
+  EXPECT_EQ(failed.harmonics, 2u);
+  EXPECT_FALSE(failed.omega_terminal);
+  EXPECT_FALSE(failed.difference);
+  EXPECT_FALSE(failed.torques[0]);
+  EXPECT_EQ(failed.standing, Standing::tips);
+  EXPECT_EQ(failed.reason, "it tips");
+  EXPECT_TRUE(budget.rows[3].omega_terminal);
+  EXPECT_FALSE(budget.rows[3].difference); // to nothing
+  EXPECT_TRUE(budget.rows[4].difference);
+  EXPECT_TRUE(budget.rows[4].reason.empty());
+  // Without the first harmonic alone there is nothing that the others could change.
+  rows[0] = rows[1];
+  const Budget without_first = find_budget(study, rows, cache);
+  EXPECT_FALSE(without_first.harmonics.absolute);
+  EXPECT_TRUE(std::isnan(without_first.torque_first.back()));
+  EXPECT_FALSE(std::isnan(without_first.torque_all.back()));
+}
+
+TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
+{
+  Study study = quick_contact_study();
+  study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
+  fem::ComplianceCache cache;
+  const SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  EXPECT_EQ(row.standing, Standing::tips);
+  EXPECT_FALSE(row.reason.empty());
+  EXPECT_FALSE(row.terminal);
+}
+
+TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
+{
+  Study study = quick_contact_study();
+  study.load.moment_ratio = 1.4; // a rim that lifts off
+  const Budget budget = budget_of(study);
+  for (const BudgetRow &row : budget.rows)
+  {
+    const bool is_cut = row.step != "1" && row.harmonics.value_or(4) < 3;
+    EXPECT_TRUE(!is_cut || row.standing == Standing::formal) << row.step;
+  }
+  EXPECT_EQ(budget.rows.front().standing, Standing::full_contact);
+  EXPECT_EQ(budget.rows.back().standing, Standing::lift_off); // a pressure does not pull
+  // A load from a file is what its series says.
+  EXPECT_EQ(budget_of(study_of_given_load(), { { 0.47, 0, 0.5 }, { 0, -0.3, 0 }, 0.03 }).rows.back().standing,
+            Standing::formal);
+}
+
+TEST(Budget, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
+{
+  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
+  {
+    const Budget budget = budget_of(flat_land_on_a_mat(coupling));
+    EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
+    EXPECT_NEAR(*budget.harmonics.relative, 0, 1e-9);
+    for (const BudgetRow &row : budget.rows)
+    {
+      EXPECT_NEAR(row.name == "harmonics" ? *row.difference : 0, 0, 1e-9) << row.step;
+    }
+    for (std::size_t i = 0; i < budget.omega.size(); ++i)
+      EXPECT_NEAR(budget.torque_all[i], budget.torque_first[i], 1e-11); // mu N R is 0.026 N m
+  }
+}
+
+TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
+{
+  Study study = quick_contact_study();
+  study.glass.waviness = { { 3, 1e-7, 0 } };
+  study.load.coupling = LoadCoupling::one_way;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  const std::vector<ModelVariant> variants = variants_without(study);
+  ASSERT_EQ(variants.back().name, "waviness");
+  fem::ComplianceCache cache;
+  const SpinRow wavy = attempt_row(study, cache, spin_question(study), 1).row;
+  const SpinRow flat = attempt_row(variants.back().study, cache, spin_question(study), 1).row;
+  EXPECT_GT(wavy.ripple, 0);
+  EXPECT_EQ(flat.ripple, 0);
+  // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
+  EXPECT_NEAR(*wavy.omega_terminal() / *flat.omega_terminal(), 1, 0.02);
+  EXPECT_NE(*wavy.omega_terminal(), *flat.omega_terminal());
+}
+
+} // namespace
+} // namespace stemware::pipeline

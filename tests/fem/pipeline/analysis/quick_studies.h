@@ -1,0 +1,54 @@
+#pragma once
+
+#include "fem/pipeline/analysis/study_rows.h"
+
+namespace stemware::test
+{
+
+/// A load with harmonics up to 9, all of which matter.
+inline ring::RingStack rich_load()
+{
+  return { { 0.47, 0.1, 0.09, 0, -0.02, 0, 0.004, 0, -0.001, 0 },
+           { 0, -0.3, 0, 0.04, 0, 0.01, 0, -0.003, 0, 0.001 },
+           0.03 };
+}
+
+inline pipeline::BalancedLoad given_load(const ring::RingStack &load)
+{
+  return pipeline::BalancedLoad({ pipeline::report_of(load), {} });
+}
+
+/// A study that follows a load which the test gives it, as if from a file.
+inline pipeline::Study study_of_given_load()
+{
+  pipeline::Study study;
+  study.motion.end_time = 0.5;
+  study.load.source = pipeline::LoadSource::file;
+  study.load.coupling = pipeline::LoadCoupling::one_way;
+  return study;
+}
+
+/// The default glass on few lines and harmonics: a contact takes milliseconds.
+inline pipeline::Study quick_contact_study()
+{
+  pipeline::Study study;
+  study.motion.end_time = 0.2;
+  study.contact.harmonics = 4;
+  study.contact.azimuth_lines = 32;
+  study.contact.load_harmonics = 8;
+  return study;
+}
+
+/// A flat land on a linear foundation, all of which carries load, without friction that deforms the foot: by
+/// symmetry its pressure has no harmonics beyond the first (docs/theory/load_models.md).
+inline pipeline::Study flat_land_on_a_mat(pipeline::LoadCoupling coupling)
+{
+  pipeline::Study study = quick_contact_study();
+  study.glass.profile.crown_radius = 0;
+  study.motion.orbit.centre_of_mass_height = 0.06; // a moment ratio of 0.34
+  study.contact.friction_coupling = pipeline::FrictionCoupling::none;
+  study.load.coupling = coupling;
+  return study;
+}
+
+} // namespace stemware::test

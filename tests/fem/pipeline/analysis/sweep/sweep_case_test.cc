@@ -1,0 +1,71 @@
+// Numbers of one case of a sweep.
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace stemware::test;
+
+/// Values of a study by their names.
+class SolvedCase
+{
+public:
+  explicit SolvedCase(const Study &study)
+  {
+    fem::ComplianceCache cache;
+    result = solve_case(study, cache);
+  }
+  const std::optional<double> &operator[](const std::string &name) const
+  {
+    return result.values.at(quantity_index(name));
+  }
+
+private:
+  CaseResult result;
+};
+
+TEST(SweepCase, HasTheEffectOfHarmonicsOfTheBudget)
+{
+  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
+  {
+    Study study = quick_contact_study();
+    study.load.coupling = coupling;
+    fem::ComplianceCache cache;
+    const Budget budget = find_budget(study, cache);
+    const SolvedCase solved(study);
+    EXPECT_NEAR(*solved["absolute harmonic effect"], *budget.harmonics.absolute, 1e-9);
+    EXPECT_NEAR(*solved["harmonic effect"], 100 * *budget.harmonics.relative, 1e-7);
+    EXPECT_NEAR(*solved["terminal spin"] - *solved["terminal spin of the first harmonic alone"],
+                *solved["absolute harmonic effect"], 1e-12);
+  }
+}
+
+TEST(SweepCase, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
+{
+  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
+  {
+    const SolvedCase solved(flat_land_on_a_mat(coupling));
+    EXPECT_NEAR(*solved["absolute harmonic effect"], 0, 1e-9);
+    EXPECT_NEAR(*solved["harmonic effect"], 0, 1e-7); // per cent
+  }
+}
+
+TEST(SweepCase, NothingIsRelativeToAGlassThatDoesNotSpinUp)
+{
+  Study study = quick_contact_study();
+  study.motion.orbit.force_offset = 0;
+  study.motion.closure = ring::Closure::paper;
+  const SolvedCase solved(study);
+  EXPECT_NEAR(*solved["terminal spin"], 0, 1e-9);
+  EXPECT_FALSE(solved["harmonic effect"]);
+  EXPECT_FALSE(solved["closure effect"]);
+}
+
+} // namespace
+} // namespace stemware::pipeline
