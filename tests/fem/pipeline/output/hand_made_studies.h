@@ -93,6 +93,7 @@ struct RunByHand
               hand_made_band(next, "a2", "a_2/a_0", "1"), zero_band("b2"),
               hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
     study.table.waviness.push_back({});
+    study.load.coupling = pipeline::LoadCoupling::one_way;
   }
 
   pipeline::Study study;
