@@ -244,7 +244,7 @@ TEST(ContactRun, MeshOfAnotherGlassIsRefused)
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set",
                                           "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh", "--set",
-                                          "Glass/Contact radius=30" });
+                                          "Glass/Contact radius=0.3" });
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_NE(ended.err.find("has a radius of 0.03"), std::string::npos) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });

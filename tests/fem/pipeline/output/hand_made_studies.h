@@ -118,6 +118,7 @@ struct RunByHand
     report.half_width = next() / 1000;
     spin.budget = hand_made_budget(next);
     bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
+    study.load.coupling = pipeline::LoadCoupling::one_way;
   }
 
   pipeline::Study study;

@@ -147,6 +147,18 @@ TEST(IdleEntries, AFileOfAllEntriesGivesThoseThatDifferFromTheirDefaults)
             Names({ "Table/Disc thickness" }));
 }
 
+TEST(IdleEntries, ThereAreNoneInTheCookbooks)
+{
+  unsigned int n_studies = 0;
+  for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))
+    if (item.path().extension() == ".prm")
+    {
+      EXPECT_EQ(idle_entries(read_study(item.path())), Names()) << item.path();
+      ++n_studies;
+    }
+  EXPECT_GE(n_studies, 9u);
+}
+
 TEST(IdleEntries, AreNamedInOneSentence)
 {
   EXPECT_EQ(idle_note({}), "");
