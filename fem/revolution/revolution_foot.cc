@@ -74,16 +74,12 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   {
     // The foot bends, so the load gathers at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
-    resolved.resolution.focus_levels = 5;
+    resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32;
     return resolved;
   }
-  const double wanted = hertz_half_width(*this, normal_force) / 2;
-  double cells = 0; // of the finest size, from the contact radius to the border of the land
-  for (unsigned int i = 0; i < resolution.land_cells / 2; ++i)
-    cells += std::pow(resolution.land_grading, i);
-  const double size = profile.land_width / 2 / cells;
-  resolved.resolution.focus_levels =
-    static_cast<unsigned int>(std::max(0., std::ceil(std::log2(size / wanted))));
+  const double half_width = hertz_half_width(*this, normal_force);
+  resolved.resolution.focus_size = half_width / 2;
+  resolved.resolution.focus_width = 1.5 * half_width;
   return resolved;
 }
 
