@@ -110,6 +110,8 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
   }
   ContactCells result;
   result.has_focus = true;
+  result.focus_begin = focus - resolution.focus_width;
+  result.focus_end = focus + resolution.focus_width;
   add_coarse_cells(profile, resolution, focus, result);
 
   HalvedCells cells;
@@ -118,9 +120,8 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
   const double largest = profile.land_width / resolution.land_cells;
   const auto allowed_size = [&](const HalvedCell &cell)
   {
-    const double distance = std::max(
-      { cell.begin - focus - resolution.focus_width, focus - resolution.focus_width - cell.end, 0. });
-    return std::min(largest, std::max(resolution.focus_size, (resolution.focus_growth - 1) * distance));
+    const double distance = std::max({ cell.begin - result.focus_end, result.focus_begin - cell.end, 0. });
+    return std::min(largest, resolution.size_at(distance));
   };
   const auto is_wide = [&](std::size_t i)
   { return cells[i].end - cells[i].begin > allowed_size(cells[i]) * (1 + rounding); };
@@ -139,7 +140,10 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
       throw std::invalid_argument(message.str());
     }
   for (const HalvedCell &cell : cells)
+  {
     result.borders.push_back(cell.begin);
+    result.n_halvings.push_back(cell.n_halvings);
+  }
   result.borders.push_back(cells.back().end);
   return result;
 }

@@ -139,47 +139,65 @@ bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vecto
   return border != borders.end() && *border < end - margin;
 }
 
-/// Halves cells until the contact cells are those of @p borders, and beside and behind them down to the size
-/// of their neighbours on the contact zone: never below it, so that closing the hanging nodes splits no
-/// contact cell, whatever body it belongs to.
-void divide_contact_zone(const std::vector<double> &borders, Triangulation<2> &triangulation)
+/// Distance of @p cell from the focus, a band of the plane z = 0 [m].
+double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
 {
+  const auto [low, high] = cell->bounding_box().get_boundary_points();
+  const double across = std::max({ low[0] - contact.focus_end, contact.focus_begin - high[0], 0. });
+  const double away = std::max({ low[1], -high[1], 0. });
+  return std::hypot(across, away);
+}
+
+/// Most halvings that @p cell may have without closing hanging nodes splitting a contact cell: as many as the
+/// contact cells below or above it, beside the land one more than the nearest.
+unsigned int most_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
+{
+  const auto [low, high] = cell->bounding_box().get_boundary_points();
+  if (high[0] <= contact.borders.front() || low[0] >= contact.borders.back())
+    return 1 + (high[0] <= contact.borders.front() ? contact.n_halvings.front() : contact.n_halvings.back());
+  const double margin = 1e-3 * (high[0] - low[0]);
+  unsigned int most = 0;
+  for (std::size_t i = 0; i < contact.n_halvings.size(); ++i)
+    if (contact.borders[i] < high[0] - margin && contact.borders[i + 1] > low[0] + margin)
+      most = std::max(most, contact.n_halvings[i]);
+  return most;
+}
+
+/// Halves cells until the contact cells are those of @p contact and the others no larger than their distance
+/// from the focus allows.
+void divide(const ContactCells &contact, const MeridianResolution &resolution,
+            Triangulation<2> &triangulation)
+{
+  const auto is_large = [&](const Triangulation<2>::active_cell_iterator &cell)
+  {
+    if (touches_table(cell))
+      return is_cut(cell, contact.borders);
+    return cell->diameter() >
+             numbers::SQRT2 * resolution.size_at(distance_from_focus(cell, contact)) * 1.01 &&
+           static_cast<unsigned int>(cell->level()) < most_halvings(cell, contact);
+  };
   for (bool done = false; !done;)
   {
     done = true;
-    std::vector<int> level_at_vertex(triangulation.n_vertices(), -1); // of the contact cells
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (touches_table(cell))
-        for (const unsigned int v : cell->vertex_indices())
-        {
-          int &level = level_at_vertex[cell->vertex_index(v)];
-          level = std::max(level, cell->level());
-        }
-    for (const auto &cell : triangulation.active_cell_iterators())
-    {
-      bool is_coarse = false;
-      if (touches_table(cell))
-        is_coarse = is_cut(cell, borders);
-      else
-        for (const unsigned int v : cell->vertex_indices())
-          is_coarse = is_coarse || level_at_vertex[cell->vertex_index(v)] > cell->level();
-      if (!is_coarse)
-        continue;
-      cell->set_refine_flag();
-      done = false;
-    }
+      if (is_large(cell))
+      {
+        cell->set_refine_flag();
+        done = false;
+      }
     triangulation.execute_coarsening_and_refinement();
   }
 }
 
 /// Marks the boundary and halves cells: first around the focus, then all, so that meshes with more
-/// @p refinements are nested in those with fewer.
+/// refinements are nested in those with fewer.
 void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
-            unsigned int refinements, Triangulation<2> &triangulation)
+            const MeridianResolution &resolution, Triangulation<2> &triangulation)
 {
   mark_boundary(clamped_height, profile, triangulation);
-  divide_contact_zone(contact.borders, triangulation);
-  triangulation.refine_global(refinements);
+  if (resolution.has_focus())
+    divide(contact, resolution, triangulation);
+  triangulation.refine_global(resolution.refinements);
 }
 
 /// Largest cell of the foot: a little longer than the foot is thick. Bending is smooth, two quadratic cells
@@ -286,7 +304,7 @@ void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &r
     make_step(profile, contact, triangulation);
   else
     make_foot(profile, contact, triangulation);
-  refine(profile.height(), profile, contact, resolution.refinements, triangulation);
+  refine(profile.height(), profile, contact, resolution, triangulation);
 }
 
 void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
@@ -304,7 +322,7 @@ void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
   append_shrinking(heights, 0, { contact.has_focus ? contact.coarse_size : profile.land_width / 4 });
   make_grid(
     radii, heights, [](double, double) { return true; }, triangulation);
-  refine(-disc.thickness, profile, contact, resolution.refinements, triangulation);
+  refine(-disc.thickness, profile, contact, resolution, triangulation);
 }
 
 } // namespace stemware::fem
