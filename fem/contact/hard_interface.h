@@ -13,6 +13,7 @@ struct HardInterface : InterfaceLaw
 {
   bool is_hard() const override { return true; }
   double stiffness_at(double) const override { return std::numeric_limits<double>::infinity(); }
+  double half_width(double, double) const override { return 0; }
   double penetration_at(double) const override { return 0; }
   std::shared_ptr<const InterfaceLaw> softened(double) const override
   {

@@ -21,6 +21,10 @@ public:
   /// dp/d(penetration) where the pressure is @p pressure [Pa/m]; infinite for a hard law.
   virtual double stiffness_at(double pressure) const = 0;
 
+  /// Half-width of the band that carries under a rigid rim of @p crown_radius [m] with @p line_load [N/m], as
+  /// far as the interface alone decides on it [m].
+  virtual double half_width(double line_load, double crown_radius) const = 0;
+
   /// Where the pressure is @p pressure > 0 [m].
   virtual double penetration_at(double pressure) const = 0;
 

@@ -28,6 +28,11 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return std::min(pressure, reference_pressure) / decay_length;
   }
+  /// Two and a half standard deviations of the bell exp(-x^2 / (2 rho s)).
+  double half_width(double, double crown_radius) const override
+  {
+    return 2.5 * std::sqrt(crown_radius * decay_length);
+  }
   double penetration_at(double pressure) const override
   {
     const double ratio = pressure / reference_pressure;

@@ -2,6 +2,8 @@
 
 #include "fem/contact/pressure_law.h"
 
+#include <cmath>
+
 namespace stemware::fem
 {
 
@@ -15,6 +17,11 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   }
 
   double stiffness_at(double) const override { return modulus; }
+  /// Of the parabola k (b^2 - x^2) / (2 rho).
+  double half_width(double line_load, double crown_radius) const override
+  {
+    return std::cbrt(1.5 * line_load * crown_radius / modulus);
+  }
   double penetration_at(double pressure) const override { return pressure / modulus; }
   std::shared_ptr<const InterfaceLaw> softened(double factor) const override
   {

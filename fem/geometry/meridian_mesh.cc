@@ -8,8 +8,10 @@
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -41,16 +43,24 @@ void append_sized(GridLines &lines, double end, double size)
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));
 }
 
-/// Appends cells up to @p end, the first of about @p first and each at most @p growth times its neighbour.
-void append_growing(GridLines &lines, double end, double first, double growth)
+/// How cells grow with their distance from the land, in one direction.
+struct Growth
+{
+  double first = 0; ///< size of the first cell, about [m]
+  double factor = 2;
+  double largest = std::numeric_limits<double>::infinity(); ///< [m]
+};
+
+/// Appends cells up to @p end.
+void append_growing(GridLines &lines, double end, const Growth &growth)
 {
   const double begin = lines.back();
   double total = 0;
   std::vector<double> sizes;
-  for (double size = first; total < (end - begin) * (1 - 1e-9); size *= growth)
+  for (double size = growth.first; total < (end - begin) * (1 - 1e-9); size *= growth.factor)
   {
-    sizes.push_back(size);
-    total += size;
+    sizes.push_back(std::min(size, growth.largest));
+    total += sizes.back();
   }
   double sum = 0;
   for (const double size : sizes)
@@ -60,20 +70,13 @@ void append_growing(GridLines &lines, double end, double first, double growth)
   }
 }
 
-/// Borders of the contact cells: finest at the contact radius, mirror images on both sides of it.
-GridLines land_lines(const GlassProfile &profile, const MeridianResolution &resolution)
+/// Appends cells that shrink up to @p end: those of append_growing() from there, backwards.
+void append_shrinking(GridLines &lines, double end, const Growth &growth)
 {
-  const unsigned int half = resolution.land_cells / 2;
-  GridLines offsets = { 0 };
-  for (unsigned int i = 0; i < half; ++i)
-    offsets.push_back(offsets.back() + std::pow(resolution.land_grading, i));
-  GridLines lines;
-  for (unsigned int i = 0; i <= 2 * half; ++i)
-  {
-    const double offset = i < half ? -offsets[half - i] : offsets[i - half];
-    lines.push_back(profile.contact_radius + offset / offsets.back() * profile.land_width / 2);
-  }
-  return lines;
+  GridLines distances = { 0 };
+  append_growing(distances, end - lines.back(), growth);
+  for (auto distance = distances.rbegin() + 1; distance != distances.rend(); ++distance)
+    lines.push_back(end - *distance);
 }
 
 /// Tensor grid of the lines without the cells whose centre is not inside.
@@ -116,30 +119,84 @@ void mark_boundary(double clamped_height, const GlassProfile &profile, Triangula
     }
 }
 
-/// Distance of @p point from the cell's box, in units of the cell's radial size: the contact cells then split
-/// alike in foot and disc.
-double relative_distance(const Triangulation<2>::active_cell_iterator &cell, const Point<2> &point)
+/// Whether a face of @p cell lies on the contact zone.
+bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
 {
-  const Point<2> low = cell->vertex(0);
-  const Point<2> high = cell->vertex(3);
-  Tensor<1, 2> away;
-  for (unsigned int d = 0; d < 2; ++d)
-    away[d] = std::max({ low[d] - point[d], point[d] - high[d], 0. });
-  return away.norm() / (high[0] - low[0]);
+  for (const auto &face : cell->face_iterators())
+    if (face->at_boundary() && face->boundary_id() == static_cast<unsigned int>(FootBoundary::contact_zone))
+      return true;
+  return false;
 }
 
-void refine(const MeridianResolution &resolution, const GlassProfile &profile,
+/// Whether one of the @p borders, ascending, lies inside @p cell.
+bool is_cut(const Triangulation<2>::active_cell_iterator &cell, const std::vector<double> &borders)
+{
+  // Vertices 0 and 1 are those of the lower face.
+  const double begin = cell->vertex(0)[0];
+  const double end = cell->vertex(1)[0];
+  const double margin = 1e-3 * (end - begin);
+  const auto border = std::upper_bound(borders.begin(), borders.end(), begin + margin);
+  return border != borders.end() && *border < end - margin;
+}
+
+/// Distance of @p cell from the focus, a band of the plane z = 0 [m].
+double distance_from_focus(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
+{
+  const auto [low, high] = cell->bounding_box().get_boundary_points();
+  const double across = std::max({ low[0] - contact.focus_end, contact.focus_begin - high[0], 0. });
+  const double away = std::max({ low[1], -high[1], 0. });
+  return std::hypot(across, away);
+}
+
+/// Most halvings that @p cell may have without closing hanging nodes splitting a contact cell: as many as the
+/// contact cells below or above it, beside the land one more than the nearest.
+unsigned int most_halvings(const Triangulation<2>::active_cell_iterator &cell, const ContactCells &contact)
+{
+  const auto [low, high] = cell->bounding_box().get_boundary_points();
+  if (high[0] <= contact.borders.front() || low[0] >= contact.borders.back())
+    return 1 + (high[0] <= contact.borders.front() ? contact.n_halvings.front() : contact.n_halvings.back());
+  const double margin = 1e-3 * (high[0] - low[0]);
+  unsigned int most = 0;
+  for (std::size_t i = 0; i < contact.n_halvings.size(); ++i)
+    if (contact.borders[i] < high[0] - margin && contact.borders[i + 1] > low[0] + margin)
+      most = std::max(most, contact.n_halvings[i]);
+  return most;
+}
+
+/// Halves cells until the contact cells are those of @p contact and the others no larger than their distance
+/// from the focus allows.
+void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {
-  const Point<2> focus(resolution.focus_radius > 0 ? resolution.focus_radius : profile.contact_radius, 0);
-  for (unsigned int level = 0; level < resolution.focus_levels; ++level)
+  const auto is_large = [&](const Triangulation<2>::active_cell_iterator &cell)
   {
+    if (touches_table(cell))
+      return is_cut(cell, contact.borders);
+    return cell->diameter() >
+             numbers::SQRT2 * resolution.size_at(distance_from_focus(cell, contact)) * 1.01 &&
+           static_cast<unsigned int>(cell->level()) < most_halvings(cell, contact);
+  };
+  for (bool done = false; !done;)
+  {
+    done = true;
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (relative_distance(cell, focus) < 1.01)
+      if (is_large(cell))
+      {
         cell->set_refine_flag();
+        done = false;
+      }
     triangulation.execute_coarsening_and_refinement();
   }
-  // Last, so that meshes with more halvings are nested in those with fewer.
+}
+
+/// Marks the boundary and halves cells: first around the focus, then all, so that meshes with more
+/// refinements are nested in those with fewer.
+void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
+            const MeridianResolution &resolution, Triangulation<2> &triangulation)
+{
+  mark_boundary(clamped_height, profile, triangulation);
+  if (resolution.has_focus())
+    divide(contact, resolution, triangulation);
   triangulation.refine_global(resolution.refinements);
 }
 
@@ -150,18 +207,34 @@ double largest_cell(const GlassProfile &profile)
   return 1.25 * profile.foot_thickness;
 }
 
-void make_step(const GlassProfile &profile, const MeridianResolution &resolution,
-               Triangulation<2> &triangulation)
+/// Appends the cells between the land and what lies within it, those of the land, and those outside it.
+/// Beside a focus cells begin with twice the size of its coarse cells.
+void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
+{
+  const double size = largest_cell(profile);
+  const Growth growth = { contact.has_focus ? std::min(2 * contact.coarse_size, size) : size, 2, size };
+  if (profile.land_inner_radius() > radii.back())
+    append_shrinking(radii, profile.land_inner_radius(), growth);
+  radii.insert(radii.end(), contact.coarse.begin() + 1, contact.coarse.end());
+  append_growing(radii, profile.foot_radius, growth);
+}
+
+/// Rows of cells between the land and @p end, the height of the lowest row where there is no focus, in the
+/// section's own coordinate: they begin as high as the focus's coarse cells are wide.
+Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
+{
+  return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };
+}
+
+void make_step(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);
   GridLines radii = { 0 };
   append_sized(radii, profile.stem_radius, size);
-  append_sized(radii, profile.land_inner_radius(), size);
-  const GridLines land = land_lines(profile, resolution);
-  radii.insert(radii.end(), land.begin() + 1, land.end());
-  append_sized(radii, profile.foot_radius, size);
+  append_foot(profile, contact, radii);
 
-  GridLines heights = { 0, profile.land_height };
+  GridLines heights = { 0 };
+  append_growing(heights, profile.land_height, rows_of(contact, profile, profile.land_height));
   append_equal(heights, profile.foot_top(), 2);
   append_sized(heights, profile.height(), size);
 
@@ -175,8 +248,7 @@ void make_step(const GlassProfile &profile, const MeridianResolution &resolution
 }
 
 /// The grid of the straightened section (ProfileChart), bent.
-void make_foot(const GlassProfile &profile, const MeridianResolution &resolution,
-               Triangulation<2> &triangulation)
+void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangulation<2> &triangulation)
 {
   const double size = largest_cell(profile);
   const ProfileChart chart(profile);
@@ -184,13 +256,12 @@ void make_foot(const GlassProfile &profile, const MeridianResolution &resolution
   GridLines radii = { 0 };
   append_sized(radii, fillet.middle_radius, size);
   append_sized(radii, fillet.end_radius, size);
-  append_sized(radii, profile.land_inner_radius(), size);
-  const GridLines land = land_lines(profile, resolution);
-  radii.insert(radii.end(), land.begin() + 1, land.end());
-  append_sized(radii, profile.foot_radius, size);
+  append_foot(profile, contact, radii);
 
   const double stem_length = profile.height() - fillet.middle_height;
-  GridLines levels = { 0, 0.3, 1 };
+  GridLines levels = { 0 };
+  append_growing(levels, lowest_level, rows_of(contact, profile, lowest_level));
+  append_sized(levels, 1, 1);
   append_sized(levels, chart.pull_back({ 0, fillet.centre_height }).level, size / stem_length);
   append_sized(levels, 2, size / stem_length);
 
@@ -225,66 +296,33 @@ void TableDisc::validate(const GlassProfile &profile) const
     throw std::invalid_argument(message.str());
 }
 
-void MeridianResolution::validate() const
-{
-  std::ostringstream message;
-  if (land_cells < 2 || land_cells % 2 != 0)
-    message << "Contact/Radial cells = " << land_cells
-            << " is not allowed for a body of revolution; give an even number of at least 2.";
-  else if (!(land_grading >= 1 && land_grading <= 10))
-    message << "The grading of the land, " << land_grading << ", must lie between 1 (equal cells) and 10.";
-  else if (refinements > 6)
-    message << refinements << " halvings of every meridional cell are too many; give at most 6.";
-  else if (focus_levels > 24)
-    message << focus_levels << " halvings towards the contact are too many; give at most 24.";
-  else if (!(std::isfinite(focus_radius) && focus_radius >= 0))
-    message << "The focus of the refinement, r = " << focus_radius << " m, must be a radius.";
-  if (!message.str().empty())
-    throw std::invalid_argument(message.str());
-}
-
 void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &resolution,
                         Triangulation<2> &triangulation)
 {
-  profile.validate();
-  resolution.validate();
+  const ContactCells contact = contact_cells(profile, resolution);
   if (profile.shape == GlassShape::step)
-    make_step(profile, resolution, triangulation);
+    make_step(profile, contact, triangulation);
   else
-    make_foot(profile, resolution, triangulation);
-  refine(resolution, profile, triangulation);
-  mark_boundary(profile.height(), profile, triangulation);
+    make_foot(profile, contact, triangulation);
+  refine(profile.height(), profile, contact, resolution, triangulation);
 }
 
 void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
                         const MeridianResolution &resolution, Triangulation<2> &triangulation)
 {
-  profile.validate();
+  const ContactCells contact = contact_cells(profile, resolution);
   disc.validate(profile);
-  resolution.validate();
   // Cells grow from the land inwards to the axis, outwards to the edge and downwards.
-  GridLines inward = { 0 };
-  append_growing(inward, profile.land_inner_radius(), profile.land_width, 1.5);
-  GridLines radii;
-  for (auto distance = inward.rbegin(); distance != inward.rend(); ++distance)
-    radii.push_back(profile.land_inner_radius() - *distance);
-  radii.front() = 0;
-  const GridLines land = land_lines(profile, resolution);
-  radii.insert(radii.end(), land.begin() + 1, land.end());
-  append_growing(radii, disc.radius, profile.land_width, 2);
-  GridLines depths = { 0 };
-  append_growing(depths, disc.thickness, profile.land_width / 4, 2);
-  const GridLines heights = [&]
-  {
-    GridLines lines;
-    for (auto depth = depths.rbegin(); depth != depths.rend(); ++depth)
-      lines.push_back(-*depth);
-    return lines;
-  }();
+  const double beside = contact.has_focus ? 2 * contact.coarse_size : profile.land_width;
+  GridLines radii = { 0 };
+  append_shrinking(radii, profile.land_inner_radius(), { beside, contact.has_focus ? 2 : 1.5 });
+  radii.insert(radii.end(), contact.coarse.begin() + 1, contact.coarse.end());
+  append_growing(radii, disc.radius, { beside });
+  GridLines heights = { -disc.thickness };
+  append_shrinking(heights, 0, { contact.has_focus ? contact.coarse_size : profile.land_width / 4 });
   make_grid(
     radii, heights, [](double, double) { return true; }, triangulation);
-  refine(resolution, profile, triangulation);
-  mark_boundary(-disc.thickness, profile, triangulation);
+  refine(-disc.thickness, profile, contact, resolution, triangulation);
 }
 
 } // namespace stemware::fem

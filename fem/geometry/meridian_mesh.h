@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/geometry/glass_profile.h"
+#include "fem/geometry/contact_cells.h"
 
 namespace dealii
 {
@@ -23,30 +23,15 @@ struct TableDisc
   void validate(const GlassProfile &profile) const;
 };
 
-/// How fine a meridional mesh is. The contact cells depend on the land alone, so that a foot and a disc of
-/// equal resolution share them.
-struct MeridianResolution
-{
-  unsigned int land_cells = 4; ///< across the land, even; before any refinement
-  double land_grading =
-    3; ///< size ratio of neighbours on the land, finest at the contact radius; 1 means equal cells
-  unsigned int refinements = 0; ///< halvings of every cell
-  unsigned int focus_levels =
-    0; ///< further halvings (hanging nodes) of the cells around the point (focus_radius, z = 0)
-  double focus_radius = 0; ///< [m]; 0 means the contact radius
-
-  /// Throws std::invalid_argument for counts and ratios that no mesh has.
-  void validate() const;
-};
-
 /// Meridional section of the foot in (r, z), boundary ids as in FootBoundary (1 stem cut, 2 contact zone, 0
-/// elsewhere, the axis included).
-/// @p triangulation must be empty.
+/// elsewhere, the axis included). Its contact cells are those of contact_cells(), each halved
+/// MeridianResolution::refinements times; the others follow by halving, with hanging nodes. @p triangulation
+/// must be empty.
 void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &resolution,
                         dealii::Triangulation<2, 2> &triangulation);
 
 /// Meridional section of the table's disc, 0 <= r <= radius, -thickness <= z <= 0: id 1 on the held bottom, 2
-/// on the part of the top under the land of @p profile, cut into the same contact cells as the foot.
+/// on the part of the top under the land of @p profile, cut into the contact cells of the foot.
 void make_meridian_mesh(const TableDisc &disc, const GlassProfile &profile,
                         const MeridianResolution &resolution, dealii::Triangulation<2, 2> &triangulation);
 

@@ -108,30 +108,34 @@ double hertz_half_width(const RevolutionSetup &setup, double normal_force)
                    plane_strain_compliance(setup) / boost::math::double_constants::pi);
 }
 
+double expected_half_width(const RevolutionSetup &setup, double normal_force)
+{
+  if (setup.profile.crown_radius == 0)
+    return 0;
+  const double of_bodies = hertz_half_width(setup, normal_force);
+  const double of_interface =
+    setup.table.interface->half_width(line_load(setup, normal_force), setup.profile.crown_radius);
+  return std::min(std::max(of_bodies, of_interface), setup.profile.land_width / 2);
+}
+
 RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  resolved.contact_half_width = hertz_half_width(*this, normal_force);
+  resolved.contact_half_width = expected_half_width(*this, normal_force);
   const bool flat = profile.crown_radius == 0;
   if (flat)
     resolved.resolution.land_grading = 1;
-  if (!table.interface->is_hard())
-    return resolved;
-  if (flat)
+  if (flat && table.interface->is_hard())
   {
     // The foot bends, so the load gathers at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
-    resolved.resolution.focus_levels = 5;
-    return resolved;
+    resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
   }
-  const double wanted = resolved.contact_half_width / 2;
-  double cells = 0; // of the finest size, from the contact radius to the border of the land
-  for (unsigned int i = 0; i < resolution.land_cells / 2; ++i)
-    cells += std::pow(resolution.land_grading, i);
-  const double size = profile.land_width / 2 / cells;
-  resolved.resolution.focus_levels =
-    static_cast<unsigned int>(std::max(0., std::ceil(std::log2(size / wanted))));
+  if (flat)
+    return resolved;
+  resolved.resolution.focus_size = resolved.contact_half_width / (2 * fineness);
+  resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
   return resolved;
 }
 

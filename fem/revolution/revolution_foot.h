@@ -37,8 +37,9 @@ struct RevolutionSetup
   unsigned int n_load_harmonics = 0; ///< of the load; 0: as many as the lines resolve
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
+  double fineness = 1; ///< of the cells in the contact, over the usual
   double normal_force = 1;       ///< N that the contact is resolved for [N], see resolved_for()
-  double contact_half_width = 0; ///< of a crowned rim on a hard interface under it, hertz_half_width() [m]
+  double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
 
   /// This setup with a meridional mesh that resolves the contact under @p normal_force [N]: cells of half the
   /// contact's half-width where the interface is hard (Hertz line contact; towards the inner edge of a flat
@@ -49,6 +50,10 @@ struct RevolutionSetup
 /// Half-width of the Hertz contact of a crowned rim pressed evenly on its table, sqrt(4 q rho / (pi E*)) with
 /// q = N / (2 pi R) [m]; 0 for a flat land.
 double hertz_half_width(const RevolutionSetup &setup, double normal_force);
+
+/// Half-width that the contact of a crowned rim pressed evenly will have: that of its bodies or of its
+/// interface, whichever is larger [m]; 0 for a flat land.
+double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
 /// before, cold where that fails: then the interface is first softened until it carries on a wide band, and

@@ -42,10 +42,10 @@ Measures measure(const dealii::Triangulation<2> &triangulation)
 TEST(MeridianMesh, FillsTheStepProfile)
 {
   const GlassProfile profile;
-  for (const unsigned int levels : { 0u, 3u })
+  for (const double size : { 0., 1e-4 })
   {
     MeridianResolution resolution;
-    resolution.focus_levels = levels;
+    resolution.focus_size = size;
     dealii::Triangulation<2> triangulation;
     make_meridian_mesh(profile, resolution, triangulation);
     const Measures measures = measure(triangulation);
@@ -60,11 +60,11 @@ TEST(MeridianMesh, FillsTheStepProfile)
 TEST(MeridianMesh, OfAFootLiesOnTheProfile)
 {
   const GlassProfile profile = foot_profile();
-  for (const unsigned int levels : { 0u, 6u })
+  for (const double size : { 0., 1e-5 })
   {
     MeridianResolution resolution;
     resolution.refinements = 3;
-    resolution.focus_levels = levels;
+    resolution.focus_size = size;
     dealii::Triangulation<2> triangulation;
     make_meridian_mesh(profile, resolution, triangulation);
     for (const unsigned int degree : { 1u, 2u, 3u, 4u })
@@ -123,7 +123,7 @@ TEST_P(MeridianMeshOfShape, FootAndDiscShareTheirContactCells)
   GlassProfile profile;
   profile.shape = GetParam();
   MeridianResolution resolution;
-  resolution.focus_levels = 5;
+  resolution.focus_size = 1e-5;
   resolution.refinements = 1;
   dealii::Triangulation<2> foot;
   dealii::Triangulation<2> disc;

@@ -70,8 +70,8 @@ TEST(ComplianceCache, TellsApartWhateverTheComplianceDependsOn)
   EXPECT_NE(foot_of(cache, {}, {}, longer), standard);
   const auto stiff = foot_of(cache, {}, stiffer, quick_options());
   EXPECT_EQ(cache.n_computed(), 7u);
-  // Displacements are inverse to Young's modulus.
-  EXPECT_TRUE((2 * stiff->harmonics[0].normal).isApprox(standard->harmonics[0].normal, 1e-12));
+  // Displacements are inverse to Young's modulus, to rounding times the condition of the stiffness.
+  EXPECT_TRUE((2 * stiff->harmonics[0].normal).isApprox(standard->harmonics[0].normal, 1e-11));
 }
 
 TEST(ComplianceCache, ThreadsThatAskAtOnceShareOneComputation)
@@ -123,7 +123,7 @@ TEST(ComplianceCache, FeetThatShareAnswerLikeFeetThatDoNot)
   RevolutionSetup setup;
   setup.table = { std::make_shared<HardInterface>(), Substrate() };
   setup.meridian = quick_options();
-  setup.resolution.focus_levels = 1;
+  setup.resolution.focus_size = 2.5e-4;
   RevolutionFoot alone(setup);
   RevolutionFoot sharing(setup, cache);
   RevolutionFoot sharing_too(setup, cache);

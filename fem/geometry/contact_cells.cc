@@ -1,0 +1,192 @@
+#include "fem/geometry/contact_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// Share of a length that counts as rounding.
+constexpr double rounding = 1e-9;
+
+/// Compliances of more cells than that fill the memory.
+constexpr std::size_t most_cells = 2000;
+
+/// Finest at the contact radius, mirror images on both sides of it.
+ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution &resolution)
+{
+  const unsigned int half = resolution.land_cells / 2;
+  std::vector<double> offsets = { 0 };
+  for (unsigned int i = 0; i < half; ++i)
+    offsets.push_back(offsets.back() + std::pow(resolution.land_grading, i));
+  ContactCells cells;
+  for (unsigned int i = 0; i <= 2 * half; ++i)
+  {
+    const double offset = i < half ? -offsets[half - i] : offsets[i - half];
+    cells.coarse.push_back(profile.contact_radius + offset / offsets.back() * profile.land_width / 2);
+  }
+  cells.borders = cells.coarse;
+  cells.coarse_size = profile.land_width / 2 / offsets.back();
+  return cells;
+}
+
+/// Of about equal cells: halvings of one such cell give the size in the focus, and a border lies on the
+/// focus's radius.
+void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &resolution, double focus_radius,
+                      ContactCells &cells)
+{
+  // Two cells on each side of the middle: the one at the border of the land takes the rest.
+  const double largest = std::min(profile.land_width / 4, 2 * lowest_cell_height(profile));
+  const double n_halvings =
+    std::max(0., std::floor(std::log2(largest / resolution.focus_size * (1 + rounding))));
+  cells.coarse_size = std::min(largest, std::ldexp(resolution.focus_size, static_cast<int>(n_halvings)));
+
+  const double inner = profile.land_inner_radius();
+  const double outer = profile.land_outer_radius();
+  const double size = cells.coarse_size;
+  // Cells from half to one and a half of the size lie next to the borders of the land.
+  const auto n_towards = [&](double border)
+  { return static_cast<int>(std::floor(std::abs(border - focus_radius) / size + 0.5)); };
+  double middle = focus_radius;
+  if (n_towards(inner) == 0)
+    middle = inner;
+  else if (n_towards(outer) == 0)
+    middle = outer;
+  const auto n_from_middle = [&](double border)
+  { return static_cast<int>(std::floor(std::abs(border - middle) / size + 0.5)); };
+  cells.coarse = { inner };
+  for (int i = 1 - n_from_middle(inner); i < n_from_middle(outer); ++i)
+    cells.coarse.push_back(middle + i * size);
+  cells.coarse.push_back(outer);
+}
+
+/// A contact cell and how often a coarse one was halved for it.
+struct HalvedCell
+{
+  double begin = 0;
+  double end = 0;
+  unsigned int n_halvings = 0;
+};
+
+using HalvedCells = std::vector<HalvedCell>;
+
+/// Halves every cell of which @p is_too_large(index) is true; false where there was none.
+template <typename Predicate>
+bool halve(HalvedCells &cells, const Predicate &is_too_large)
+{
+  HalvedCells result;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const HalvedCell &cell = cells[i];
+    if (!is_too_large(i))
+    {
+      result.push_back(cell);
+      continue;
+    }
+    const double middle = (cell.begin + cell.end) / 2;
+    result.push_back({ cell.begin, middle, cell.n_halvings + 1 });
+    result.push_back({ middle, cell.end, cell.n_halvings + 1 });
+  }
+  const bool some = result.size() > cells.size();
+  cells = std::move(result);
+  return some;
+}
+
+ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution &resolution)
+{
+  const double focus = resolution.focus_radius > 0 ? resolution.focus_radius : profile.contact_radius;
+  if (focus < profile.land_inner_radius() * (1 - rounding) ||
+      focus > profile.land_outer_radius() * (1 + rounding))
+  {
+    std::ostringstream message;
+    message << "The focus of the contact cells, r = " << focus << " m, lies outside the land, "
+            << profile.land_inner_radius() << " m to " << profile.land_outer_radius() << " m.";
+    throw std::invalid_argument(message.str());
+  }
+  ContactCells result;
+  result.has_focus = true;
+  result.focus_begin = focus - resolution.focus_width;
+  result.focus_end = focus + resolution.focus_width;
+  add_coarse_cells(profile, resolution, focus, result);
+
+  HalvedCells cells;
+  for (std::size_t i = 1; i < result.coarse.size(); ++i)
+    cells.push_back({ result.coarse[i - 1], result.coarse[i], 0 });
+  const double largest = profile.land_width / resolution.land_cells;
+  const auto allowed_size = [&](const HalvedCell &cell)
+  {
+    const double distance = std::max({ cell.begin - result.focus_end, result.focus_begin - cell.end, 0. });
+    return std::min(largest, resolution.size_at(distance));
+  };
+  const auto is_wide = [&](std::size_t i)
+  { return cells[i].end - cells[i].begin > allowed_size(cells[i]) * (1 + rounding); };
+  const auto is_unbalanced = [&](std::size_t i)
+  {
+    const auto differs_from = [&](std::size_t j) { return cells[j].n_halvings > cells[i].n_halvings + 1; };
+    return (i > 0 && differs_from(i - 1)) || (i + 1 < cells.size() && differs_from(i + 1));
+  };
+  while (halve(cells, is_wide) || halve(cells, is_unbalanced))
+    if (cells.size() > most_cells)
+    {
+      std::ostringstream message;
+      message << "Contact cells of " << resolution.focus_size << " m within " << resolution.focus_width
+              << " m of their focus are more than " << most_cells
+              << "; ask for larger ones or a narrower band.";
+      throw std::invalid_argument(message.str());
+    }
+  for (const HalvedCell &cell : cells)
+  {
+    result.borders.push_back(cell.begin);
+    result.n_halvings.push_back(cell.n_halvings);
+  }
+  result.borders.push_back(cells.back().end);
+  return result;
+}
+
+} // namespace
+
+void MeridianResolution::validate() const
+{
+  std::ostringstream message;
+  if (land_cells < 2 || land_cells % 2 != 0)
+    message << "Contact/Radial cells = " << land_cells
+            << " is not allowed for a body of revolution; give an even number of at least 2.";
+  else if (!(land_grading >= 1 && land_grading <= 10))
+    message << "The grading of the land, " << land_grading << ", must lie between 1 (equal cells) and 10.";
+  else if (refinements > 6)
+    message << refinements << " halvings of every meridional cell are too many; give at most 6.";
+  else if (!(focus_size == 0 || focus_size >= 1e-10))
+    message << "Contact cells of " << focus_size
+            << " m are not allowed; give at least 1e-10 m, or 0 for none "
+            << "of a given size.";
+  else if (!(std::isfinite(focus_radius) && focus_radius >= 0))
+    message << "The focus of the contact cells, r = " << focus_radius << " m, must be a radius.";
+  else if (!(focus_width >= 0))
+    message << "Half the width of the focus, " << focus_width << " m, must be a length.";
+  else if (!(focus_growth > 1 && focus_growth <= 4))
+    message << "The growth of the contact cells, " << focus_growth
+            << ", must be larger than 1 and at most 4.";
+  if (!message.str().empty())
+    throw std::invalid_argument(message.str());
+}
+
+ContactCells contact_cells(const GlassProfile &profile, const MeridianResolution &resolution)
+{
+  profile.validate();
+  resolution.validate();
+  return resolution.has_focus() ? focused_cells(profile, resolution) : graded_cells(profile, resolution);
+}
+
+double lowest_cell_height(const GlassProfile &profile)
+{
+  if (profile.shape == GlassShape::step)
+    return profile.land_height;
+  return lowest_level * (profile.topside(profile.contact_radius) - profile.underside(profile.contact_radius));
+}
+
+} // namespace stemware::fem
