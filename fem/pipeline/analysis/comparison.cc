@@ -105,9 +105,13 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
     return loads;
   const BodyAbilities can = abilities(study.contact.body);
   if (can.is_of_revolution && has_compliance(with_rigid_foot(study)))
-    loads.push_back(foot_load(
-      compared_load::rigid_foot,
-      [&cache, rigid = with_rigid_foot(study)] { return study_foot(rigid, cache); }, with_rigid_foot));
+  {
+    // Made by the first row that asks: where it cannot be made, the rows say so.
+    const auto made = std::make_shared<std::shared_ptr<ElasticFoot>>();
+    const auto rigid_foot = [&cache, made, rigid = with_rigid_foot(study)]
+    { return *made ? *made : *made = study_foot(rigid, cache); };
+    loads.push_back(foot_load(compared_load::rigid_foot, rigid_foot, with_rigid_foot));
+  }
   const auto own_foot = [foot] { return foot; };
   loads.push_back(foot_load(compared_load::foot_at_rest, own_foot,
                             [](const Study &own) { return with_coupling(own, LoadCoupling::one_way); }));
