@@ -106,8 +106,7 @@ void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, 
                 Budget &budget)
 {
   constexpr unsigned int n_intervals = 32;
-  const double least = 0.1 * spin_unit(study); // shown of a glass that hardly spins up
-  const double last = std::abs(terminal) < 0.1 * least ? std::copysign(least, terminal) : 1.2 * terminal;
+  const double last = 1.2 * shown_spin(study, by_harmonics.back().row, terminal);
   for (unsigned int i = 0; i <= n_intervals; ++i)
     budget.omega.push_back(last * i / n_intervals);
   const auto torques_of = [&](const LoadedRow &answer)

@@ -7,6 +7,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -105,9 +106,13 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
     return loads;
   const BodyAbilities can = abilities(study.contact.body);
   if (can.is_of_revolution && has_compliance(with_rigid_foot(study)))
-    loads.push_back(foot_load(
-      compared_load::rigid_foot,
-      [&cache, rigid = with_rigid_foot(study)] { return study_foot(rigid, cache); }, with_rigid_foot));
+  {
+    // Made by the first row that asks: where it cannot be made, the rows say so.
+    const auto made = std::make_shared<std::shared_ptr<ElasticFoot>>();
+    const auto rigid_foot = [&cache, made, rigid = with_rigid_foot(study)]
+    { return *made ? *made : *made = study_foot(rigid, cache); };
+    loads.push_back(foot_load(compared_load::rigid_foot, rigid_foot, with_rigid_foot));
+  }
   const auto own_foot = [foot] { return foot; };
   loads.push_back(foot_load(compared_load::foot_at_rest, own_foot,
                             [](const Study &own) { return with_coupling(own, LoadCoupling::one_way); }));
@@ -155,19 +160,33 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
   return row;
 }
 
-/// Rows of a load under the moment balance of @p study, the one of all harmonics being the last. @p n_all is
-/// how many harmonics that were under another moment balance, for a load that does not exist under this one.
-std::vector<SpinRow> compared_rows(const Study &study, const ComparedLoad &compared, unsigned int &n_all)
+Study with_closure(Study study, ring::Closure closure)
 {
-  SpinRow all = compared_row(study, compared, all_harmonics, true);
-  if (all.at_rest)
-    n_all = all.harmonics;
-  all.harmonics = n_all;
-  std::vector<SpinRow> rows;
-  for (const unsigned int n : compared_orders(n_all))
-    if (n < n_all)
-      rows.push_back(compared_row(study, compared, n, false));
-  rows.push_back(all);
+  study.motion.closure = closure;
+  return study;
+}
+
+/// Rows of a load, [moment balance][truncation]: under each of them as many, the one of all harmonics being
+/// the last.
+std::vector<std::vector<SpinRow>> compared_rows(const Study &study, const ComparedLoad &compared)
+{
+  std::vector<SpinRow> all;
+  unsigned int n_all = 1;
+  for (const ring::Closure closure : closures)
+  {
+    all.push_back(compared_row(with_closure(study, closure), compared, all_harmonics, true));
+    n_all = std::max(n_all, all.back().harmonics);
+  }
+  std::vector<std::vector<SpinRow>> rows;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    rows.emplace_back();
+    for (const unsigned int n : compared_orders(n_all))
+      if (n < n_all)
+        rows.back().push_back(compared_row(with_closure(study, closures[i]), compared, n, false));
+    rows.back().push_back(all[i]);
+    rows.back().back().harmonics = n_all;
+  }
   return rows;
 }
 
@@ -213,17 +232,15 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
   const std::vector<ComparedLoad> loads = compared_loads(study, foot, cache);
   Comparison comparison;
   comparison.spin_unit = spin_unit(study);
-  std::vector<unsigned int> n_all(loads.size(), 1);
-  std::size_t n_done = 0;
-  for (const ring::Closure closure : closures)
-    for (std::size_t i = 0; i < loads.size(); ++i)
-    {
-      Study own = study;
-      own.motion.closure = closure;
-      const std::vector<SpinRow> rows = compared_rows(own, loads[i], n_all[i]);
-      comparison.rows.insert(comparison.rows.end(), rows.begin(), rows.end());
-      progress.pieces_done("loads", ++n_done, loads.size() * std::size(closures));
-    }
+  std::vector<std::vector<std::vector<SpinRow>>> rows;
+  for (const ComparedLoad &load : loads)
+  {
+    rows.push_back(compared_rows(study, load));
+    progress.pieces_done("loads", rows.size(), loads.size());
+  }
+  for (std::size_t i = 0; i < std::size(closures); ++i)
+    for (const auto &of_load : rows)
+      comparison.rows.insert(comparison.rows.end(), of_load[i].begin(), of_load[i].end());
   const std::optional<double> paper = comparison.rows.front().omega_terminal();
   for (SpinRow &row : comparison.rows)
     if (paper && row.terminal)

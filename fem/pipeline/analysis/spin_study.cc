@@ -143,8 +143,7 @@ std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow>
   for (const LoadedRow &row : rows)
     if (std::abs(row.row.omega_terminal().value_or(0)) > std::abs(fastest))
       fastest = row.row.terminal->omega;
-  if (std::abs(fastest) < 0.01 * spin_unit(study)) // a glass that hardly spins up
-    fastest = std::copysign(0.1 * spin_unit(study), fastest);
+  fastest = shown_spin(study, rows.back().row, fastest);
   std::vector<double> spins;
   for (int i = -n_intervals / 8; i <= n_intervals; ++i)
     spins.push_back(1.5 * fastest * i / n_intervals);

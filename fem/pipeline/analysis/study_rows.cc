@@ -70,6 +70,14 @@ double spin_unit(const Study &study)
   return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
 }
 
+double shown_spin(const Study &study, const SpinRow &row, double fastest)
+{
+  if (std::abs(fastest) >= 0.01 * spin_unit(study))
+    return fastest;
+  const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
+  return std::copysign(0.1 * spin_unit(study), fastest != 0 ? fastest : torque);
+}
+
 SpinQuestion spin_question(const Study &study)
 {
   SpinQuestion question = { study.motion.orbit };

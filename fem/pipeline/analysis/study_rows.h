@@ -24,6 +24,10 @@ struct LoadedRow
 /// v / R with the contact radius of the study's glass [rad/s]: spins below 1e-9 of it are rounding.
 double spin_unit(const Study &study);
 
+/// A spin to show the torque of @p row up to [rad/s]: @p fastest, or, of a glass that hardly spins up, a
+/// tenth of spin_unit() in the direction in which it is turned.
+double shown_spin(const Study &study, const SpinRow &row, double fastest);
+
 /// What a row asks about the spin of a study: motion and grip.
 SpinQuestion spin_question(const Study &study);
 

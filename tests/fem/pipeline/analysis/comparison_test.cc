@@ -39,6 +39,9 @@ TEST(Comparison, HasEveryLoadThatTheStudyCanStandOn)
   for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
     for (const unsigned int n : { 1u, 2u, 3u })
       EXPECT_TRUE(comparison.find(closure, "elastic foot", n)) << n;
+  for (const SpinRow &row : comparison.rows)
+    EXPECT_EQ(row.reason, "") << row.load;
+  EXPECT_EQ(comparison.rows.size(), 3u * (1 + 4 + 4 + 4 + 4 + 4)); // the same ones in every closure
   study.load.source = LoadSource::first_harmonic;
   loads.resize(3);
   EXPECT_EQ(loads_of(compare_quickly(study)), loads);
