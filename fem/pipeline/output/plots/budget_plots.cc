@@ -37,7 +37,7 @@ std::string number_text(const std::string &number)
 }
 
 /// The named differences of the chain between its first and its last model; those of harmonics are one.
-std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band)
+std::vector<Bar> bars_of(const Budget &budget)
 {
   std::vector<Bar> bars;
   if (budget.rows.empty())
@@ -58,7 +58,7 @@ std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band
                      row.omega_terminal, row.band, is_formal });
   }
   const BudgetRow &last = budget.rows.back();
-  bars.push_back({ "this study", {}, last.omega_terminal, last.band ? last.band : band });
+  bars.push_back({ "this study", {}, last.omega_terminal, last.band });
   return bars;
 }
 
@@ -156,7 +156,7 @@ struct Effect
 std::vector<Effect> effects_of(const Budget &budget)
 {
   std::vector<Effect> effects;
-  const std::vector<Bar> bars = bars_of(budget, {});
+  const std::vector<Bar> bars = bars_of(budget);
   for (std::size_t i = 1; i + 1 < bars.size(); ++i)
     effects.push_back(
       { bars[i].title, bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from) : std::nullopt,
@@ -186,9 +186,9 @@ std::string few_decades(double low, double high)
 
 } // namespace
 
-Plot waterfall_plot(const Budget &budget, const std::optional<double> &band, double rounding)
+Plot waterfall_plot(const Budget &budget, double rounding)
 {
-  const std::vector<Bar> bars = bars_of(budget, band);
+  const std::vector<Bar> bars = bars_of(budget);
   std::vector<std::string> names, texts;
   std::vector<std::vector<double>> totals, bands;
   for (std::size_t i = 0; i < bars.size(); ++i)
@@ -242,7 +242,7 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band, dou
            110 + 32. * static_cast<double>(bars.size()) };
 }
 
-Plot effects_plot(const Budget &budget, const std::optional<double> &band, double rounding)
+Plot effects_plot(const Budget &budget, double rounding)
 {
   const std::vector<Effect> effects = effects_of(budget);
   std::vector<std::string> names, texts;
@@ -263,7 +263,7 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
       .push_back({ static_cast<double>(effects.size() - i), std::abs(*effect.difference) });
   }
   std::vector<std::vector<double>> edge;
-  if (band.value_or(0) > 0)
+  if (const auto band = budget.rows.back().band; band.value_or(0) > 0)
   {
     sizes.include(*band);
     edge = { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } };
