@@ -335,7 +335,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   results.console = {
     { joined({ results.report.answer, joined(remarks) }) },
     { "From the paper's model to this study's:",
-      budget_table(study, spin.budget)
+      shown_budget_table(study, spin.budget)
         .with("", "console_title omega_terminal difference relative_difference band remark") }
   };
   if (!spin.budget.without.empty())

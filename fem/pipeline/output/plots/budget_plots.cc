@@ -93,10 +93,10 @@ std::string rows_of_names(const std::vector<std::string> &names, const std::vect
   const double left = (points_per_character * static_cast<double>(longest) + 15) / width;
   return "set ytics (" + tics + ") scale 0 font \",14\"\nset yrange [0.4:" + std::to_string(names.size()) +
          ".6]\n" + labels + "set lmargin at screen " + to_short_text(std::min(left, 0.5)) +
-         "; set rmargin at screen 0.83; set tmargin 3; set bmargin 4\n" +
+         "; set rmargin at screen 0.83; set tmargin 5; set bmargin 4\n" +
          "set label 90 \"rad/s\" at screen 0.97, graph 1 right offset 0,0.6 font \",12\" textcolor rgb "
          "\"#555555\"\nunset border; set border 1; set grid x noytics\nset key at screen 0.02, screen 0.985 "
-         "left top horizontal maxrows 1 samplen 1.6\n";
+         "left top vertical maxrows 3 samplen 1.6\n";
 }
 
 /// Bars of one kind as a block of the data file, with the part of the plot command that draws them.
@@ -239,7 +239,7 @@ Plot waterfall_plot(const Budget &budget, double rounding)
            script,
            data_tables(blocks),
            width,
-           110 + 32. * static_cast<double>(bars.size()) };
+           135 + 32. * static_cast<double>(bars.size()) };
 }
 
 Plot effects_plot(const Budget &budget, double rounding)
@@ -290,7 +290,7 @@ Plot effects_plot(const Budget &budget, double rounding)
              (drawing.empty() ? "plot NaN notitle" : drawing) + "\n",
            data_tables(blocks),
            width,
-           110 + 28. * static_cast<double>(effects.size()) };
+           135 + 28. * static_cast<double>(effects.size()) };
 }
 
 Plot harmonic_torque_plot(const Budget &budget)
