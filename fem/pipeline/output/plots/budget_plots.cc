@@ -50,7 +50,7 @@ std::vector<Bar> bars_of(const Budget &budget)
     {
       bars.back().to = row.omega_terminal;
       bars.back().band = row.band;
-      bars.back().is_formal = bars.back().is_formal || is_formal;
+      bars.back().is_formal = is_formal;
       continue;
     }
     const auto from = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
