@@ -339,6 +339,10 @@ std::string comparison_answer(const Comparison &comparison)
     return spin_of(*comparison.find(closure, load)) +
            (effect.absolute ? " (harmonics: " + effect_text(effect, comparison.spin_unit) + ")" : "");
   };
+  if (std::none_of(comparison.rows.begin(), comparison.rows.end(),
+                   [&](const SpinRow &row)
+                   { return std::abs(row.omega_terminal().value_or(0)) >= 1e-9 * comparison.spin_unit; }))
+    return "The glass does not spin up, whatever its load and its moment balance.";
   return "With the paper's moment balance a first-harmonic load reaches " + spin_of(first(Closure::paper)) +
          "; with the friction that this balance leaves out, " + spin_of(first(Closure::full)) +
          change_in_brackets("moment balance", first(Closure::paper), first(Closure::full),

@@ -147,11 +147,9 @@ std::string title(const Study &study)
   throw std::logic_error("a load source without a title");
 }
 
-ReportSection budget_section(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                             const std::vector<BandedQuantity> &bands)
+ReportSection budget_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const Budget &budget = spin.budget;
-  const auto band = band_of(bands, "omega_terminal");
   const Table rows = shown_budget_table(study, budget);
   const double rounding = 1e-9 * spin_unit(study);
   ReportSection section = {
@@ -162,7 +160,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "The "
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
       "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
-    { waterfall_plot(budget, band, rounding), effects_plot(budget, band, rounding) },
+    { waterfall_plot(budget, rounding), effects_plot(budget, rounding) },
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
   };
@@ -305,7 +303,7 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 {
   Report report = { title(study),
                     run_answer(study, spin, bands),
-                    { budget_section(study, contact, spin, bands), load_section(contact.load, bands),
+                    { budget_section(study, contact, spin), load_section(contact.load, bands),
                       spin_section(study, contact, spin) } };
   if (contact.load.rings.n_harmonics() > 1)
     report.sections.push_back(truncation_section(spin));
@@ -321,9 +319,12 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 
 } // namespace
 
-Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
+Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &known,
                  const std::vector<BandedQuantity> &bands)
 {
+  SpinStudy spin = known;
+  if (BudgetRow &complete = spin.budget.rows.back(); !complete.band)
+    complete.band = band_of(bands, "omega_terminal");
   Results results;
   results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files);
@@ -334,7 +335,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   results.console = {
     { joined({ results.report.answer, joined(remarks) }) },
     { "From the paper's model to this study's:",
-      budget_table(study, spin.budget)
+      shown_budget_table(study, spin.budget)
         .with("", "console_title omega_terminal difference relative_difference band remark") }
   };
   if (!spin.budget.without.empty())

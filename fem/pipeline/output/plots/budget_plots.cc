@@ -37,7 +37,7 @@ std::string number_text(const std::string &number)
 }
 
 /// The named differences of the chain between its first and its last model; those of harmonics are one.
-std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band)
+std::vector<Bar> bars_of(const Budget &budget)
 {
   std::vector<Bar> bars;
   if (budget.rows.empty())
@@ -50,7 +50,7 @@ std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band
     {
       bars.back().to = row.omega_terminal;
       bars.back().band = row.band;
-      bars.back().is_formal = bars.back().is_formal || is_formal;
+      bars.back().is_formal = is_formal;
       continue;
     }
     const auto from = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
@@ -58,7 +58,7 @@ std::vector<Bar> bars_of(const Budget &budget, const std::optional<double> &band
                      row.omega_terminal, row.band, is_formal });
   }
   const BudgetRow &last = budget.rows.back();
-  bars.push_back({ "this study", {}, last.omega_terminal, last.band ? last.band : band });
+  bars.push_back({ "this study", {}, last.omega_terminal, last.band });
   return bars;
 }
 
@@ -93,10 +93,10 @@ std::string rows_of_names(const std::vector<std::string> &names, const std::vect
   const double left = (points_per_character * static_cast<double>(longest) + 15) / width;
   return "set ytics (" + tics + ") scale 0 font \",14\"\nset yrange [0.4:" + std::to_string(names.size()) +
          ".6]\n" + labels + "set lmargin at screen " + to_short_text(std::min(left, 0.5)) +
-         "; set rmargin at screen 0.83; set tmargin 3; set bmargin 4\n" +
+         "; set rmargin at screen 0.83; set tmargin 5; set bmargin 4\n" +
          "set label 90 \"rad/s\" at screen 0.97, graph 1 right offset 0,0.6 font \",12\" textcolor rgb "
          "\"#555555\"\nunset border; set border 1; set grid x noytics\nset key at screen 0.02, screen 0.985 "
-         "left top horizontal maxrows 1 samplen 1.6\n";
+         "left top vertical maxrows 3 samplen 1.6\n";
 }
 
 /// Bars of one kind as a block of the data file, with the part of the plot command that draws them.
@@ -156,7 +156,7 @@ struct Effect
 std::vector<Effect> effects_of(const Budget &budget)
 {
   std::vector<Effect> effects;
-  const std::vector<Bar> bars = bars_of(budget, {});
+  const std::vector<Bar> bars = bars_of(budget);
   for (std::size_t i = 1; i + 1 < bars.size(); ++i)
     effects.push_back(
       { bars[i].title, bars[i].from && bars[i].to ? std::optional(*bars[i].to - *bars[i].from) : std::nullopt,
@@ -186,9 +186,9 @@ std::string few_decades(double low, double high)
 
 } // namespace
 
-Plot waterfall_plot(const Budget &budget, const std::optional<double> &band, double rounding)
+Plot waterfall_plot(const Budget &budget, double rounding)
 {
-  const std::vector<Bar> bars = bars_of(budget, band);
+  const std::vector<Bar> bars = bars_of(budget);
   std::vector<std::string> names, texts;
   std::vector<std::vector<double>> totals, bands;
   for (std::size_t i = 0; i < bars.size(); ++i)
@@ -239,10 +239,10 @@ Plot waterfall_plot(const Budget &budget, const std::optional<double> &band, dou
            script,
            data_tables(blocks),
            width,
-           110 + 32. * static_cast<double>(bars.size()) };
+           135 + 32. * static_cast<double>(bars.size()) };
 }
 
-Plot effects_plot(const Budget &budget, const std::optional<double> &band, double rounding)
+Plot effects_plot(const Budget &budget, double rounding)
 {
   const std::vector<Effect> effects = effects_of(budget);
   std::vector<std::string> names, texts;
@@ -263,7 +263,7 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
       .push_back({ static_cast<double>(effects.size() - i), std::abs(*effect.difference) });
   }
   std::vector<std::vector<double>> edge;
-  if (band.value_or(0) > 0)
+  if (const auto band = budget.rows.back().band; band.value_or(0) > 0)
   {
     sizes.include(*band);
     edge = { { 0.4, *band }, { static_cast<double>(effects.size()) + 0.6, *band } };
@@ -290,7 +290,7 @@ Plot effects_plot(const Budget &budget, const std::optional<double> &band, doubl
              (drawing.empty() ? "plot NaN notitle" : drawing) + "\n",
            data_tables(blocks),
            width,
-           110 + 28. * static_cast<double>(effects.size()) };
+           135 + 28. * static_cast<double>(effects.size()) };
 }
 
 Plot harmonic_torque_plot(const Budget &budget)

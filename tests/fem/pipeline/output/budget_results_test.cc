@@ -3,6 +3,7 @@
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
+#include "fem/pipeline/output/run_results.h"
 #include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/output/hand_made_studies.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -162,7 +163,7 @@ void expect_words(const std::string &words, const std::vector<std::string> &name
 TEST(BudgetPlots, Waterfall)
 {
   std::string words;
-  const Plot plot = waterfall_plot(made_budget(), {}, 1e-9);
+  const Plot plot = waterfall_plot(made_budget(), 1e-9);
   EXPECT_EQ(draw(plot, words), "");
   expect_words(words,
                { "the paper's model", "moment balance (formal)", "grip", "where the foot touches", "tilt",
@@ -222,7 +223,7 @@ TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
                   { "3", "where the foot touches", 1, -3.4, 0.1 },
                   { "4", "harmonics", 2, -3.2, 0.2 },
                   { "5", "harmonics", {}, -3.25, -0.05, 0.01 } };
-  const Plot plot = waterfall_plot(budget, {}, 1e-9);
+  const Plot plot = waterfall_plot(budget, 1e-9);
   std::string words;
   EXPECT_EQ(draw(plot, words), "");
   expect_words(words, { "+0.15", "−0.5", "+0.1", "−3.25" }, { "+0.2", "formal" });
@@ -233,23 +234,33 @@ TEST(BudgetPlots, WaterfallOfAGlassThatDoesNotSpin)
   Budget budget;
   budget.rows = { { "1", "paper", 1, 0. }, { "2", "moment balance", 1, 0., 0. } };
   std::string words;
-  EXPECT_EQ(draw(waterfall_plot(budget, {}, 1e-9), words), "");
-  EXPECT_EQ(draw(effects_plot(budget, {}, 1e-8), words), "");
+  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
+  EXPECT_EQ(draw(effects_plot(budget, 1e-8), words), "");
   budget.rows = { { "1", "paper", 1 } };
-  EXPECT_EQ(draw(waterfall_plot(budget, {}, 1e-9), words), "");
+  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
 }
 
 TEST(BudgetPlots, Effects)
 {
   std::string words;
-  const Plot plot = effects_plot(made_budget(), 1e-3, 1e-9);
+  const Plot plot = effects_plot(made_budget(), 1e-9);
   EXPECT_EQ(draw(plot, words), "");
   expect_words(words, { "moment balance", "without tilt", "without elasticity of the foot",
                         "without compliance of the interface", "not defined", "steps of the model",
                         "one thing left out", "error band" });
   Budget budget = made_budget();
   budget.without[0].difference = 1e-12;
-  EXPECT_EQ(effects_plot(budget, 1e-3, 1e-9).data.find("1e-12"), std::string::npos);
+  EXPECT_EQ(effects_plot(budget, 1e-9).data.find("1e-12"), std::string::npos);
+}
+
+TEST(BudgetPlots, TheBandOfTheAnswerIsThatOfTheLastRow)
+{
+  RunByHand by_hand;
+  by_hand.spin.budget.rows.back().band.reset();
+  const Results results = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  EXPECT_EQ(results.findings.summary["budget"].back()["band"], by_hand.bands.back().band);
+  const Results without = tabulate(by_hand.study, by_hand.report, by_hand.spin, {});
+  EXPECT_TRUE(without.findings.summary["budget"].back()["band"].is_null());
 }
 
 TEST(BudgetPlots, HarmonicTorque)
@@ -267,7 +278,7 @@ TEST(BudgetPlots, HarmonicTorque)
 
 TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
 {
-  const Plot plot = one_way(waterfall_plot(made_budget(), {}, 1e-9));
+  const Plot plot = one_way(waterfall_plot(made_budget(), 1e-9));
   std::string words;
   EXPECT_EQ(draw(plot, words), "");
   expect_words(words, { "one-way" });
@@ -317,7 +328,9 @@ TEST(RunAnswer, SaysOneWayInEverySentence)
 {
   SpunStudy one_way;
   one_way.study.load.coupling = LoadCoupling::one_way;
-  EXPECT_EQ(wrapped(one_way.answer()), R"(With the load of rest kept at every spin (one-way), the glass spins up to -3.2500 ± 0.0013 rad/s.
+  EXPECT_EQ(
+    wrapped(one_way.answer()),
+    R"(With the load of rest kept at every spin (one-way), the glass spins up to -3.2500 ± 0.0013 rad/s.
 The harmonics of the one-way load beyond the first make it 4.41 % slower (+0.15 rad/s). The largest
 other step from the paper's model to this one-way one is "moment balance": -0.5 rad/s (16.7 %
 faster). The band is that of the discretisation; it does not contain what the one-way model leaves
@@ -335,7 +348,9 @@ TEST(RunAnswer, WithoutBandsAndEffects)
   plain.spin.budget.without.clear();
   plain.spin.budget.harmonics = { 1e-12, 1e-12 };
   plain.spin.budget.rows[1].standing = Standing::formal;
-  EXPECT_EQ(wrapped(plain.answer()), R"(The glass spins up to -3.25000 rad/s. The harmonics of the load beyond the first do not change that.
+  EXPECT_EQ(
+    wrapped(plain.answer()),
+    R"(The glass spins up to -3.25000 rad/s. The harmonics of the load beyond the first do not change that.
 The largest other step from the paper's model to this one is "moment balance": -0.5 rad/s (16.7 %
 faster), formally: such a load would have to pull on the table.)");
 }
@@ -368,9 +383,8 @@ TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
   Study study;
   EXPECT_EQ(layer_remark(study, 2e-4), ""); // no layer is named
   study.table.layer_thickness = 5e-3;
-  EXPECT_EQ(
-    wrapped(layer_remark(study, 2e-4)),
-    R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
+  EXPECT_EQ(wrapped(layer_remark(study, 2e-4)),
+            R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
 thickness). A Winkler interface stands for a layer only where the contact is much wider than it;
 take an elastic disc instead (Table/Substrate = elastic).)");
   EXPECT_EQ(layer_remark(study, 6e-3), "");

@@ -42,6 +42,17 @@ closure hand, elastic foot: no balance. No balance of moments was found
 )");
 }
 
+TEST(ComparisonByHand, AGlassThatDoesNotSpinHasNoPercentages)
+{
+  Comparison comparison = comparison_by_hand();
+  comparison.spin_unit = 10;
+  for (SpinRow &row : comparison.rows)
+    if (row.terminal)
+      row.terminal->omega = 1e-12;
+  EXPECT_EQ(tabulate({}, comparison).report.answer,
+            "The glass does not spin up, whatever its load and its moment balance.");
+}
+
 TEST(ComparisonByHand, Table)
 {
   const Results results = made_comparison();
