@@ -55,6 +55,8 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
+  /// Where the pressure is 1e-20 of the greatest.
+  double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
   /// Under a rounded rim the pressure is a bell of width sqrt(crown radius * s): every panel is as long as
   /// that or shorter.
