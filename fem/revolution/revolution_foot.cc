@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -98,6 +99,25 @@ ContactControl contact_control()
   control.equilibrium_tolerance = 1e-9;
   control.set_matters = false;
   return control;
+}
+
+/// Throws what the end of a path means that leads by growing moments to @p conditions: tipping where the
+/// glass has leant over faster and faster, else @p failure. The path ends at @p share of the moment in @p
+/// last; it has come from @p other, @p step before that.
+[[noreturn]] void throw_end_of_path(const LinearConditions &conditions, const ContactFailure &failure,
+                                    double share, const ContactSolution &last, double step,
+                                    const ContactSolution &other)
+{
+  constexpr double much_steeper = 3;
+  const double lean = last.motion.tail<2>().norm();
+  const double last_slope = step > 0 ? (last.motion - other.motion).tail<2>().norm() / step : 0;
+  if (conditions.are_resultants() || !(last_slope * share > much_steeper * lean))
+    throw failure;
+  std::ostringstream message;
+  message
+    << "the moment grows faster than the contact's as the glass leans over: from " << 100 * share
+    << " % of the moment on nothing holds it; lower the centre of mass or the hand, or reduce the speed.";
+  throw ContactFailure(ContactOutcome::tipping, message.str());
 }
 
 } // namespace
@@ -244,6 +264,40 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions)
   return solve_contact(body, *law, conditions, radius, control, &at);
 }
 
+ContactSolution RevolutionFoot::solve_along_moment(const LinearConditions &conditions)
+{
+  constexpr double shortest_step = 1. / 512;
+  const ContactSurface &surface = body.contact_surface();
+  ContactControl control = contact_control();
+  control.whole_steps = true;
+  control.max_steps = 20;
+
+  ContactSolution last = solve_cold(conditions.with_share_of_moment(surface, 0)), other = last;
+  double share = 0, step = 1. / 8, other_step = 0; // share of `last`, and what it has over that of `other`
+  while (share < 1)
+    try
+    {
+      const double next = std::min(1., share + step);
+      const double ahead = other_step > 0 ? (next - share) / other_step : 0;
+      body.set_forces(last.forces);
+      const ContactStart start = { last.motion + ahead * (last.motion - other.motion),
+                                   last.normal_displacement +
+                                     ahead * (last.normal_displacement - other.normal_displacement) };
+      other = std::exchange(last, solve_contact(body, *law, conditions.with_share_of_moment(surface, next),
+                                                setup.profile.contact_radius, control, &start));
+      other_step = next - share;
+      share = next;
+      step *= 1.5;
+    }
+    catch (const ContactFailure &failure)
+    {
+      step /= 2;
+      if (step < shortest_step)
+        throw_end_of_path(conditions, failure, share, last, other_step, other);
+    }
+  return last;
+}
+
 ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &conditions)
 {
   if (before)
@@ -260,7 +314,16 @@ ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &condit
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  return solve_cold(conditions);
+  try
+  {
+    return solve_cold(conditions);
+  }
+  catch (const ContactFailure &failure)
+  {
+    if (failure.outcome == ContactOutcome::tipping)
+      throw;
+    return solve_along_moment(conditions);
+  }
 }
 
 ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,

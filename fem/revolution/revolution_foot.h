@@ -37,7 +37,7 @@ struct RevolutionSetup
   unsigned int n_load_harmonics = 0; ///< of the load; 0: as many as the lines resolve
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
-  double fineness = 1; ///< of the cells in the contact, over the usual
+  double fineness = 1;           ///< of the cells in the contact, over the usual
   double normal_force = 1;       ///< N that the contact is resolved for [N], see resolved_for()
   double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
 
@@ -57,7 +57,8 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
 /// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
-/// stiffened step by step.
+/// stiffened step by step. Where that fails too, the moment grows from none to the whole in small steps; a
+/// leaning glass whose path ends before that tips.
 class RevolutionFoot : public Foot
 {
 public:
@@ -83,6 +84,7 @@ private:
   void set_orientation(const FootOrientation &orientation);
   ContactSolution solve_from_before(const LinearConditions &conditions);
   ContactSolution solve_cold(const LinearConditions &conditions);
+  ContactSolution solve_along_moment(const LinearConditions &conditions);
 
   const RevolutionSetup setup;
   const std::shared_ptr<const ContactCompliance> compliance;
