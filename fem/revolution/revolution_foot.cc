@@ -92,6 +92,9 @@ std::shared_ptr<const InterfaceLaw> interface_of(const RevolutionSetup &setup)
   return std::make_shared<WinklerInterface>(setup.hardness / (compliance * width));
 }
 
+/// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
+constexpr double large_stiffening = 1000, small_stiffening = 10;
+
 ContactControl contact_control()
 {
   ContactControl control;
@@ -214,9 +217,8 @@ unsigned int RevolutionFoot::n_load_harmonics() const
   return setup.n_load_harmonics == 0 ? resolved : std::min(setup.n_load_harmonics, resolved);
 }
 
-ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions)
+ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, double largest_step)
 {
-  constexpr double largest_step = 1000; // in stiffness
   const double radius = setup.profile.contact_radius;
   const ContactSurface &surface = body.contact_surface();
 
@@ -272,7 +274,7 @@ ContactSolution RevolutionFoot::solve_along_moment(const LinearConditions &condi
   control.whole_steps = true;
   control.max_steps = 20;
 
-  ContactSolution last = solve_cold(conditions.with_share_of_moment(surface, 0)), other = last;
+  ContactSolution last = solve_cold(conditions.with_share_of_moment(surface, 0), small_stiffening), other = last;
   double share = 0, step = 1. / 8, other_step = 0; // share of `last`, and what it has over that of `other`
   while (share < 1)
     try
@@ -314,16 +316,17 @@ ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &condit
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  try
-  {
-    return solve_cold(conditions);
-  }
-  catch (const ContactFailure &failure)
-  {
-    if (failure.outcome == ContactOutcome::tipping)
-      throw;
-    return solve_along_moment(conditions);
-  }
+  for (const double largest_step : { large_stiffening, small_stiffening })
+    try
+    {
+      return solve_cold(conditions, largest_step);
+    }
+    catch (const ContactFailure &failure)
+    {
+      if (failure.outcome == ContactOutcome::tipping)
+        throw;
+    }
+  return solve_along_moment(conditions);
 }
 
 ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,

@@ -83,7 +83,8 @@ private:
   double gap(double radius, double azimuth) const;
   void set_orientation(const FootOrientation &orientation);
   ContactSolution solve_from_before(const LinearConditions &conditions);
-  ContactSolution solve_cold(const LinearConditions &conditions);
+  /// @p largest_step: by how much the interface is stiffened at once.
+  ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
   ContactSolution solve_along_moment(const LinearConditions &conditions);
 
   const RevolutionSetup setup;
