@@ -138,7 +138,10 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   // contact.
   const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (line_load(*this, normal_force) * plane_strain_compliance(*this) < 1e-3 * depth)
+  {
+    ++resolved.resolution.refinements; // what the bodies as a whole yield is left
     return resolved;
+  }
   resolved.resolution.focus_size = resolved.contact_half_width / (4 * fineness);
   resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
   return resolved;
