@@ -135,10 +135,21 @@ std::string budget_file_text(const Study &study, const Budget &budget)
   return data_tables({ chain, without });
 }
 
+Budget chain_alone(std::vector<BudgetRow> rows, const std::optional<double> &band)
+{
+  Budget budget;
+  budget.rows = std::move(rows);
+  budget.rows.back().band = band;
+  return budget;
+}
+
 Json budget_summary(const Study &study, const Budget &budget)
 {
+  const bool has_torques = std::any_of(budget.rows.begin(), budget.rows.end(),
+                                       [](const BudgetRow &row) { return row.torques[0].has_value(); });
   return json_table(budget_table(study, budget)
-                      .with("", "step name harmonics omega_terminal difference band torques[] state reason"));
+                      .with("", std::string("step name harmonics omega_terminal difference band ") +
+                                  (has_torques ? "torques[] " : "") + "state reason"));
 }
 
 Json without_summary(const Study &study, const Budget &budget)

@@ -15,7 +15,7 @@ std::filesystem::path StudyOptions::results_place() const
   std::string name = study_name();
   if (verb != "run")
     name += "-" + verb;
-  return "results" / name;
+  return std::filesystem::path("results") / name;
 }
 
 } // namespace stemware::pipeline

@@ -40,7 +40,8 @@ Texts names_without(const Study &study)
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
+  return find_budget(study, nullptr,
+                     rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
 }
 
 Budget budget_of(const Study &study)
@@ -264,7 +265,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   rows[1].row.standing = Standing::tips;
   rows[1].row.reason = "it tips";
   fem::ComplianceCache cache;
-  const Budget budget = find_budget(study, rows, cache);
+  const Budget budget = find_budget(study, nullptr, rows, cache);
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
   EXPECT_FALSE(failed.omega_terminal);
@@ -278,7 +279,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_TRUE(budget.rows[4].reason.empty());
   // Without the first harmonic alone there is nothing that the others could change.
   rows[0] = rows[1];
-  const Budget without_first = find_budget(study, rows, cache);
+  const Budget without_first = find_budget(study, nullptr, rows, cache);
   EXPECT_FALSE(without_first.harmonics.absolute);
   EXPECT_TRUE(std::isnan(without_first.torque_first.back()));
   EXPECT_FALSE(std::isnan(without_first.torque_all.back()));
