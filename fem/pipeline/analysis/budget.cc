@@ -56,7 +56,7 @@ struct ChainLink
 };
 
 /// Puts the answer to a model under those in @p chain.
-void add_link(const std::string &step, const std::string &name, const LoadedRow &answer,
+void add_link(const std::string &step, const std::string &name, const Study &study, const LoadedRow &answer,
               std::vector<ChainLink> &chain)
 {
   const SpinRow &row = answer.row;
@@ -64,7 +64,7 @@ void add_link(const std::string &step, const std::string &name, const LoadedRow 
   if (!chain.empty() && added.omega_terminal && chain.back().row.omega_terminal)
     added.difference = *added.omega_terminal - *chain.back().row.omega_terminal + 0.; // no -0
   added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
-  added.reason = row.reason;
+  added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
   chain.push_back({ added, answer.load });
 }
 
@@ -72,13 +72,13 @@ void add_link(const std::string &step, const std::string &name, const LoadedRow 
 void add_links_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics,
                             std::vector<ChainLink> &chain)
 {
-  add_link(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches",
+  add_link(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches", study,
            by_harmonics.front(), chain);
   unsigned int step = 4;
   for (std::size_t i = 1; i < by_harmonics.size(); ++i)
-    add_link(std::to_string(step++), "harmonics", by_harmonics[i], chain);
+    add_link(std::to_string(step++), "harmonics", study, by_harmonics[i], chain);
   if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
-    add_link(std::to_string(step), "harmonics", by_harmonics.back(), chain);
+    add_link(std::to_string(step), "harmonics", study, by_harmonics.back(), chain);
   BudgetRow &all = chain.back().row;
   all.harmonics.reset();
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
@@ -94,7 +94,7 @@ std::vector<ChainLink> chain_of(const Study &study, const std::shared_ptr<Elasti
   {
     LoadedRow answer = attempt_row(model.study, foot, spin_question(model.study), 1);
     answer.row.harmonics = 1;
-    add_link(model.step, model.name, answer, chain);
+    add_link(model.step, model.name, model.study, answer, chain);
   }
   if (study.load.source != LoadSource::first_harmonic)
     add_links_by_harmonics(study, by_harmonics, chain);
@@ -127,7 +127,7 @@ WithoutRow answer_without(const ModelVariant &variant, double complete, fem::Com
   row.omega_terminal = answer.row.omega_terminal();
   if (row.omega_terminal)
     row.difference = *row.omega_terminal - complete;
-  row.reason = answer.row.reason;
+  row.reason = answer.row.reason.empty() ? held_by_the_grip(variant.study, answer.row) : answer.row.reason;
   return row;
 }
 

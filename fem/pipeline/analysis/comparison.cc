@@ -149,6 +149,8 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
       row.contact_fraction = compared.contact_fraction(load, row.terminal->omega);
     if (row.terminal)
       row.standing = standing_of(row);
+    if (row.reason.empty())
+      row.reason = held_by_the_grip(study, row);
   }
   catch (const std::exception &failure)
   {

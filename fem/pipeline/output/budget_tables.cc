@@ -20,12 +20,12 @@ double rounding_of_spins(const Study &study)
   return 1e-9 * spin_unit(study);
 }
 
-/// "formal", or why a row has no spin; empty for what stands as it is.
+/// "formal", or why something is missing; empty for what stands as it is.
 std::string state_of(const BudgetRow &row)
 {
-  if (!row.omega_terminal)
-    return row.reason.empty() ? to_string(row.standing) : row.reason;
-  return row.standing == Standing::formal ? to_string(row.standing) : "";
+  if (!row.reason.empty())
+    return row.reason;
+  return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
 }
 
 std::optional<std::string> reason_or_nothing(const std::string &reason)

@@ -36,6 +36,7 @@ std::vector<SweepQuantity> make_quantities()
                                         { "absolute harmonic effect", "rad/s" },
                                         { "harmonic effect", "%" },
                                         { "closure effect", "%" },
+                                        { "held by the grip", "1" },
                                         { "time constant", "s" },
                                         { "contact iterations", "1" } });
   return quantities;
@@ -117,6 +118,7 @@ void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   list.add(harmonics.absolute);
   list.add(in_percent(harmonics.relative));
   list.add(in_percent(paper && full ? relative_to(paper, *full - *paper, unit) : std::nullopt));
+  list.add(study.motion.grip_torque > 0 ? std::optional<double>(all.terminal->held ? 1 : 0) : std::nullopt);
   list.add(all.time_constant());
 }
 

@@ -255,6 +255,21 @@ TEST(Budget, WithoutAMomentNothingIsRelative)
   EXPECT_GT(std::abs(budget.omega.back()), 0.1); // there is something to show
 }
 
+TEST(Budget, SaysWhereTheFingersHoldTheGlass)
+{
+  Study study;
+  study.load.source = LoadSource::first_harmonic;
+  study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
+  const Budget budget = budget_of(study);
+  EXPECT_EQ(budget.rows.back().name, "grip");
+  EXPECT_EQ(budget.rows.back().omega_terminal, 0.);
+  EXPECT_EQ(
+    budget.rows.back().reason,
+    "The fingers hold the glass at rest: the torque there, -0.003675 N m, is no more than Motion/Grip "
+    "torque = 0.01 N m.");
+  EXPECT_EQ(budget.rows.front().reason, "");
+}
+
 TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();

@@ -68,6 +68,19 @@ TEST(SweepCase, HasTheNamedDifferencesOfTheBudget)
   EXPECT_FALSE(without["tilt"]);
 }
 
+TEST(SweepCase, SaysWhereTheFingersHoldTheGlass)
+{
+  Study study = quick_contact_study();
+  EXPECT_FALSE(SolvedCase(study)["held by the grip"]);
+  study.motion.grip_torque = 1e-4;
+  EXPECT_EQ(SolvedCase(study)["held by the grip"], 0.);
+  study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
+  const SolvedCase held(study);
+  EXPECT_EQ(held["held by the grip"], 1.);
+  EXPECT_EQ(held["terminal spin"], 0.);
+  EXPECT_FALSE(held["harmonic effect"]);
+}
+
 TEST(SweepCase, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
 {
   for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
