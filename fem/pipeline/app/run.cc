@@ -55,6 +55,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
     "run", "Compute a study: contact, torque, terminal spin, and what each effect does to it");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
+  stemware run                                                the default study
   stemware run docs/cookbooks/paper.prm
   stemware run docs/cookbooks/lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
   stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
