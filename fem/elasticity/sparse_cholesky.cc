@@ -3,6 +3,7 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/CholmodSupport>
+#include <Eigen/Dense>
 
 #include <stdexcept>
 
@@ -32,6 +33,76 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
   return lower;
 }
 
+[[noreturn]] void throw_indefinite()
+{
+  throw std::runtime_error(
+    "A stiffness matrix is not positive definite: the mesh is distorted, or nothing holds "
+    "the body.");
+}
+
+/// Factors by CHOLMOD's simplicial L L', in the order of elimination given or found.
+class OrderedFactors
+{
+public:
+  /// Eliminates the rows @p kept last, each part in an order of little fill-in.
+  OrderedFactors(LowerTriangle lower, const std::vector<unsigned int> &kept)
+  {
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 0;
+    common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.final_ll = 1;
+    cholmod_sparse view = Eigen::viewAsCholmod(Eigen::Ref<LowerTriangle>(lower));
+    view.stype = -1;
+    std::vector<int> part(view.nrow, 0);
+    for (const unsigned int row : kept)
+      part[row] = 1;
+    std::vector<int> order(view.nrow);
+    cholmod_camd(&view, nullptr, 0, part.data(), order.data(), &common);
+    factors = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
+    cholmod_factorize(&view, factors, &common);
+  }
+  ~OrderedFactors()
+  {
+    cholmod_free_factor(&factors, &common);
+    cholmod_finish(&common);
+  }
+  OrderedFactors(const OrderedFactors &) = delete;
+  OrderedFactors &operator=(const OrderedFactors &) = delete;
+
+  bool are_complete() const { return common.status == CHOLMOD_OK && factors->minor == factors->n; }
+
+  /// Place of every row in the order of elimination.
+  std::vector<int> places() const
+  {
+    std::vector<int> result(factors->n);
+    for (std::size_t i = 0; i < factors->n; ++i)
+      result[static_cast<std::size_t>(static_cast<const int *>(factors->Perm)[i])] = static_cast<int>(i);
+    return result;
+  }
+
+  /// The last @p n rows and columns of L.
+  Eigen::MatrixXd end(Eigen::Index n) const
+  {
+    const auto *starts = static_cast<const int *>(factors->p);
+    const auto *lengths = static_cast<const int *>(factors->nz);
+    const auto *rows = static_cast<const int *>(factors->i);
+    const auto *values = static_cast<const double *>(factors->x);
+    const Eigen::Index first = static_cast<Eigen::Index>(factors->n) - n;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (int k = starts[first + j]; k < starts[first + j] + lengths[first + j]; ++k)
+        result(rows[k] - first, j) = values[k];
+    return result;
+  }
+
+private:
+  cholmod_common common = {};
+  cholmod_factor *factors = nullptr;
+};
+
 } // namespace
 
 struct SparseCholesky::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen::Lower>
@@ -50,8 +121,7 @@ SparseCholesky::SparseCholesky(const dealii::SparseMatrix<double> &matrix)
     : factors(std::make_unique<Factors>(lower_triangle_of(matrix)))
 {
   if (factors->info() != Eigen::Success)
-    throw std::runtime_error("A stiffness matrix is not positive definite: the mesh is distorted, or nothing "
-                             "holds the body.");
+    throw_indefinite();
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -59,6 +129,28 @@ SparseCholesky::~SparseCholesky() = default;
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) const
 {
   return factors->solve(right_hand_sides);
+}
+
+Eigen::MatrixXd inverse_block(const dealii::SparseMatrix<double> &matrix,
+                              const std::vector<unsigned int> &kept, unsigned int n_columns)
+{
+  const OrderedFactors factors(lower_triangle_of(matrix), kept);
+  if (!factors.are_complete())
+    throw_indefinite();
+  // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.
+  const auto n_kept = static_cast<Eigen::Index>(kept.size());
+  const Eigen::MatrixXd end = factors.end(n_kept);
+  const std::vector<int> places = factors.places();
+  const Eigen::Index first = static_cast<Eigen::Index>(matrix.m()) - n_kept;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);
+  for (unsigned int j = 0; j < n_columns; ++j)
+    columns(places[kept[j]] - first, j) = 1;
+  end.triangularView<Eigen::Lower>().solveInPlace(columns);
+  end.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  Eigen::MatrixXd result(n_kept, n_columns);
+  for (Eigen::Index i = 0; i < n_kept; ++i)
+    result.row(i) = columns.row(places[kept[static_cast<std::size_t>(i)]] - first);
+  return result;
 }
 
 } // namespace stemware::fem

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <vector>
 
 namespace dealii
 {
@@ -32,5 +33,12 @@ private:
   struct Factors;
   std::unique_ptr<Factors> factors;
 };
+
+/// The part of the inverse of @p matrix in the rows @p kept and in the columns of the first @p n_columns of
+/// them, shape [kept.size(), n_columns], without the rest of those columns: the kept rows are eliminated
+/// last, so that the end of the triangular factor alone has the answer. Threads and exceptions as for
+/// SparseCholesky.
+Eigen::MatrixXd inverse_block(const dealii::SparseMatrix<double> &matrix,
+                              const std::vector<unsigned int> &kept, unsigned int n_columns);
 
 } // namespace stemware::fem

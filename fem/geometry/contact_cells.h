@@ -22,7 +22,7 @@ struct MeridianResolution
   double focus_size = 0;
   double focus_radius = 0;   ///< [m]; 0 means the contact radius
   double focus_width = 0;    ///< half the width of the band [m]; 0: the cells next to focus_radius
-  double focus_growth = 1.5; ///< a cell is at most growth - 1 times its distance from the band large
+  double focus_growth = 1.75; ///< a cell is at most growth - 1 times its distance from the band large
 
   bool has_focus() const { return focus_size > 0; }
   /// Largest cell at @p distance from the focus [m].

@@ -42,15 +42,22 @@ double MeridianSpace::contact_radius(unsigned int i) const
   return points[contact_nodes[i][vertical]][0];
 }
 
-SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
-                                        const AffineConstraints<double> &constraints) const
+void MeridianSpace::assemble(unsigned int harmonic, const AffineConstraints<double> &constraints,
+                             SparsityPattern &pattern, SparseMatrix<double> &matrix) const
 {
   DynamicSparsityPattern dynamic_pattern(dofs.n_dofs());
   DoFTools::make_sparsity_pattern(dofs, dynamic_pattern, constraints, false);
-  SparsityPattern pattern;
   pattern.copy_from(dynamic_pattern);
-  SparseMatrix<double> matrix(pattern);
+  matrix.reinit(pattern);
   stiffness->assemble(harmonic, constraints, matrix);
+}
+
+SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
+                                        const AffineConstraints<double> &constraints) const
+{
+  SparsityPattern pattern;
+  SparseMatrix<double> matrix;
+  assemble(harmonic, constraints, pattern, matrix);
   return SparseCholesky(matrix);
 }
 
@@ -82,20 +89,31 @@ void MeridianSpace::Factors::solve(Vector<double> &forces) const
 HarmonicCompliance MeridianSpace::compliance(unsigned int harmonic) const
 {
   const unsigned int n_nodes = n_contact_nodes();
-  Eigen::MatrixXd unit_forces = Eigen::MatrixXd::Zero(n_dofs(), n_nodes);
-  for (unsigned int j = 0; j < n_nodes; ++j)
-    unit_forces(contact_nodes[j][vertical], j) = 1;
-  const Eigen::MatrixXd displacements = Factors(*this, harmonic).solve(unit_forces);
-  HarmonicCompliance result;
-  for (Eigen::MatrixXd *part : { &result.normal, &result.radial, &result.azimuthal })
-    part->resize(n_nodes, n_nodes);
-  for (unsigned int j = 0; j < n_nodes; ++j)
-    for (unsigned int i = 0; i < n_nodes; ++i)
+  std::vector<unsigned int> of_contact;
+  for (const unsigned int component : { vertical, radial, azimuthal })
+    for (const NodeDofs &node : contact_nodes)
+      of_contact.push_back(static_cast<unsigned int>(node[component]));
+  SparsityPattern pattern;
+  SparseMatrix<double> matrix;
+  const AffineConstraints<double> constraints = make_constraints(harmonic);
+  assemble(harmonic, constraints, pattern, matrix);
+  Eigen::MatrixXd displacements = inverse_block(matrix, of_contact, n_nodes);
+  // A contact node is free unless it lies on the axis.
+  for (unsigned int i = 0; i < of_contact.size(); ++i)
+    if (const auto *entries = constraints.get_constraint_entries(of_contact[i]))
     {
-      result.normal(i, j) = displacements(contact_nodes[i][vertical], j);
-      result.radial(j, i) = displacements(contact_nodes[i][radial], j);
-      result.azimuthal(j, i) = displacements(contact_nodes[i][azimuthal], j);
+      displacements.row(i).setZero();
+      if (i < n_nodes)
+        displacements.col(i).setZero();
+      for (const auto &[dof, factor] : *entries)
+        displacements.row(i) +=
+          factor *
+          displacements.row(std::find(of_contact.begin(), of_contact.end(), dof) - of_contact.begin());
     }
+  HarmonicCompliance result;
+  result.normal = displacements.topRows(n_nodes);
+  result.radial = displacements.middleRows(n_nodes, n_nodes).transpose();
+  result.azimuthal = displacements.bottomRows(n_nodes).transpose();
   result.normal = (result.normal + result.normal.transpose()).eval() / 2;
   return result;
 }

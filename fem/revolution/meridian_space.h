@@ -68,6 +68,9 @@ private:
   /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
   /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
+  /// K_n with @p constraints eliminated, in @p matrix, whose entries lie in @p pattern.
+  void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
+                dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
   SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
 
   const dealii::MappingQ<2> curves;

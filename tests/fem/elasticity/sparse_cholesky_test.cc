@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+using stemware::fem::inverse_block;
 using stemware::fem::SparseCholesky;
 
 namespace
@@ -84,6 +85,23 @@ TEST(SparseCholesky, SolvesForTheModesOfAMembrane)
       << "p = " << p;
 }
 
+TEST(SparseCholesky, PartOfTheInverseIsThatOfTheWhole)
+{
+  const unsigned int n = 30;
+  const Membrane membrane(n, 0.5);
+  const std::vector<unsigned int> kept = { 3, 899, 411, 0, 412, 77 };
+  const unsigned int n_columns = 4;
+  Eigen::MatrixXd units = Eigen::MatrixXd::Zero(n * n, n_columns);
+  for (unsigned int j = 0; j < n_columns; ++j)
+    units(kept[j], j) = 1;
+  const Eigen::MatrixXd whole = SparseCholesky(membrane.matrix).solve(units);
+  const Eigen::MatrixXd part = inverse_block(membrane.matrix, kept, n_columns);
+  ASSERT_EQ(part.rows(), static_cast<Eigen::Index>(kept.size()));
+  for (unsigned int j = 0; j < n_columns; ++j)
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      EXPECT_NEAR(part(static_cast<Eigen::Index>(i), j), whole(kept[i], j), 1e-14);
+}
+
 TEST(SparseCholesky, ThreadsDoNotDisturbEachOther)
 {
   const unsigned int n = 60;
@@ -111,4 +129,5 @@ TEST(SparseCholesky, RefusesWhatIsNotPositiveDefinite)
 {
   const Membrane membrane(10, -1);
   EXPECT_THROW(SparseCholesky{ membrane.matrix }, std::runtime_error);
+  EXPECT_THROW(inverse_block(membrane.matrix, { 3, 50 }, 1), std::runtime_error);
 }
