@@ -5,14 +5,19 @@
 #include "fem/contact/line_pattern.h"
 #include "fem/contact/table_law.h"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 namespace stemware::fem
 {
 
 /// A table whose pressure depends on the local penetration alone, integrated along the contact lines.
 ///
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
-/// dp/dd [Pa/m]; and `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
-/// points of a line that carry load.
+/// dp/dd [Pa/m]; `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
+/// points of a line that carry load; and `least_depth(deepest)`, below which a place carries nothing that
+/// counts where another one has the penetration `deepest` [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
 {
@@ -29,12 +34,16 @@ public:
   {
     contact.forces.setZero(surface.n_nodes());
     pattern.set_zero(contact.tangent);
-    contact.active_set.resize(surface.lines.size());
+    contact.active_set.assign(surface.lines.size(), false);
+    const std::vector<Eigen::Vector3d> depths = penetrations(normal_displacement);
+    const double least = least_depth(depths);
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
+      if (greatest(depths[l]) < least)
+        continue;
       const std::size_t image = mirror_image(l, normal_displacement);
       if (image >= l) // else the two are done
-        add_line(l, image, normal_displacement, contact);
+        add_line(l, image, depths[l], contact);
     }
   }
 
@@ -43,17 +52,19 @@ public:
     TableLoad result;
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
-    for (const ContactLine &line : surface.lines)
+    const std::vector<Eigen::Vector3d> depths = penetrations(solution.normal_displacement);
+    const double least = least_depth(depths);
+    for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
-      const Eigen::Vector3d depth = penetration(line, solution.normal_displacement);
       double line_force = 0;
-      law.integrate(line, depth,
-                    [&](const LinePoint &point)
-                    {
-                      const double force = law.pressure(point.shape.dot(depth)) * point.area;
-                      result.points.push_back({ point.position(0), point.position(1), force });
-                      line_force += force;
-                    });
+      if (!(greatest(depths[l]) < least))
+        law.integrate(surface.lines[l], depths[l],
+                      [&](const LinePoint &point)
+                      {
+                        const double force = law.pressure(point.shape.dot(depths[l])) * point.area;
+                        result.points.push_back({ point.position(0), point.position(1), force });
+                        line_force += force;
+                      });
       line_forces.push_back(line_force);
     }
     result.density = density_of_lines(surface, line_forces);
@@ -75,6 +86,29 @@ public:
   std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
 
 private:
+  std::vector<Eigen::Vector3d> penetrations(const Eigen::VectorXd &normal_displacement) const
+  {
+    std::vector<Eigen::Vector3d> depths;
+    depths.reserve(surface.lines.size());
+    for (const ContactLine &line : surface.lines)
+      depths.push_back(penetration(line, normal_displacement));
+    return depths;
+  }
+
+  /// Not less than the penetration anywhere on a line: a quadratic lies below its control points.
+  static double greatest(const Eigen::Vector3d &depth)
+  {
+    return std::max({ depth(0), depth(2), 2 * depth(1) - (depth(0) + depth(2)) / 2 });
+  }
+
+  double least_depth(const std::vector<Eigen::Vector3d> &depths) const
+  {
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d &depth : depths)
+      deepest = std::max(deepest, depth.maxCoeff());
+    return law.least_depth(deepest);
+  }
+
   /// The line that has the geometry, gap and normal displacement of line @p l mirrored at y = 0, to the last
   /// bit; @p l itself if there is none.
   std::size_t mirror_image(std::size_t l, const Eigen::VectorXd &normal_displacement) const
@@ -90,13 +124,11 @@ private:
     return alike ? image : l;
   }
 
-  /// Adds the forces and the tangent of line @p l to its nodes, and to those of its @p image if that is
-  /// another one.
-  void add_line(std::size_t l, std::size_t image, const Eigen::VectorXd &normal_displacement,
-                ContactForces &contact) const
+  /// Adds the forces and the tangent of line @p l, which is pressed in by @p depth, to its nodes, and to
+  /// those of its @p image if that is another one.
+  void add_line(std::size_t l, std::size_t image, const Eigen::Vector3d &depth, ContactForces &contact) const
   {
     const ContactLine &line = surface.lines[l];
-    const Eigen::Vector3d depth = penetration(line, normal_displacement);
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
     bool loaded = false;

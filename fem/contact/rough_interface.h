@@ -55,6 +55,8 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
+  /// Where the pressure is 1e-20 of the greatest.
+  double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
   /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes little
   /// from one to the next, where the pressure is more than rounding of the line's largest; the law's second

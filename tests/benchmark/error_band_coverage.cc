@@ -94,14 +94,8 @@ int main(int argc, char *argv[])
   for (int i = 0; i < n_studies; ++i)
   {
     const Study study = studies.next();
-    std::printf("%2d %s, crown %.2g mm, %s, ", i + 1,
-                study.table.interface == TableInterface::winkler ? "Winkler" : "rough",
-                1000 * study.glass.profile.crown_radius,
-                study.load.is_static() ? "given moment" : "in balance");
-    if (study.load.is_static())
-      std::printf("m = %.2f\n", study.load.moment_ratio);
-    else
-      std::printf("closure %s\n", stemware::ring::to_string(study.motion.closure).c_str());
+    std::printf("%2d %s, crown %.2g mm, %s\n", i + 1, table_name(study.table).c_str(),
+                1000 * study.glass.profile.crown_radius, balance_name(study).c_str());
     try
     {
       compare(study, quick, full);

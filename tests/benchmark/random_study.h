@@ -1,16 +1,36 @@
 #pragma once
 
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/failures.h"
 
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 namespace stemware::pipeline
 {
 
-/// Studies of a body of revolution with random glass, table, moment and closure within what a kitchen and its
-/// tables offer. Equal seeds make equal studies.
+/// "rough on elastic" and the like.
+inline std::string table_name(const TableSection &table)
+{
+  const std::string interface = table.interface == TableInterface::hard      ? "hard"
+                                : table.interface == TableInterface::winkler ? "Winkler"
+                                                                             : "rough";
+  return interface + (table.substrate == TableSubstrate::elastic ? " on elastic" : " on rigid");
+}
+
+/// "full, two-way" and the like; "m = 1.24" for a given moment.
+inline std::string balance_name(const Study &study)
+{
+  if (study.load.is_static())
+    return "m = " + std::to_string(study.load.moment_ratio).substr(0, 4);
+  return ring::to_string(study.motion.closure) +
+         (study.load.coupling == LoadCoupling::two_way ? ", two-way" : ", one-way");
+}
+
+/// Studies of a body of revolution with random glass, table, hand and moment balance within what a kitchen
+/// and its tables offer. Equal seeds make equal studies.
 class RandomStudies
 {
 public:
@@ -19,15 +39,27 @@ public:
   {
   }
 
+  /// A study that check_study() lets pass.
   Study next()
   {
-    Study study;
-    study.contact.body = BodyKind::revolution;
-    draw_glass(study.glass);
-    draw_table(study.table);
-    draw_motion(study.motion);
-    draw_load(study);
-    return study;
+    for (;;)
+    {
+      Study study;
+      study.contact.body = BodyKind::revolution;
+      draw_glass(study.glass);
+      draw_table(study);
+      draw_motion(study.motion);
+      draw_contact(study);
+      draw_load(study);
+      try
+      {
+        check_study(study);
+        return study;
+      }
+      catch (const BadInput &)
+      {
+      }
+    }
   }
 
 private:
@@ -38,6 +70,7 @@ private:
   }
   double log_between(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
   bool happens(double probability) { return between(0, 1) < probability; }
+  unsigned int one_of(unsigned int n) { return static_cast<unsigned int>(between(0, n)); }
 
   /// Half of the glasses are step profiles, the others have the foot of a real glass; sections that no glass
   /// has are drawn anew.
@@ -65,7 +98,7 @@ private:
     profile.land_height = between(0.0005, 0.0015);
     profile.foot_radius = profile.land_outer_radius() + between(0.001, 0.004);
     profile.foot_thickness = between(0.002, 0.006);
-    profile.crown_radius = happens(0.25) ? 0 : log_between(0.001, 0.02);
+    profile.crown_radius = happens(0.15) ? 0 : log_between(0.0005, 0.012);
     profile.stem_radius = between(0.003, 0.007);
     profile.stem_height = between(0.008, 0.02);
     profile.underside_rise = between(0.001, 0.004);
@@ -73,12 +106,46 @@ private:
     profile.fillet_radius = between(0.002, 0.006);
   }
 
-  void draw_table(TableSection &table)
+  /// Every interface on every substrate. A tenth of all studies have a wavy rim, a wavy table, or both.
+  void draw_table(Study &study)
   {
-    table.interface = happens(0.25) ? TableInterface::rough : TableInterface::winkler;
+    TableSection &table = study.table;
+    const TableInterface interfaces[] = { TableInterface::hard, TableInterface::winkler,
+                                          TableInterface::rough };
+    table.interface = interfaces[one_of(3)];
     table.foundation_modulus = log_between(1e8, 1e12);
-    table.roughness.decay_length = log_between(3e-7, 5e-6);
+    table.roughness.decay_length = log_between(2e-7, 5e-6);
+    table.substrate = happens(0.5) ? TableSubstrate::elastic : TableSubstrate::rigid;
+    table.disc.radius = study.glass.profile.foot_radius + between(0.01, 0.12);
+    table.disc.thickness = between(0.015, 0.06);
+    switch (one_of(5))
+    {
+    case 0: // a layer of cork, rubber or felt
+      table.disc.thickness = between(0.002, 0.008);
+      table.disc_material = { log_between(1e6, 5e7), between(0, 0.4) };
+      break;
+    case 1:
+      table.disc_material = { between(5e9, 15e9), between(0.2, 0.4) }; // wood
+      break;
+    case 2:
+      table.disc_material = { between(55e9, 85e9), between(0.18, 0.26) }; // glass
+      break;
+    case 3:
+      table.disc_material = { 210e9, 0.3 }; // steel
+      break;
+    default:
+      table.disc_material = { log_between(1e8, 1e11), between(0, 0.45) };
+    }
+    if (!happens(0.1))
+      return;
+    const unsigned int place = one_of(3);
+    if (place != 1)
+      study.glass.waviness = draw_waviness();
+    if (place != 0)
+      table.waviness = draw_waviness();
   }
+
+  Waviness draw_waviness() { return { { 2 + one_of(5), log_between(1e-7, 5e-6), between(-M_PI, M_PI) } }; }
 
   void draw_motion(MotionSection &motion)
   {
@@ -89,21 +156,33 @@ private:
     orbit.orbit_speed = between(0.2, 0.5);
     orbit.friction_coefficient = between(0.15, 0.4);
     orbit.orbit_sense = happens(0.5) ? ring::OrbitSense::counterclockwise : ring::OrbitSense::clockwise;
-    orbit.centre_of_mass_height = between(0.05, 0.1);
-    motion.closure = happens(0.5) ? ring::Closure::full : ring::Closure::paper;
+    orbit.centre_of_mass_height = between(0.04, 0.12);
+    const ring::Closure closures[] = { ring::Closure::paper, ring::Closure::hand, ring::Closure::full };
+    motion.closure = closures[std::min(one_of(4), 2u)];
+    motion.tilt = happens(0.8);
+    if (happens(0.2))
+      motion.grip_torque = log_between(1e-5, 1e-3);
   }
 
-  /// Half of the studies get a moment up to strong lift-off, the others that of their closure, below N R / 2
-  /// at rest, with contact and friction in balance at every spin.
+  void draw_contact(Study &study)
+  {
+    ContactSection &contact = study.contact;
+    contact.friction_coupling = happens(0.75) ? FrictionCoupling::elastic : FrictionCoupling::none;
+    const unsigned int rings[] = { 1, 3, 5, 5, 5, 8 };
+    contact.rings = rings[one_of(6)];
+    study.load.coupling = happens(0.85) ? LoadCoupling::two_way : LoadCoupling::one_way;
+  }
+
+  /// A quarter of the studies get a moment up to strong lift-off, the others that of their closure, m < 1.6
+  /// at rest: a spinning glass may still tip.
   void draw_load(Study &study)
   {
-    if (happens(0.5))
+    if (happens(0.25))
     {
-      study.load.moment_ratio = between(0.1, 1.7);
+      study.load.moment_ratio = between(0, 1.95);
       study.load.moment_direction = between(-M_PI, M_PI);
       return;
     }
-    study.load.coupling = LoadCoupling::two_way;
     ring::Motion &orbit = study.motion.orbit;
     const double half_arm = study.glass.profile.contact_radius / 2;
     do
@@ -111,7 +190,7 @@ private:
       orbit.orbit_speed = between(0.2, 0.5);
       orbit.force_offset = between(-0.02, 0.03) - orbit.centre_of_mass_height;
     } while (ring::required_moment_at_rest(study.motion.closure, orbit).norm() >
-             0.95 * orbit.normal_force() * half_arm);
+             1.6 * orbit.normal_force() * half_arm);
   }
 
   std::mt19937 random;

@@ -40,6 +40,7 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
     const double ratio = depth / width;
     return middle / width / std::pow(1 + ratio * ratio, 1.5);
   }
+  double least_depth(double) const { return -std::numeric_limits<double>::infinity(); }
   template <typename Visitor>
   void integrate(const ContactLine &line, const Eigen::Vector3d &, const Visitor &visit) const
   {
