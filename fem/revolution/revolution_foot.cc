@@ -139,11 +139,14 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (line_load(*this, normal_force) * plane_strain_compliance(*this) < 1e-3 * depth)
   {
-    ++resolved.resolution.refinements; // what the bodies as a whole yield is left
+    // What the bodies as a whole yield is left.
+    const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
+    resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
     return resolved;
   }
   resolved.resolution.focus_size = resolved.contact_half_width / (4 * fineness);
   resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
+  resolved.resolution.focus_growth = 1 + (resolution.focus_growth - 1) / std::sqrt(fineness);
   return resolved;
 }
 
