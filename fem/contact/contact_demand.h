@@ -30,6 +30,7 @@ struct ContactDemand : Resultants
   /// Radii of the rings on which the load is gathered, ascending [m]; empty: the one ring that has the load's
   /// moment and first harmonic.
   std::vector<double> ring_radii;
+  unsigned int n_harmonics = 0; ///< of the load; 0: as many as the contact resolves
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
   LoadFunction friction_x;
   LoadFunction friction_y;

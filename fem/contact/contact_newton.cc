@@ -110,7 +110,7 @@ public:
     const Eigen::VectorXd pressure = law.nodal_pressure(result);
     result.n_loaded_nodes = static_cast<unsigned int>((pressure.array() > 0).count());
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
-    if (result.n_nodes_across < fewest_nodes_across)
+    if (control.set_matters && result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
     const Eigen::Vector3d left = conditions.residual(result.forces, motion);
     result.force_residual = std::abs(left(0)) / conditions.normal_force();

@@ -7,6 +7,7 @@
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/waviness.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct ContactState
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
   Slip slip;                             ///< that it was solved for
+  unsigned int zone = 0; ///< which of the foot's contact zones the solution is of, for the foot itself
   /// Between which radii the load lies but for rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
@@ -84,11 +86,12 @@ public:
   virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
-  /// Highest harmonic of its loads.
-  virtual unsigned int n_load_harmonics() const = 0;
+  /// Highest harmonic that the contact resolves.
+  virtual unsigned int n_resolved_harmonics() const = 0;
 
-  /// The load of any state of this foot on rings of @p ring_radii, as ContactDemand has them.
-  virtual LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii) = 0;
+  /// The load of any state of this foot, rings and harmonics as ContactDemand has them.
+  virtual LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
+                               unsigned int n_harmonics) = 0;
 
   /// The pressure of any state of this foot as forces where they lie, slip frame.
   virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
@@ -99,6 +102,13 @@ public:
   /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank
   /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
+
+protected:
+  /// ContactDemand::n_harmonics as far as they are resolved.
+  unsigned int kept_harmonics(unsigned int asked) const
+  {
+    return asked == 0 ? n_resolved_harmonics() : std::min(asked, n_resolved_harmonics());
+  }
 };
 
 /// Throws std::logic_error unless the displacement of @p body is that of @p state, u_z + Q q = normal

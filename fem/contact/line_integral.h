@@ -38,17 +38,14 @@ struct LinePoint
   Eigen::RowVector2d position; ///< (x, y) [m]
 };
 
-/// Calls visit(const LinePoint &) at the four Gauss points of one segment of @p line: exact for polynomials
-/// in the local coordinate of degree 7, the area element included.
-template <typename Visitor>
-void for_each_point(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+/// Calls visit(const LinePoint &) at the given Gauss points of one segment of @p line.
+template <std::size_t n_points, typename Visitor>
+void for_each_gauss_point(const ContactLine &line, const LineSegment &segment,
+                          const std::array<double, n_points> &points,
+                          const std::array<double, n_points> &weights, const Visitor &visit)
 {
-  static constexpr std::array<double, 4> points = { -0.8611363115940526, -0.3399810435848563,
-                                                    0.3399810435848563, 0.8611363115940526 };
-  static constexpr std::array<double, 4> weights = { 0.3478548451374538, 0.6521451548625461,
-                                                     0.6521451548625461, 0.3478548451374538 };
   const double half_length = (segment.end - segment.begin) / 2;
-  for (unsigned int q = 0; q < points.size(); ++q)
+  for (std::size_t q = 0; q < n_points; ++q)
   {
     const double xi = (segment.begin + segment.end) / 2 + half_length * points[q];
     LinePoint point;
@@ -60,6 +57,31 @@ void for_each_point(const ContactLine &line, const LineSegment &segment, const V
     point.position = point.shape.transpose() * line.position;
     visit(point);
   }
+}
+
+/// Calls visit(const LinePoint &) at the four Gauss points of one segment of @p line: exact for polynomials
+/// in the local coordinate of degree 7, the area element included.
+template <typename Visitor>
+void for_each_point(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+{
+  static constexpr std::array<double, 4> points = { -0.8611363115940526, -0.3399810435848563,
+                                                    0.3399810435848563, 0.8611363115940526 };
+  static constexpr std::array<double, 4> weights = { 0.3478548451374538, 0.6521451548625461,
+                                                     0.6521451548625461, 0.3478548451374538 };
+  for_each_gauss_point(line, segment, points, weights, visit);
+}
+
+/// for_each_point() with six points, for what is not a polynomial: exact for degree 11.
+template <typename Visitor>
+void for_each_of_six_points(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+{
+  static constexpr std::array<double, 6> points = { -0.9324695142031521, -0.6612093864662645,
+                                                    -0.2386191860831969, 0.2386191860831969,
+                                                    0.6612093864662645,  0.9324695142031521 };
+  static constexpr std::array<double, 6> weights = { 0.1713244923791704, 0.3607615730481386,
+                                                     0.4679139345726910, 0.4679139345726910,
+                                                     0.3607615730481386, 0.1713244923791704 };
+  for_each_gauss_point(line, segment, points, weights, visit);
 }
 
 /// Calls visit(const LinePoint &) at the four Gauss points of each of @p n_panels equal parts of the whole

@@ -58,14 +58,44 @@ struct RoughInterface : PressureInterface<RoughInterface>
   /// Where the pressure is 1e-20 of the greatest.
   double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
-  /// Under a rounded rim the pressure is a bell of width sqrt(crown radius * s): every panel is as long as
-  /// that or shorter.
+  /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes little
+  /// from one to the next, where the pressure is more than rounding of the line's largest; the law's second
+  /// derivative jumps where the mean planes meet, so panels end there.
   template <typename Visitor>
-  void integrate(const ContactLine &line, const Eigen::Vector3d &, const Visitor &visit) const
+  void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const
   {
-    const double rise = line.gap.maxCoeff() - line.gap.minCoeff();
-    const double panels = std::ceil(std::sqrt(2 * rise / decay_length));
-    for_each_point(line, static_cast<unsigned int>(std::clamp(panels, 1., 200.)), visit);
+    constexpr double rounding = 36, unloaded = -100; // exponents
+    const double slope = (depth(2) - depth(0)) / 2, curvature = depth(0) - 2 * depth(1) + depth(2);
+    const auto depth_at = [&](double xi) { return depth(1) + xi * (slope + xi * curvature / 2); };
+    double top = depth(0) > depth(2) ? -1 : 1;
+    if (curvature < -std::abs(slope))
+      top = -slope / curvature;
+    const double highest = depth_at(top);
+    if (highest < unloaded * decay_length)
+      return for_each_point(line, LineSegment{ -1, 1 }, visit);
+
+    const double panels_per_length = std::max(std::sqrt(std::abs(curvature) / decay_length),
+                                              std::abs(slope + top * curvature) / (2 * decay_length));
+    const PositiveSegments loaded((depth.array() - highest + rounding * decay_length).matrix());
+    const PositiveSegments beyond(depth); // mean planes met
+    for (unsigned int s = 0; s < loaded.n_segments; ++s)
+    {
+      double begin = loaded.segments[s].begin;
+      const auto integrate_to = [&](double end)
+      {
+        if (!(end > begin))
+          return;
+        const double n_panels = std::clamp(std::ceil(panels_per_length * (end - begin)), 1., 200.);
+        const double length = (end - begin) / n_panels;
+        for (double panel = 0; panel < n_panels; ++panel)
+          for_each_of_six_points(line, { begin + panel * length, begin + (panel + 1) * length }, visit);
+        begin = end;
+      };
+      for (unsigned int b = 0; b < beyond.n_segments; ++b)
+        for (const double border : { beyond.segments[b].begin, beyond.segments[b].end })
+          integrate_to(std::min(border, loaded.segments[s].end));
+      integrate_to(loaded.segments[s].end);
+    }
   }
 
   void validate() const

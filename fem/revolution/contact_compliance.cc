@@ -30,6 +30,23 @@ Eigen::VectorXd ContactCompliance::shape_at(double radius) const
   return shape;
 }
 
+ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size) const
+{
+  const auto part_of = [&](const HarmonicCompliance &whole) -> HarmonicCompliance
+  {
+    return { whole.normal.block(first, first, size, size), whole.radial.block(first, first, size, size),
+             whole.azimuthal.block(first, first, size, size) };
+  };
+  ContactCompliance result;
+  result.radii = radii.segment(first, size);
+  result.degree = degree;
+  for (const HarmonicCompliance &harmonic : harmonics)
+    result.harmonics.push_back(part_of(harmonic));
+  result.beyond = part_of(beyond);
+  result.n_meridian_unknowns = n_meridian_unknowns;
+  return result;
+}
+
 ContactCompliance &ContactCompliance::operator+=(const ContactCompliance &other)
 {
   if (other.n_nodes() != n_nodes() || other.degree != degree || !other.radii.isApprox(radii, 1e-9))

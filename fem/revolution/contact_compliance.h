@@ -55,6 +55,10 @@ struct ContactCompliance
   /// the contact zone the nearest element's polynomials go on. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
 
+  /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element: forces
+  /// elsewhere are none, displacements elsewhere not asked for.
+  ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
+
   /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.
   /// Throws std::invalid_argument unless nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);

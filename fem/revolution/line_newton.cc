@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -46,18 +47,17 @@ LineNewton::LineNewton(const ElasticResponse &response, const Eigen::SparseMatri
                        const Eigen::MatrixXd &unbalanced)
     : response(response)
 {
-  eliminate_lines(tangent, unbalanced);
+  find_lines(tangent, unbalanced);
   choose_functions();
+  eliminate_lines(tangent, unbalanced);
 }
 
-void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
-                                 const Eigen::MatrixXd &unbalanced)
+void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced)
 {
   const Eigen::Index n_radii = response.n_radii();
   lines.resize(response.n_lines());
   Eigen::Index last_circle = -1;
   first_circle = n_radii;
-  Eigen::MatrixXd dense_before, local;
   for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(lines.size()); ++j)
   {
     Line &line = lines[static_cast<std::size_t>(j)];
@@ -81,21 +81,50 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
       continue;
     first_circle = std::min(first_circle, first);
     last_circle = std::max(last_circle, end - 1);
-
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(line.size, line.size);
-    for (Eigen::Index i = first; i < end; ++i)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + i); entry; ++entry)
-        if (entry.value() != 0)
-          dense(entry.row() - j * n_radii - first, i - first) = entry.value();
-    Eigen::MatrixXd matrix = dense * response.local(j, first, line.size);
-    matrix.diagonal().array() += 1;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(matrix);
-    line.softened = factors.solve(dense);
-    line.balanced = factors.solve(unbalanced.col(j).segment(first, line.size));
   }
   if (last_circle < 0)
     throw std::runtime_error("No place of the contact zone carries load.");
   n_circles = last_circle - first_circle + 1;
+}
+
+void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
+                                 const Eigen::MatrixXd &unbalanced)
+{
+  const Eigen::Index n_radii = response.n_radii();
+  const Eigen::Index n_functions = functions.cols();
+  const Eigen::VectorXd &radii = response.compliance().radii;
+  Eigen::MatrixXd matrix, rhs;
+  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(lines.size()); ++j)
+  {
+    Line &line = lines[static_cast<std::size_t>(j)];
+    if (line.size == 0)
+      continue;
+    const Eigen::MatrixXd local = response.local(j, line.first, line.size);
+    // T is banded: its products are taken entry by entry. Right-hand sides T (functions, Q) and r.
+    const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
+    Eigen::MatrixXd shape(line.size, n_functions + 3);
+    shape.leftCols(n_functions) = functions_on(line);
+    shape.col(n_functions).setOnes();
+    shape.col(n_functions + 1) = radii.segment(line.first, line.size) * std::cos(theta);
+    shape.col(n_functions + 2) = radii.segment(line.first, line.size) * std::sin(theta);
+    matrix.setIdentity(line.size, line.size);
+    rhs.setZero(line.size, n_functions + 4);
+    for (Eigen::Index i = 0; i < line.size; ++i)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + line.first + i); entry;
+           ++entry)
+        if (entry.value() != 0)
+        {
+          const Eigen::Index row = entry.row() - j * n_radii - line.first;
+          matrix.row(row) += entry.value() * local.row(i);
+          rhs.row(row).head(n_functions + 3) += entry.value() * shape.row(i);
+        }
+    rhs.col(n_functions + 3) = unbalanced.col(j).segment(line.first, line.size);
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(matrix);
+    const Eigen::MatrixXd solution = factors.solve(rhs);
+    line.answer = solution.leftCols(n_functions);
+    line.moved = solution.middleCols(n_functions, 3);
+    line.balanced = solution.col(n_functions + 3);
+  }
 }
 
 void LineNewton::choose_functions()
@@ -129,21 +158,6 @@ void LineNewton::choose_functions()
     reduced.push_back(reduced_to(functions, harmonic));
 }
 
-Eigen::MatrixXd LineNewton::functions_on(const Line &line) const
-{
-  return functions.middleRows(line.first - first_circle, line.size);
-}
-
-Eigen::MatrixXd LineNewton::motions_on(Eigen::Index j) const
-{
-  const Line &line = lines[static_cast<std::size_t>(j)];
-  const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
-  const Eigen::VectorXd radii = response.compliance().radii.segment(line.first, line.size);
-  Eigen::MatrixXd motions(line.size, 3);
-  motions << Eigen::VectorXd::Ones(line.size), radii * std::cos(theta), radii * std::sin(theta);
-  return motions;
-}
-
 LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
                                         const Eigen::Vector3d &residual) const
 {
@@ -169,8 +183,6 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
     if (line.size == 0)
       continue;
     const Eigen::MatrixXd shape = functions_on(line);
-    const Eigen::MatrixXd answer = line.softened * shape;
-    const Eigen::MatrixXd moved = line.softened * motions_on(j);
     for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
     {
       Eigen::MatrixXd test = shape;
@@ -180,13 +192,13 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
                  .segment(line.first, line.size)
                  .asDiagonal() *
                shape;
-      to_functions[kind].col(j) = (test.transpose() * answer).reshaped();
-      to_motions[kind].col(j) = (test.transpose() * moved).reshaped();
+      to_functions[kind].col(j) = (test.transpose() * line.answer).reshaped();
+      to_motions[kind].col(j) = (test.transpose() * line.moved).reshaped();
       to_unbalanced[kind].col(j) = test.transpose() * line.balanced;
     }
     const auto weights = conditions.weights().middleRows(j * n_radii + line.first, line.size);
-    conditions_on_functions.col(j) = (weights.transpose() * answer).reshaped();
-    corner += weights.transpose() * moved;
+    conditions_on_functions.col(j) = (weights.transpose() * line.answer).reshaped();
+    corner += weights.transpose() * line.moved;
     rhs += weights.transpose() * line.balanced;
   }
 
@@ -254,8 +266,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
     const Line &line = lines[static_cast<std::size_t>(j)];
     if (line.size > 0)
       increment.forces.col(j).segment(line.first, line.size) =
-        line.balanced -
-        line.softened * (functions_on(line) * amplitudes.col(j) + motions_on(j) * increment.motion);
+        line.balanced - line.answer * amplitudes.col(j) - line.moved * increment.motion;
   }
   return increment;
 }

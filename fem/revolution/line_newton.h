@@ -41,14 +41,18 @@ private:
   {
     Eigen::Index first = 0;
     Eigen::Index size = 0;
-    Eigen::MatrixXd softened; ///< (1 + T D)^-1 T
+    Eigen::MatrixXd answer;   ///< (1 + T D)^-1 T times the functions
+    Eigen::MatrixXd moved;    ///< (1 + T D)^-1 T Q
     Eigen::VectorXd balanced; ///< (1 + T D)^-1 r
   };
 
-  void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
+  void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
   void choose_functions();
-  Eigen::MatrixXd functions_on(const Line &line) const;
-  Eigen::MatrixXd motions_on(Eigen::Index j) const;
+  void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
+  auto functions_on(const Line &line) const
+  {
+    return functions.middleRows(line.first - first_circle, line.size);
+  }
 
   const ElasticResponse &response;
   std::vector<Line> lines;

@@ -19,6 +19,9 @@ PressureField::PressureField(const BodyOfRevolution &body, const TableLaw &law,
 
 Eigen::VectorXd PressureField::on_circle(double radius, const FourierBasis &azimuths) const
 {
+  const Eigen::VectorXd &radii = compliance.radii;
+  if (radius < radii(0) || radius > radii(radii.size() - 1))
+    return Eigen::VectorXd::Zero(azimuths.n_lines()); // no contact comes there
   const Eigen::VectorXd shape = compliance.shape_at(radius);
   const Eigen::Index n_lines = displacement.cols();
   Eigen::VectorXd on_lines = displacement.transpose() * shape;

@@ -1,6 +1,7 @@
 #include "fem/revolution/revolution_foot.h"
 
 #include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/path_of_moments.h"
 #include "fem/revolution/revolution_output.h"
 
 #include <deal.II/grid/tria.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace stemware::fem
 {
@@ -104,25 +104,6 @@ ContactControl contact_control()
   return control;
 }
 
-/// Throws what the end of a path means that leads by growing moments to @p conditions: tipping where the
-/// glass has leant over faster and faster, else @p failure. The path ends at @p share of the moment in @p
-/// last; it has come from @p other, @p step before that.
-[[noreturn]] void throw_end_of_path(const LinearConditions &conditions, const ContactFailure &failure,
-                                    double share, const ContactSolution &last, double step,
-                                    const ContactSolution &other)
-{
-  constexpr double much_steeper = 3;
-  const double lean = last.motion.tail<2>().norm();
-  const double last_slope = step > 0 ? (last.motion - other.motion).tail<2>().norm() / step : 0;
-  if (conditions.are_resultants() || !(last_slope * share > much_steeper * lean))
-    throw failure;
-  std::ostringstream message;
-  message
-    << "the moment grows faster than the contact's as the glass leans over: from " << 100 * share
-    << " % of the moment on nothing holds it; lower the centre of mass or the hand, or reduce the speed.";
-  throw ContactFailure(ContactOutcome::tipping, message.str());
-}
-
 } // namespace
 
 double hertz_half_width(const RevolutionSetup &setup, double normal_force)
@@ -157,20 +138,70 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   }
   if (flat)
     return resolved;
-  resolved.resolution.focus_size = resolved.contact_half_width / (2 * fineness);
+  // Where the interface yields a thousand times more than the bodies, their displacement is smooth within the
+  // contact.
+  const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
+  if (line_load(*this, normal_force) * plane_strain_compliance(*this) < 1e-3 * depth)
+  {
+    // What the bodies as a whole yield is left.
+    const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
+    resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
+    return resolved;
+  }
+  resolved.resolution.focus_size = resolved.contact_half_width / (4 * fineness);
   resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
+  resolved.resolution.focus_growth = 1 + (resolution.focus_growth - 1) / std::sqrt(fineness);
   return resolved;
+}
+
+RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size)
+    : first(first)
+    , body(
+        foot.compliance->part(first, size), [&foot](double r, double theta) { return foot.gap(r, theta); },
+        foot.setup.n_lines)
+    , law(foot.interface->make(body.contact_surface(), 0))
+{
 }
 
 RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
     : setup(setup)
     , compliance(compliance_of(setup, cache))
-    , body(
-        *compliance, [this](double r, double theta) { return gap(r, theta); }, setup.n_lines)
     , interface(interface_of(setup))
-    , law(interface->make(body.contact_surface(), 0))
 {
+  constexpr double reach = 10; // half-widths: room for a load that gathers on a part of the rim
   setup.imperfection.validate();
+  add_zone(reach * setup.contact_half_width);
+}
+
+void RevolutionFoot::add_zone(double reach)
+{
+  const Eigen::Index degree = compliance->degree;
+  Eigen::Index first = 0, last = compliance->radii.size() - 1;
+  if (reach > 0)
+  {
+    while (first + degree < last && compliance->radii(first + degree) < setup.profile.contact_radius - reach)
+      first += degree;
+    while (last - degree > first && compliance->radii(last - degree) > setup.profile.contact_radius + reach)
+      last -= degree;
+  }
+  zones.push_back(std::make_unique<Zone>(*this, first, last - first + 1));
+  before.reset();
+}
+
+bool RevolutionFoot::has_left_zone() const
+{
+  const Zone &zone = *zones.back();
+  const Eigen::MatrixXd &forces = zone.body.forces();
+  const double threshold = 1e-9 * forces.cwiseAbs().maxCoeff();
+  const auto carries = [&](Eigen::Index row) { return forces.row(row).cwiseAbs().maxCoeff() > threshold; };
+  return (zone.first > 0 && carries(0)) ||
+         (zone.first + forces.rows() < compliance->radii.size() && carries(forces.rows() - 1));
+}
+
+RevolutionFoot::Zone &RevolutionFoot::zone_of(const ContactState &state)
+{
+  set_orientation(state.slip.orientation);
+  return *zones.at(state.zone);
 }
 
 RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
@@ -188,8 +219,8 @@ FootDescription RevolutionFoot::description() const
 {
   FootDescription description;
   description.body = "revolution";
-  description.n_unknowns = body.n_unknowns();
-  description.n_contact_nodes = body.contact_surface().n_nodes();
+  description.n_unknowns = elastic_body().n_unknowns();
+  description.n_contact_nodes = elastic_body().contact_surface().n_nodes();
   return description;
 }
 
@@ -205,21 +236,22 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   if (setup.imperfection.empty())
     return;
   phase = orientation;
-  const Eigen::VectorXd gap_before = body.contact_surface().node_gap;
-  body.set_gap([this](double r, double theta) { return gap(r, theta); });
+  const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
+  for (const auto &zone : zones)
+    zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
   if (before) // the next contact starts from the penetration of the last one
-    before->normal_displacement += gap_before - body.contact_surface().node_gap;
+    before->normal_displacement += gap_before - zones.back()->body.contact_surface().node_gap;
 }
 
-unsigned int RevolutionFoot::n_load_harmonics() const
+unsigned int RevolutionFoot::n_resolved_harmonics() const
 {
-  const unsigned int resolved = (setup.n_lines - 1) / 2;
-  return setup.n_load_harmonics == 0 ? resolved : std::min(setup.n_load_harmonics, resolved);
+  return (setup.n_lines - 1) / 2;
 }
 
 ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, double largest_step)
 {
   const double radius = setup.profile.contact_radius;
+  BodyOfRevolution &body = zones.back()->body;
   const ContactSurface &surface = body.contact_surface();
 
   // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
@@ -263,52 +295,20 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   const bool whole_steps = control.whole_steps;
   control = contact_control();
   control.whole_steps = whole_steps;
-  return solve_contact(body, *law, conditions, radius, control, &at);
+  return solve_contact(body, *zones.back()->law, conditions, radius, control, &at);
 }
 
-ContactSolution RevolutionFoot::solve_along_moment(const LinearConditions &conditions)
+ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
-  constexpr double shortest_step = 1. / 512;
-  const ContactSurface &surface = body.contact_surface();
-  ContactControl control = contact_control();
-  control.whole_steps = true;
-  control.max_steps = 20;
-
-  ContactSolution last = solve_cold(conditions.with_share_of_moment(surface, 0), small_stiffening), other = last;
-  double share = 0, step = 1. / 8, other_step = 0; // share of `last`, and what it has over that of `other`
-  while (share < 1)
-    try
-    {
-      const double next = std::min(1., share + step);
-      const double ahead = other_step > 0 ? (next - share) / other_step : 0;
-      body.set_forces(last.forces);
-      const ContactStart start = { last.motion + ahead * (last.motion - other.motion),
-                                   last.normal_displacement +
-                                     ahead * (last.normal_displacement - other.normal_displacement) };
-      other = std::exchange(last, solve_contact(body, *law, conditions.with_share_of_moment(surface, next),
-                                                setup.profile.contact_radius, control, &start));
-      other_step = next - share;
-      share = next;
-      step *= 1.5;
-    }
-    catch (const ContactFailure &failure)
-    {
-      step /= 2;
-      if (step < shortest_step)
-        throw_end_of_path(conditions, failure, share, last, other_step, other);
-    }
-  return last;
-}
-
-ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &conditions)
-{
+  Zone &zone = *zones.back();
+  const LinearConditions conditions = conditions_of(zone.body.contact_surface(), demand);
   if (before)
     try
     {
       ContactControl control = contact_control();
       control.whole_steps = true;
       control.max_steps = 15;
-      return solve_contact(body, *law, conditions, setup.profile.contact_radius, control, &*before);
+      return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &*before);
     }
     catch (const ContactFailure &failure)
     {
@@ -326,7 +326,9 @@ ContactSolution RevolutionFoot::solve_from_before(const LinearConditions &condit
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  return solve_along_moment(conditions);
+  const LinearConditions even = conditions.with_share_of_moment(zone.body.contact_surface(), 0);
+  return solve_along_moment(zone.body, *zone.law, conditions, setup.profile.contact_radius, contact_control(),
+                            solve_cold(even, small_stiffening));
 }
 
 ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,
@@ -335,51 +337,73 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   ContactState state;
   state.slip = slip;
   set_orientation(slip.orientation);
-  if (setup.friction_coefficient > 0)
-    body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
-  state.solution = solve_from_before(conditions_of(body.contact_surface(), demand));
+  const auto press = [&]
+  {
+    if (setup.friction_coefficient > 0)
+      zones.back()->body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
+    return solve_from_before(demand);
+  };
+  state.solution = press();
+  if (has_left_zone())
+  {
+    add_zone(0);
+    state.solution = press();
+  }
+  state.zone = static_cast<unsigned int>(zones.size() - 1);
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.load = gather(state, demand.ring_radii);
+  state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 
+  const BodyOfRevolution &body = zones.back()->body;
+  const Eigen::VectorXd &radii = body.contact_compliance().radii;
   const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();
   const double threshold = 1e-9 * on_circles.maxCoeff();
-  state.inner_radius = compliance->radii.tail<1>()(0);
+  state.inner_radius = radii.tail<1>()(0);
   for (Eigen::Index i = 0; i < on_circles.size(); ++i)
     if (on_circles(i) > threshold)
     {
-      state.inner_radius = std::min(state.inner_radius, compliance->radii(i));
-      state.outer_radius = compliance->radii(i);
+      state.inner_radius = std::min(state.inner_radius, radii(i));
+      state.outer_radius = radii(i);
     }
   return state;
 }
 
-LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii)
+LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
+                                     unsigned int n_harmonics)
 {
-  return harmonics_on_lines(state.solution.forces.reshaped(compliance->n_nodes(), setup.n_lines),
-                            compliance->radii, n_load_harmonics(), ring_radii);
+  const Eigen::VectorXd &radii = zones.at(state.zone)->body.contact_compliance().radii;
+  return harmonics_on_lines(state.solution.forces.reshaped(radii.size(), setup.n_lines), radii,
+                            kept_harmonics(n_harmonics), ring_radii);
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  set_orientation(state.slip.orientation);
-  return law->load(state.solution).points;
+  return zone_of(state).law->load(state.solution).points;
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
-  set_orientation(state.slip.orientation);
-  return law->pressure_map(state.solution);
+  return zone_of(state).law->pressure_map(state.solution);
 }
 
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
 {
-  require_latest(body, state);
-  set_orientation(state.slip.orientation);
+  const Zone &zone = zone_of(state);
+  require_latest(zone.body, state);
   dealii::Triangulation<2> triangulation;
   make_meridian_mesh(setup.profile, setup.resolution, triangulation);
   const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);
-  const MeridianField field(space, setup.material, body.elastic_response().force_modes(body.forces()));
-  const PressureField pressure(body, *law, state.solution,
+  const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
+  {
+    if (modes.size() == 0)
+      return modes;
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(compliance->n_nodes(), modes.cols());
+    whole.middleRows(zone.first, modes.rows()) = modes;
+    return whole;
+  };
+  const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
+  const MeridianField field(space, setup.material,
+                            { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) });
+  const PressureField pressure(zone.body, *zone.law, state.solution,
                                [this](double r, double theta) { return gap(r, theta); });
   std::ostringstream file;
   write_revolution_fields(field, pressure, state.solution.motion, file);

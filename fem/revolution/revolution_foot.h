@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -31,10 +32,9 @@ struct RevolutionSetup
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 
-  MeridianOptions meridian;          ///< order and highest elastic harmonic
-  MeridianResolution resolution;     ///< see resolved_for()
-  unsigned int n_lines = 256;        ///< azimuth lines
-  unsigned int n_load_harmonics = 0; ///< of the load; 0: as many as the lines resolve
+  MeridianOptions meridian;      ///< order and highest elastic harmonic
+  MeridianResolution resolution; ///< see resolved_for()
+  unsigned int n_lines = 256;    ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
   double fineness = 1;           ///< of the cells in the contact, over the usual
@@ -71,29 +71,46 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
-  unsigned int n_load_harmonics() const override;
-  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii) override;
+  unsigned int n_resolved_harmonics() const override;
+  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
+                       unsigned int n_harmonics) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
 
-  const BodyOfRevolution &elastic_body() const { return body; }
+  const BodyOfRevolution &elastic_body() const { return zones.back()->body; }
 
 private:
+  /// A part of the land with the body that is loaded there alone.
+  struct Zone
+  {
+    Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size);
+
+    const Eigen::Index first; ///< contact node of the land
+    BodyOfRevolution body;
+    const std::unique_ptr<TableLaw> law;
+  };
+
   double gap(double radius, double azimuth) const;
+  /// The zone of @p state with its gap at the state's phase.
+  Zone &zone_of(const ContactState &state);
   void set_orientation(const FootOrientation &orientation);
-  ContactSolution solve_from_before(const LinearConditions &conditions);
+  /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
+  void add_zone(double reach);
+  ContactSolution solve_from_before(const ContactDemand &demand);
   /// @p largest_step: by how much the interface is stiffened at once.
   ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
-  ContactSolution solve_along_moment(const LinearConditions &conditions);
+  /// Whether the contact has come to a border of the zone that is none of the land.
+  bool has_left_zone() const;
 
   const RevolutionSetup setup;
-  const std::shared_ptr<const ContactCompliance> compliance;
-  FootOrientation phase; ///< that the body's gap stands at
-  BodyOfRevolution body;
-  const std::shared_ptr<const InterfaceLaw> interface; ///< a hard one as a stiff spring
-  const std::unique_ptr<TableLaw> law;
-  std::optional<ContactStart> before; ///< the solution before
+  const std::shared_ptr<const ContactCompliance> compliance; ///< of the whole land
+  const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
+  FootOrientation phase;                                     ///< that the gaps stand at
+  /// The last one is in use: first a band about the contact radius, then the whole land if the contact leaves
+  /// it.
+  std::vector<std::unique_ptr<Zone>> zones;
+  std::optional<ContactStart> before; ///< the solution before, of the zone in use
 };
 
 } // namespace stemware::fem

@@ -92,20 +92,21 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
                                  control, before ? &*before : nullptr);
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.load = gather(state, demand.ring_radii);
+  state.load = gather(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
   return state;
 }
 
-unsigned int SolidFoot::n_load_harmonics() const
+unsigned int SolidFoot::n_resolved_harmonics() const
 {
   // Half the cells round the rim resolve that many; more than 24 matter nowhere.
   return std::clamp(body.contact_surface().n_sectors / 2, 1u, 24u);
 }
 
-LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii)
+LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
+                        unsigned int n_harmonics)
 {
-  return extract_load(*law, state.solution, n_load_harmonics(), ring_radii);
+  return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii);
 }
 
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)

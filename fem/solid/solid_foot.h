@@ -48,8 +48,9 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
-  unsigned int n_load_harmonics() const override;
-  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii) override;
+  unsigned int n_resolved_harmonics() const override;
+  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
+                       unsigned int n_harmonics) override;
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;

@@ -31,6 +31,12 @@ inline GlassProfile flat_profile()
   return profile;
 }
 
+/// Where a contact solve begins that goes on from @p solution.
+inline ContactStart from(const ContactSolution &solution)
+{
+  return { solution.motion, solution.normal_displacement };
+}
+
 /// An interface that is not hard, and so needs no penalty, on @p surface.
 inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
 {

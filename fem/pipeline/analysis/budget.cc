@@ -48,41 +48,71 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// Puts the answer to a model under those in @p budget.
-void add_row(const std::string &step, const std::string &name, const LoadedRow &answer,
-             const ring::Motion &motion, Budget &budget)
+/// A row of the budget with the load that it is the answer to.
+struct ChainLink
+{
+  BudgetRow row;
+  std::optional<BalancedLoad> load;
+};
+
+/// Puts the answer to a model under those in @p chain.
+void add_link(const std::string &step, const std::string &name, const Study &study, const LoadedRow &answer,
+              std::vector<ChainLink> &chain)
 {
   const SpinRow &row = answer.row;
   BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
-  if (!budget.rows.empty() && added.omega_terminal && budget.rows.back().omega_terminal)
-    added.difference = *added.omega_terminal - *budget.rows.back().omega_terminal + 0.; // no -0
+  if (!chain.empty() && added.omega_terminal && chain.back().row.omega_terminal)
+    added.difference = *added.omega_terminal - *chain.back().row.omega_terminal + 0.; // no -0
   added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
-  added.reason = row.reason;
-  if (answer.load)
-  {
-    const std::vector<double> torques = yaw_torques(
-      *answer.load, motion, { budget.shown_spins.begin(), budget.shown_spins.end() }, added.reason);
-    for (std::size_t i = 0; i < torques.size(); ++i)
-      added.torques[i] = unless_nan(torques[i]);
-  }
-  budget.rows.push_back(added);
+  added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
+  chain.push_back({ added, answer.load });
 }
 
 /// Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
-void add_rows_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics, Budget &budget)
+void add_links_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                            std::vector<ChainLink> &chain)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  add_row(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches", by_harmonics.front(),
-          motion, budget);
+  add_link(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches", study,
+           by_harmonics.front(), chain);
   unsigned int step = 4;
   for (std::size_t i = 1; i < by_harmonics.size(); ++i)
-    add_row(std::to_string(step++), "harmonics", by_harmonics[i], motion, budget);
+    add_link(std::to_string(step++), "harmonics", study, by_harmonics[i], chain);
   if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
-    add_row(std::to_string(step), "harmonics", by_harmonics.back(), motion, budget);
-  budget.rows.back().harmonics.reset();
+    add_link(std::to_string(step), "harmonics", study, by_harmonics.back(), chain);
+  BudgetRow &all = chain.back().row;
+  all.harmonics.reset();
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
-  if (study.load.is_from_contact() && budget.rows.back().standing == Standing::formal)
-    budget.rows.back().standing = Standing::lift_off;
+  if (study.load.is_from_contact() && all.standing == Standing::formal)
+    all.standing = Standing::lift_off;
+}
+
+std::vector<ChainLink> chain_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                const std::vector<LoadedRow> &by_harmonics)
+{
+  std::vector<ChainLink> chain;
+  for (const Model &model : first_models(study))
+  {
+    LoadedRow answer = attempt_row(model.study, foot, spin_question(model.study), 1);
+    answer.row.harmonics = 1;
+    add_link(model.step, model.name, model.study, answer, chain);
+  }
+  if (study.load.source != LoadSource::first_harmonic)
+    add_links_by_harmonics(study, by_harmonics, chain);
+  return chain;
+}
+
+/// The row of a link with its torques.
+BudgetRow row_with_torques(const ChainLink &link, const ring::Motion &motion,
+                           const std::array<double, 3> &spins)
+{
+  BudgetRow row = link.row;
+  if (!link.load)
+    return row;
+  const std::vector<double> torques =
+    yaw_torques(*link.load, motion, { spins.begin(), spins.end() }, row.reason);
+  for (std::size_t i = 0; i < torques.size(); ++i)
+    row.torques[i] = unless_nan(torques[i]);
+  return row;
 }
 
 WithoutRow answer_without(const ModelVariant &variant, double complete, fem::ComplianceCache &cache)
@@ -97,7 +127,7 @@ WithoutRow answer_without(const ModelVariant &variant, double complete, fem::Com
   row.omega_terminal = answer.row.omega_terminal();
   if (row.omega_terminal)
     row.difference = *row.omega_terminal - complete;
-  row.reason = answer.row.reason;
+  row.reason = answer.row.reason.empty() ? held_by_the_grip(variant.study, answer.row) : answer.row.reason;
   return row;
 }
 
@@ -139,34 +169,40 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
   return effect;
 }
 
+std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                   const std::vector<SpinRow> &by_harmonics)
+{
+  std::vector<LoadedRow> answers;
+  for (const SpinRow &row : by_harmonics)
+    answers.push_back({ row });
+  std::vector<BudgetRow> rows;
+  for (ChainLink &link : chain_of(study, foot, answers))
+    rows.push_back(std::move(link.row));
+  return rows;
+}
+
 Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress)
 {
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
-  return find_budget(study, rows_by_harmonics(study, foot, load, spin_question(study), progress), cache,
+  return find_budget(study, foot, rows_by_harmonics(study, foot, load, spin_question(study), progress), cache,
                      progress);
 }
 
-Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
-                   fem::ComplianceCache &cache, Progress &progress)
+Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                   const std::vector<LoadedRow> &by_harmonics, fem::ComplianceCache &cache,
+                   Progress &progress)
 {
   const double terminal = by_harmonics.back().row.terminal->omega;
-  const std::vector<Model> models = first_models(study);
   const std::vector<ModelVariant> variants = variants_without(study);
-  const std::size_t n_pieces = models.size() + variants.size();
+  const std::size_t n_pieces = 1 + variants.size();
   std::size_t n_done = 0;
 
   Budget budget;
   budget.shown_spins = { 0, terminal / 2, terminal };
-  for (const Model &model : models)
-  {
-    LoadedRow answer = attempt_row(model.study, cache, spin_question(model.study), 1);
-    answer.row.harmonics = 1;
-    add_row(model.step, model.name, answer, model.study.motion.orbit, budget);
-    progress.pieces_done("budget", ++n_done, n_pieces);
-  }
-  if (study.load.source != LoadSource::first_harmonic)
-    add_rows_by_harmonics(study, by_harmonics, budget);
+  for (const ChainLink &link : chain_of(study, foot, by_harmonics))
+    budget.rows.push_back(row_with_torques(link, study.motion.orbit, budget.shown_spins));
+  progress.pieces_done("budget", ++n_done, n_pieces);
   for (const ModelVariant &variant : variants)
   {
     budget.without.push_back(answer_without(variant, terminal, cache));

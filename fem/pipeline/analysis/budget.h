@@ -72,12 +72,20 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_unit);
 
+/// The chain of models of a study, without torques: rows 1, 2, 2a and 3 are solved here, those of the
+/// harmonics are @p by_harmonics, the first alone in front and all of them last, with what they have. @p foot
+/// is study_foot(). Does not throw for a row that fails.
+std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                   const std::vector<SpinRow> &by_harmonics);
+
 /// The budget of a study. A row that fails says why and does not stop the others. Throws as
 /// rows_by_harmonics() where the study itself has no answer.
 Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
-/// The budget from rows that are already known: @p by_harmonics is rows_by_harmonics() of @p study.
-Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
-                   fem::ComplianceCache &cache, Progress &progress = silent_progress());
+/// The budget from rows that are already known: @p foot is study_foot(), @p by_harmonics rows_by_harmonics()
+/// of it.
+Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                   const std::vector<LoadedRow> &by_harmonics, fem::ComplianceCache &cache,
+                   Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/comparison.h"
 
 #include "fem/pipeline/analysis/model_variants.h"
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/unilateral_foundation.h"
 
@@ -26,7 +26,7 @@ struct ComparedLoad
   /// The load of a study with its harmonics up to n. Throws what contacts and balances throw.
   std::function<BalancedLoad(const Study &study, unsigned int n_harmonics)> find;
   /// Share of the rim that carries load in balance at a spin; empty for a formal load.
-  std::function<double(const Study &study, const BalancedLoad &load, double omega)> contact_fraction;
+  std::function<double(const BalancedLoad &load, double omega)> contact_fraction;
 };
 
 /// Truncations that are compared: 1, 2, 3 and all.
@@ -66,7 +66,7 @@ ComparedLoad rigid_rim(const std::string &name, double contact_radius, double ex
                report_of(ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
              return balance(ring, { motion, closure, {} }, at_rest, n_harmonics);
            },
-           [ring](const Study &, const BalancedLoad &load, double omega)
+           [ring](const BalancedLoad &load, double omega)
            { return loaded_share(ring->edge(load.at(omega).moment_ratio())); } };
 }
 
@@ -80,8 +80,11 @@ ComparedLoad foot_load(const std::string &name, const std::function<std::shared_
              require_standing(study);
              return find_load(variant(study), foot(), silent_progress(), n_harmonics);
            },
-           [=](const Study &study, const BalancedLoad &load, double omega)
-           { return describe(variant(study), foot(), load, omega).load_at_terminal.contact_fraction; } };
+           [](const BalancedLoad &load, double omega)
+           {
+             return load.contact_at() ? load.contact_at()(omega).load.contact_fraction
+                                      : load.report().contact_fraction;
+           } };
 }
 
 Study with_coupling(Study study, LoadCoupling coupling)
@@ -143,9 +146,11 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
     row = attempt_spin_row(load, spin_question(study));
     row.all_harmonics = is_all;
     if (row.terminal && compared.contact_fraction)
-      row.contact_fraction = compared.contact_fraction(study, load, row.terminal->omega);
+      row.contact_fraction = compared.contact_fraction(load, row.terminal->omega);
     if (row.terminal)
       row.standing = standing_of(row);
+    if (row.reason.empty())
+      row.reason = held_by_the_grip(study, row);
   }
   catch (const std::exception &failure)
   {
@@ -203,10 +208,17 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     Study own = study;
     own.motion.closure = row.closure;
     own.load.coupling = LoadCoupling::two_way;
-    if (has_quick_error_bands(own))
-      row.band =
-        band_of(estimate_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
+    row.band = band_of(estimate_bands(own, foot, row, std::nullopt, cache), "omega_terminal");
   }
+}
+
+/// The study's way from the paper's model to the load of @p own, its rows by harmonics.
+std::vector<BudgetRow> budget_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                 const std::vector<SpinRow> &own)
+{
+  return budget_rows(
+    own.front().load == compared_load::foot_in_balance ? with_coupling(study, LoadCoupling::two_way) : study,
+    foot, own);
 }
 
 } // namespace
@@ -247,6 +259,9 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
       row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_unit);
   progress.stage_done("comparison");
   add_error_bands(study, foot, cache, comparison.rows);
+  for (const auto &of_closure : rows.back())
+    if (of_closure.front().closure == study.motion.closure)
+      comparison.budget = budget_of(study, foot, of_closure);
   progress.stage_done("error_bands");
   return comparison;
 }

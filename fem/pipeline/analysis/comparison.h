@@ -15,6 +15,8 @@ struct Comparison
 {
   std::vector<SpinRow> rows;
   double spin_unit = 0; ///< spin_unit() of the study [rad/s]
+  /// budget_rows() of the study on the last load, two-way where there is an elastic foot.
+  std::vector<BudgetRow> budget;
 
   /// The row of a moment balance on a load (SpinRow::load) with @p n harmonics, 0: all; nothing where there
   /// is none.

@@ -191,7 +191,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, solved);
-  result.budget = find_budget(study, solved, cache, progress);
+  result.budget = find_budget(study, foot, solved, cache, progress);
   result.torque = torque_curve(study, solved, 1);
   result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load);
   return result;

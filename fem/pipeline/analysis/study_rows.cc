@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,15 @@ double shown_spin(const Study &study, const SpinRow &row, double fastest)
     return fastest;
   const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
   return std::copysign(0.1 * spin_unit(study), fastest != 0 ? fastest : torque);
+}
+
+std::string held_by_the_grip(const Study &study, const SpinRow &row)
+{
+  if (!row.terminal || !row.terminal->held || !row.at_rest)
+    return "";
+  return "The fingers hold the glass at rest: the torque there, " +
+         to_short_text(row.at_rest->friction.torque) +
+         " N m, is no more than Motion/Grip torque = " + to_short_text(study.motion.grip_torque) + " N m.";
 }
 
 SpinQuestion spin_question(const Study &study)

@@ -28,6 +28,9 @@ double spin_unit(const Study &study);
 /// tenth of spin_unit() in the direction in which it is turned.
 double shown_spin(const Study &study, const SpinRow &row, double fastest);
 
+/// A sentence where the fingers hold the glass of @p row at rest; empty elsewhere.
+std::string held_by_the_grip(const Study &study, const SpinRow &row);
+
 /// What a row asks about the spin of a study: motion and grip.
 SpinQuestion spin_question(const Study &study);
 

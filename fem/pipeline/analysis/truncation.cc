@@ -24,6 +24,7 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
       answer.row.torques = yaw_torques(*answer.load, study.motion.orbit, result.omega, answer.row.reason);
     result.rows.push_back(answer.row);
   }
+  result.budget = budget_rows(study, foot, result.rows);
   result.harmonics = harmonic_effect(result.rows.front().omega_terminal(), terminal.omega, spin_unit(study));
 
   constexpr unsigned int n_most_shown = 3;

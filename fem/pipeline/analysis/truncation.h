@@ -19,6 +19,7 @@ struct TruncationStudy
   std::vector<SpinRow> rows; ///< rows_by_harmonics(), with torques and spin-ups
   TorqueCurve torque;        ///< of 1, 2, 3 and all harmonics
   HarmonicEffect harmonics;
+  std::vector<BudgetRow> budget; ///< budget_rows(), of the same rows
 
   const SpinRow &all() const { return rows.back(); }
 };

@@ -16,6 +16,7 @@ void describe_program(CLI::App &program)
   program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
   program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
   program.footer(R"(Examples:
+  stemware run                               the default study; results in results/default
   stemware run docs/cookbooks/paper.prm      the paper's glass; results in results/paper
   stemware defaults > my_glass.prm           a commented study file to start from
   stemware run my_glass.prm --set "Table/Foundation modulus=1e11"

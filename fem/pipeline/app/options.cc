@@ -30,6 +30,14 @@ std::string why_no_spin(const std::string &text)
            : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
 }
 
+/// An empty name is a mistake (a variable that is not set), not the wish for the default study.
+std::string why_no_study(const std::string &text)
+{
+  return text.empty() ? "the name of the study is empty; give the path of a .prm file, or leave it away for "
+                        "the default study"
+                      : "";
+}
+
 /// Names the entries that have no effect, where the verb asks nothing but the study: the cases of a sweep
 /// have studies of their own.
 void note_idle_entries(Study study, const std::string &verb)
@@ -47,7 +55,8 @@ void note_idle_entries(Study study, const std::string &verb)
 void add_study_options(CLI::App &verb, StudyOptions &options)
 {
   options.verb = verb.get_name();
-  verb.add_option("STUDY", options.study_file, "Study file, .prm or .json")->required();
+  verb.add_option("STUDY", options.study_file, "Study file, .prm or .json; default: the default study")
+    ->check(why_no_study);
   verb
     .add_option("--output", options.output,
                 "Folder of the results; default: results/<name of the study>" +
@@ -92,7 +101,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
-            << "Study     " << options.study_file << std::endl;
+            << "Study     " << (options.study_file.empty() ? "default" : options.study_file) << std::endl;
   note_idle_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;

@@ -2,6 +2,7 @@
 
 #include "ring_model/load_functional.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -50,10 +51,9 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
   if (arm == 0)
     return demand;
   // The friction's part of M_N is h k x T = h (-T_y, T_x).
-  constexpr unsigned int most_harmonics = 1024; // more than any load has
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion.friction_coefficient, radii,
-                               std::min({ balance.n_harmonics, foot->n_load_harmonics(), most_harmonics }),
+                               std::min(balance.n_harmonics, foot->n_harmonics()),
                                omega, motion.orbit_speed);
   demand.friction_x = load_function(friction.side, -arm, rotation);
   demand.friction_y = load_function(friction.drag, arm, rotation);

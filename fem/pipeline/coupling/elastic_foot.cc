@@ -2,6 +2,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,7 +12,15 @@ namespace stemware::pipeline
 ElasticFoot::ElasticFoot(std::shared_ptr<fem::Foot> foot_given, double contact_radius)
     : foot(std::move(foot_given))
     , contact_radius(contact_radius)
+    , highest(foot->n_resolved_harmonics())
 {
+}
+
+void ElasticFoot::set_rings(std::vector<double> new_radii, unsigned int n_harmonics)
+{
+  radii = std::move(new_radii);
+  placed = true;
+  highest = std::min(n_harmonics, foot->n_resolved_harmonics());
 }
 
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip,
@@ -20,6 +29,7 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   ++n_solved;
   if (!demand.has_friction()) // else the demand knows the rings that its friction is of
     demand.ring_radii = radii;
+  demand.n_harmonics = highest;
   return foot->solve(demand, { slip.spin_per_speed, { slip.orientation.glass, slip.orientation.table } },
                      [&progress](const fem::ContactIteration &step)
                      {

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 {
 
 /// The elastic foot of a study as the ring sees it: demands and slip in, contacts out, whose load is gathered
-/// on rings of the same radii for all of them. Not for several threads at a time.
+/// on rings of the same radii and harmonics for all of them. Not for several threads at a time.
 class ElasticFoot
 {
 public:
@@ -24,7 +24,10 @@ public:
 
   /// Radii of the rings [m]; empty: one ring of its own radius for each load.
   const std::vector<double> &ring_radii() const { return radii; }
-  void set_ring_radii(std::vector<double> new_radii) { radii = std::move(new_radii); }
+  /// Highest harmonic of its loads.
+  unsigned int n_harmonics() const { return highest; }
+  void set_rings(std::vector<double> new_radii, unsigned int n_harmonics);
+  bool has_rings() const { return placed; }
 
   /// The contact that carries @p demand at @p slip, on the rings of ring_radii(), from the solution before;
   /// Newton's steps go to @p progress. Throws fem::ContactFailure.
@@ -32,10 +35,7 @@ public:
                           Progress &progress = silent_progress()) const;
 
   /// The load of @p state, a contact of this foot, on the rings of ring_radii().
-  fem::LoadHarmonics gather(const fem::ContactState &state) const { return foot->gather(state, radii); }
-
-  /// Highest harmonic of its loads.
-  unsigned int n_load_harmonics() const { return foot->n_load_harmonics(); }
+  fem::LoadHarmonics gather(const fem::ContactState &state) const { return foot->gather(state, radii, highest); }
 
   /// Contact solutions so far.
   std::size_t n_solutions() const { return n_solved; }
@@ -46,6 +46,8 @@ private:
   const std::shared_ptr<fem::Foot> foot;
   const double contact_radius;
   std::vector<double> radii;
+  unsigned int highest;
+  bool placed = false; ///< whether set_rings() has been called
   mutable std::size_t n_solved = 0;
 };
 

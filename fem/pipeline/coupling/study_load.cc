@@ -206,20 +206,33 @@ unsigned int rings_for(const Band &band, double eps, unsigned int least)
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most)));
 }
 
+/// As many harmonics as the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as fast again.
+unsigned int harmonics_for(double eps)
+{
+  constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
+  const double fastest = 1.5 * std::abs(eps);
+  if (fastest >= 0.99)
+    return most;
+  return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
+}
+
 /// Gives the foot the rings on which all its loads are gathered: Chebyshev points of the band that carries
 /// load at rest and near the terminal spin.
 void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
 {
   Band band(at_rest);
   const ring::Motion &motion = study.motion.orbit;
-  const auto place = [&](unsigned int n_rings)
+  const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
   {
+    if (n_rings == 1)
+      return foot.set_rings({}, n_harmonics);
     const double margin = 0.1 * (band.outer - band.inner) + 1e-6 * band.outer;
-    foot.set_ring_radii(chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner),
-                                        band.outer + margin, n_rings));
+    foot.set_rings(chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin,
+                                   n_rings),
+                   n_harmonics);
   };
-  place(study.contact.rings);
-  unsigned int n_rings = study.contact.rings;
+  unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
+  place(n_rings, n_harmonics);
   try
   {
     // The load of rest tells about where the terminal spin is, the contact there where it carries.
@@ -232,25 +245,36 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
       band.include(spinning);
       omega = ring::terminal_spin(ring_stack(spinning.load), motion).omega;
     }
-    n_rings = rings_for(band, omega * foot.radius() / motion.orbit_speed, n_rings);
+    const double eps = omega * foot.radius() / motion.orbit_speed;
+    n_harmonics = harmonics_for(eps);
+    if (n_rings > 1)
+      n_rings = rings_for(band, eps, n_rings);
   }
   catch (const std::runtime_error &)
   {
     // Without a spin to expect, the rings of rest are as good as any.
   }
-  place(n_rings);
+  place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
+}
+
+/// The contact at rest, on the rings of the study, which the first call chooses.
+fem::ContactState contact_at_rest(const Study &study, ElasticFoot &foot, const ring::Orientation &marks,
+                                  Progress &progress)
+{
+  fem::ContactState state = foot.solve(demand_at_rest(study), { 0, marks }, progress);
+  if (!foot.has_rings())
+  {
+    choose_rings(study, foot, state);
+    state.load = foot.gather(state);
+  }
+  return state;
 }
 
 BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           unsigned int n_harmonics, Progress &progress)
 {
   const ring::Orientation marks = moment_balance(study).orientation;
-  fem::ContactState state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
-  if (study.contact.rings > 1 && foot->ring_radii().empty())
-  {
-    choose_rings(study, *foot, state);
-    state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
-  }
+  fem::ContactState state = contact_at_rest(study, *foot, marks, progress);
   progress.stage_done("contact");
   const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
   const BalancedLoad load = study.has_waviness()
@@ -303,6 +327,14 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
     return load_from_file(study.load.file).truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
+}
+
+BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                const ring::Orientation &orientation, unsigned int n_harmonics)
+{
+  const fem::ContactState state = contact_at_rest(study, *foot, orientation, silent_progress());
+  return load_at_one_phase(study, foot, orientation, report_of(state, foot->radius(), study.tilts()),
+                           n_harmonics, silent_progress());
 }
 
 MomentBalance moment_balance(const Study &study)

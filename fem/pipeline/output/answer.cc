@@ -70,6 +70,13 @@ std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
          with_band(spin.all().omega_terminal().value(), band_of(bands, "omega_terminal")) + " rad/s.";
 }
 
+/// Of a glass that does not spin up: by itself, or because the fingers hold it.
+std::string at_rest_sentence(const Study &study, const SpinRow &all, const std::string &whatever)
+{
+  const std::string held = held_by_the_grip(study, all);
+  return held.empty() ? "The glass does not spin up" + whatever + "." : held;
+}
+
 /// The row whose step is the largest, those of the harmonics left out; null where none of them is a spin.
 const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
 {
@@ -224,6 +231,17 @@ std::string sweep_closure_sentence(const SweepFindings &findings)
          in_percent_of_sweep(effect->most) + ".";
 }
 
+std::string held_cases_sentence(const SweepPlan &plan, const SweepFindings &findings)
+{
+  const QuantityFindings *held = findings.about("held by the grip");
+  if (held == nullptr || held->most < 1)
+    return "";
+  return held->least < 1
+           ? "In some of them the fingers hold the glass at rest" + at_case(plan, held->most_case) +
+               "; see the column \"held by the grip\" of sweep.csv."
+           : "In all of them the fingers hold the glass at rest.";
+}
+
 std::string failed_cases_sentence(const SweepFindings &findings)
 {
   if (findings.n_failed == 0)
@@ -237,7 +255,7 @@ std::string failed_cases_sentence(const SweepFindings &findings)
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
 {
   if (!is_spin(study, spin.all().omega_terminal().value()))
-    return "The glass does not spin up.";
+    return at_rest_sentence(study, spin.all(), "");
   const bool has_band = band_of(bands, "omega_terminal").has_value();
   return joined({ terminal_spin_sentence(study, spin, bands),
                   spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
@@ -317,7 +335,7 @@ std::string truncation_answer(const Study &study, const TruncationStudy &truncat
 {
   const SpinRow &all = truncations.all();
   if (!is_spin(study, all.omega_terminal().value()))
-    return "The glass does not spin up, whatever harmonics its load has.";
+    return at_rest_sentence(study, all, ", whatever harmonics its load has");
   if (all.harmonics == 1)
     return one_way_beginning(study) + "The load has one harmonic; the terminal spin is " +
            with_band(*all.omega_terminal(), all.band) + " rad/s.";
@@ -371,8 +389,9 @@ std::string refinement_answer(const RefinementResult &result)
 
 std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings)
 {
-  return joined({ spread_sentence(plan, findings), sweep_harmonic_sentence(plan, findings),
-                  sweep_closure_sentence(findings), failed_cases_sentence(findings) });
+  return joined({ spread_sentence(plan, findings), held_cases_sentence(plan, findings),
+                  sweep_harmonic_sentence(plan, findings), sweep_closure_sentence(findings),
+                  failed_cases_sentence(findings) });
 }
 
 std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key)

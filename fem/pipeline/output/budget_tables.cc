@@ -20,12 +20,12 @@ double rounding_of_spins(const Study &study)
   return 1e-9 * spin_unit(study);
 }
 
-/// "formal", or why a row has no spin; empty for what stands as it is.
+/// "formal", or why something is missing; empty for what stands as it is.
 std::string state_of(const BudgetRow &row)
 {
-  if (!row.omega_terminal)
-    return row.reason.empty() ? to_string(row.standing) : row.reason;
-  return row.standing == Standing::formal ? to_string(row.standing) : "";
+  if (!row.reason.empty())
+    return row.reason;
+  return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
 }
 
 std::optional<std::string> reason_or_nothing(const std::string &reason)
@@ -135,10 +135,21 @@ std::string budget_file_text(const Study &study, const Budget &budget)
   return data_tables({ chain, without });
 }
 
+Budget chain_alone(std::vector<BudgetRow> rows, const std::optional<double> &band)
+{
+  Budget budget;
+  budget.rows = std::move(rows);
+  budget.rows.back().band = band;
+  return budget;
+}
+
 Json budget_summary(const Study &study, const Budget &budget)
 {
+  const bool has_torques = std::any_of(budget.rows.begin(), budget.rows.end(),
+                                       [](const BudgetRow &row) { return row.torques[0].has_value(); });
   return json_table(budget_table(study, budget)
-                      .with("", "step name harmonics omega_terminal difference band torques[] state reason"));
+                      .with("", std::string("step name harmonics omega_terminal difference band ") +
+                                  (has_torques ? "torques[] " : "") + "state reason"));
 }
 
 Json without_summary(const Study &study, const Budget &budget)

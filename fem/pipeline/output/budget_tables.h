@@ -32,7 +32,11 @@ Table without_table(const Study &study, const Budget &budget);
 /// are.
 std::string budget_file_text(const Study &study, const Budget &budget);
 
-/// "budget" of summary.json; "harmonics" is "all" where none are left out.
+/// The chain of models alone as a budget, the last row with the error band of its answer.
+Budget chain_alone(std::vector<BudgetRow> rows, const std::optional<double> &band);
+
+/// "budget" of summary.json; "harmonics" is "all" where none are left out, "torques" is left away where no
+/// row has any.
 nlohmann::ordered_json budget_summary(const Study &study, const Budget &budget);
 
 /// "without" of summary.json.

@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/common_sections.h"
 
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
@@ -99,6 +100,24 @@ void add_closing_sections(Report &report, const Study &study, const std::vector<
 std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
 {
   return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
+}
+
+ConsoleBlock chain_block(const Study &study, const Budget &budget)
+{
+  return { "From the paper's model to this study's:",
+           shown_budget_table(study, budget)
+             .with("", "console_title omega_terminal difference relative_difference band remark") };
+}
+
+ReportSection chain_section(const Study &study, const Budget &budget)
+{
+  return { "From the paper's model to this study's",
+           "Each row adds one thing to the model of the row above; its difference is what that thing does. A "
+           "formal load would have to pull on the table.",
+           { waterfall_plot(budget, 1e-9 * spin_unit(study)) },
+           { shown_budget_table(study, budget)
+               .with("Terminal spin in models of increasing detail",
+                     "step title omega_terminal difference relative_difference band remark") } };
 }
 
 void say_one_way(Report &report)

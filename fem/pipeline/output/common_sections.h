@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/output/results.h"
@@ -19,6 +20,12 @@ void add_closing_sections(Report &report, const Study &study, const std::vector<
 
 /// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
 std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load);
+
+/// The chain of models of a budget on the console.
+ConsoleBlock chain_block(const Study &study, const Budget &budget);
+
+/// The chain of models of a budget that has nothing else, in a report; it must have a row.
+ReportSection chain_section(const Study &study, const Budget &budget);
 
 /// Says in the plots of a report that the load of rest is kept at every spin; those of the load itself stay.
 void say_one_way(Report &report);

@@ -174,7 +174,7 @@ Results tabulate(const StudyOptions &options, const RefinementResult &result)
   results.files = { { "summary.json", "everything, for programs" },
                     { "error_bands.dat", "values, bands, Richardson values", band_data(result.quantities) },
                     { "parameters.prm", "the study as it was refined" } };
-  results.report = { "Refinement study of " + std::filesystem::path(options.study_file).filename().string(),
+  results.report = { "Refinement study of " + options.study_name(),
                      refinement_answer(result),
                      { error_band_section(result.quantities) } };
   for (const AxisResult &axis : result.axes)

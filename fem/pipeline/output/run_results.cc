@@ -332,12 +332,8 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
                                              narrow_contact_remark(study, report.foot),
                                              layer_remark(study, report.half_width),
                                              waviness_remark(study, spin.phases) };
-  results.console = {
-    { joined({ results.report.answer, joined(remarks) }) },
-    { "From the paper's model to this study's:",
-      shown_budget_table(study, spin.budget)
-        .with("", "console_title omega_terminal difference relative_difference band remark") }
-  };
+  results.console = { { joined({ results.report.answer, joined(remarks) }) },
+                      chain_block(study, spin.budget) };
   if (!spin.budget.without.empty())
     results.console.push_back({ "The complete model without one thing at a time:",
                                 without_table(study, spin.budget)

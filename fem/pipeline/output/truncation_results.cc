@@ -57,12 +57,13 @@ Table spin_up_table(const TruncationStudy &study)
   return table;
 }
 
-Findings findings_of(const LoadReport &load, const TruncationStudy &study)
+Findings findings_of(const LoadReport &load, const TruncationStudy &study, const Json &budget)
 {
   Findings findings;
   findings.summary = { { "load", load_summary(load) },
                        { "torque_at", study.omega },
                        { "harmonic_effect", harmonic_effect_summary(study.harmonics) },
+                       { "budget", budget },
                        { "truncation", json_table(truncation_table(study).with("", json_columns)) } };
   findings.key_figures = { { "omega_terminal", json_number(study.all().omega_terminal()) },
                            { "omega_terminal_band", json_number(study.all().band) },
@@ -162,19 +163,22 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   Results results;
   results.files = files_of(load, truncations);
   Report &report = results.report;
+  const Budget budget = chain_alone(truncations.budget, truncations.all().band);
   report = { "How many harmonics of the load matter", truncation_answer(study, truncations), {} };
   if (truncations.all().relative_change && truncations.rows.size() > 1)
     report.sections.push_back(
       { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
-  report.sections.insert(report.sections.end(), { load_section(load), table_section(study, truncations) });
+  report.sections.insert(report.sections.end(), { chain_section(study, budget), load_section(load),
+                                                  table_section(study, truncations) });
   if (is_one_way(study))
     say_one_way(report);
   add_closing_sections(report, study, results.files);
   results.console = { { report.answer },
                       { is_one_way(study) ? "One-way, the load of rest cut off:"
                                           : "In balance at every spin:",
-                        truncation_table(truncations).with("", console_columns) } };
-  results.findings = findings_of(load, truncations);
+                        truncation_table(truncations).with("", console_columns) },
+                      chain_block(study, budget) };
+  results.findings = findings_of(load, truncations, budget_summary(study, budget));
   return results;
 }
 

@@ -99,13 +99,12 @@ std::vector<std::string *> paths_of(Study &study)
 
 Study read_study(const std::string &file, const std::vector<std::string> &overrides)
 {
-  const std::string text = contents(file);
   Study study;
   const std::vector<StudyEntry> entries = study_entries(study);
   if (std::filesystem::path(file).extension() == ".json")
-    read_json(shortened_path(file), text, entries);
-  else
-    read_prm(file, text, entries);
+    read_json(shortened_path(file), contents(file), entries);
+  else if (!file.empty())
+    read_prm(file, contents(file), entries);
   forget_stated_defaults(study);
   for (std::string *path : paths_of(study))
     if (!path->empty())

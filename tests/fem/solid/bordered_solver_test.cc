@@ -24,7 +24,8 @@ unsigned int multigrid_iterations(const FootResolution &resolution)
   ContactForces contact;
   mat->evaluate(Eigen::VectorXd::Constant(surface.n_nodes(), -1e-6), contact);
   const LinearConditions conditions = prescribed_resultants(surface, load_at(0.3));
-  return foot.body->solve(contact.tangent, contact.forces, conditions).linear_iterations;
+  return foot.body->solve(contact.tangent, contact.forces, conditions, Eigen::Vector3d::Zero())
+    .linear_iterations;
 }
 } // namespace
 

@@ -29,9 +29,14 @@ std::vector<SweepQuantity> make_quantities()
                                         { "terminal spin", "rad/s" },
                                         { "terminal spin of the first harmonic alone", "rad/s" },
                                         { "terminal spin of the closure's first harmonic", "rad/s" },
+                                        { "moment balance", "rad/s" },
+                                        { "grip", "rad/s" },
+                                        { "where the foot touches", "rad/s" },
+                                        { "tilt", "rad/s" },
                                         { "absolute harmonic effect", "rad/s" },
                                         { "harmonic effect", "%" },
                                         { "closure effect", "%" },
+                                        { "held by the grip", "1" },
                                         { "time constant", "s" },
                                         { "contact iterations", "1" } });
   return quantities;
@@ -80,6 +85,15 @@ std::optional<double> first_harmonic_spin(const Study &study, ring::Closure clos
   return attempt_spin_row(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
 }
 
+/// What the rows of the budget change that have this name [rad/s]; nothing without such a row.
+std::optional<double> difference_by(const std::string &name, const std::vector<BudgetRow> &rows)
+{
+  for (const BudgetRow &row : rows)
+    if (row.name == name || (name == "moment balance" && row.name == "given moment"))
+      return row.difference;
+  return std::nullopt;
+}
+
 void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
               ValueList &list)
 {
@@ -88,7 +102,9 @@ void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   question.with_slope = true;
   const SpinRow all = spin_row(load, question);
   question.with_slope = false;
-  const std::optional<double> first = truncated_row(study, foot, load, question, 1).row.omega_terminal();
+  const SpinRow first_row = truncated_row(study, foot, load, question, 1).row;
+  const std::optional<double> first = first_row.omega_terminal();
+  const std::vector<BudgetRow> budget = budget_rows(study, foot, { first_row, all });
   const double unit = spin_unit(study);
   const HarmonicEffect harmonics = harmonic_effect(first, all.terminal->omega, unit);
   const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper);
@@ -97,9 +113,12 @@ void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   list.add(all.terminal->omega);
   list.add(first);
   list.add(first_harmonic_spin(study, study.motion.closure));
+  for (const char *name : { "moment balance", "grip", "where the foot touches", "tilt" })
+    list.add(difference_by(name, budget));
   list.add(harmonics.absolute);
   list.add(in_percent(harmonics.relative));
   list.add(in_percent(paper && full ? relative_to(paper, *full - *paper, unit) : std::nullopt));
+  list.add(study.motion.grip_torque > 0 ? std::optional<double>(all.terminal->held ? 1 : 0) : std::nullopt);
   list.add(all.time_constant());
 }
 

@@ -40,7 +40,8 @@ Texts names_without(const Study &study)
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
+  return find_budget(study, nullptr,
+                     rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
 }
 
 Budget budget_of(const Study &study)
@@ -254,6 +255,21 @@ TEST(Budget, WithoutAMomentNothingIsRelative)
   EXPECT_GT(std::abs(budget.omega.back()), 0.1); // there is something to show
 }
 
+TEST(Budget, SaysWhereTheFingersHoldTheGlass)
+{
+  Study study;
+  study.load.source = LoadSource::first_harmonic;
+  study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
+  const Budget budget = budget_of(study);
+  EXPECT_EQ(budget.rows.back().name, "grip");
+  EXPECT_EQ(budget.rows.back().omega_terminal, 0.);
+  EXPECT_EQ(
+    budget.rows.back().reason,
+    "The fingers hold the glass at rest: the torque there, -0.003675 N m, is no more than Motion/Grip "
+    "torque = 0.01 N m.");
+  EXPECT_EQ(budget.rows.front().reason, "");
+}
+
 TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
@@ -264,7 +280,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   rows[1].row.standing = Standing::tips;
   rows[1].row.reason = "it tips";
   fem::ComplianceCache cache;
-  const Budget budget = find_budget(study, rows, cache);
+  const Budget budget = find_budget(study, nullptr, rows, cache);
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
   EXPECT_FALSE(failed.omega_terminal);
@@ -278,7 +294,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
   EXPECT_TRUE(budget.rows[4].reason.empty());
   // Without the first harmonic alone there is nothing that the others could change.
   rows[0] = rows[1];
-  const Budget without_first = find_budget(study, rows, cache);
+  const Budget without_first = find_budget(study, nullptr, rows, cache);
   EXPECT_FALSE(without_first.harmonics.absolute);
   EXPECT_TRUE(std::isnan(without_first.torque_first.back()));
   EXPECT_FALSE(std::isnan(without_first.torque_all.back()));

@@ -74,6 +74,24 @@ TEST(Comparison, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
   EXPECT_GT(std::abs(*round.relative), 1e-4);
 }
 
+TEST(Comparison, HasTheBudgetOfTheStudyInBalance)
+{
+  Study study = quick_contact_study();
+  study.load.coupling = LoadCoupling::one_way; // two-way is compared all the same
+  const Comparison comparison = compare_quickly(study);
+  std::vector<std::string> rows;
+  for (const BudgetRow &row : comparison.budget)
+    rows.push_back(row.step + " " + row.name);
+  EXPECT_EQ(rows, (std::vector<std::string>{ "1 paper", "2 moment balance", "3 where the foot touches",
+                                             "3a tilt", "4 harmonics", "5 harmonics", "6 harmonics" }));
+  EXPECT_EQ(comparison.budget.back().omega_terminal,
+            comparison.find(ring::Closure::full, "elastic foot")->omega_terminal());
+  EXPECT_EQ(comparison.budget[3].omega_terminal,
+            comparison.find(ring::Closure::full, "elastic foot", 1)->omega_terminal());
+  study.load.source = LoadSource::first_harmonic;
+  EXPECT_EQ(compare_quickly(study).budget.size(), 2u);
+}
+
 TEST(Comparison, AFootThatTipsSaysSo)
 {
   Study study = quick_contact_study();

@@ -65,6 +65,21 @@ TEST(Truncation, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
   }
 }
 
+TEST(Truncation, HasTheRowsOfTheBudget)
+{
+  const Study study = quick_contact_study();
+  const TruncationStudy result = truncations_of(study);
+  fem::ComplianceCache cache;
+  const Budget budget = find_budget(study, cache);
+  ASSERT_EQ(result.budget.size(), budget.rows.size());
+  for (std::size_t i = 0; i < budget.rows.size(); ++i)
+  {
+    EXPECT_EQ(result.budget[i].step, budget.rows[i].step);
+    EXPECT_EQ(result.budget[i].name, budget.rows[i].name);
+    EXPECT_NEAR(*result.budget[i].omega_terminal, *budget.rows[i].omega_terminal, 1e-9) << i;
+  }
+}
+
 TEST(Truncation, FirstHarmonicInBalanceOnAThinRing)
 {
   Study study = quick_contact_study();

@@ -179,7 +179,7 @@ TEST(BadInput, UsageErrorsAreRefused)
   expect_refused(scratch, { "rum" }, 1, "\"rum\" is not one of the verbs run");
   expect_refused(scratch, { "rum" }, 1, "; did you mean run? See `stemware --help`");
   expect_refused(scratch, { "frobnicate" }, 1, "; see `stemware --help`");
-  expect_refused(scratch, { "run" }, 1, "STUDY");
+  expect_refused(scratch, { "run", "" }, 1, "the name of the study is empty");
   expect_refused(scratch, { "run", file, "--bogus" }, 1, "--bogus");
   expect_refused(scratch, { "run", file, "--outptu", "there" }, 1,
                  "\"--outptu\" is not expected by run; did you mean --output? See `stemware run --help`");

@@ -21,7 +21,7 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-using Values = std::vector<std::pair<std::string, std::string>>;
+using EntryValues = std::vector<std::pair<std::string, std::string>>;
 
 /// What a change of one entry does.
 struct Effect
@@ -30,7 +30,7 @@ struct Effect
   std::string value;
   std::string changed; ///< place in summary.json of what must change, or "/spin_up.dat" for that file; empty
                        ///< where the entry has no effect, as its help says
-  Values base = {};    ///< other entries, if they are not those of the quick study
+  EntryValues base = {};  ///< other entries, if they are not those of the quick study
   std::string stays = {}; ///< place of a number that must not change
 };
 
@@ -39,27 +39,27 @@ std::ostream &operator<<(std::ostream &stream, const Effect &effect)
   return stream << effect.entry << " = " << effect.value;
 }
 
-const Values foot = { { "Glass/Shape", "foot" } };
-const Values elastic = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
-const Values rough = { { "Table/Interface", "rough" } };
-const Values two_way = { { "Load/Coupling", "two-way" } };
-const Values given_moment = { { "Load/Moment ratio", "0.5" } };
-const Values from_file = { { "Load/Source", "file" }, { "Load/File", "one.dat" } };
-const Values solid = { { "Contact/Body", "solid" },
-                       { "Contact/Degree", "1" },
-                       { "Contact/Azimuthal cells", "16" },
-                       { "Contact/Radial cells", "2" },
-                       { "Contact/Foot layers", "1" } };
+const EntryValues foot = { { "Glass/Shape", "foot" } };
+const EntryValues elastic = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
+const EntryValues rough = { { "Table/Interface", "rough" } };
+const EntryValues two_way = { { "Load/Coupling", "two-way" } };
+const EntryValues given_moment = { { "Load/Moment ratio", "0.5" } };
+const EntryValues from_file = { { "Load/Source", "file" }, { "Load/File", "one.dat" } };
+const EntryValues solid = { { "Contact/Body", "solid" },
+                            { "Contact/Degree", "1" },
+                            { "Contact/Azimuthal cells", "16" },
+                            { "Contact/Radial cells", "2" },
+                            { "Contact/Foot layers", "1" } };
 
 /// All of @p values, and one more.
-Values with(Values values, const std::string &entry, const std::string &value)
+EntryValues with(EntryValues values, const std::string &entry, const std::string &value)
 {
   values.emplace_back(entry, value);
   return values;
 }
 
-const Values solid_rough = with(solid, "Table/Interface", "rough");
-const Values quadratic_solid = with(solid, "Contact/Degree", "2");
+const EntryValues solid_rough = with(solid, "Table/Interface", "rough");
+const EntryValues quadratic_solid = with(solid, "Contact/Degree", "2");
 
 const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
 
@@ -173,11 +173,11 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
 /// changes.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
-  Values values = { { "Glass/Shape", "step" },
-                    { "Contact/Harmonics", "6" },
-                    { "Contact/Azimuth lines", "64" },
-                    { "Contact/Friction coupling", "none" },
-                    { "Load/Coupling", "one-way" } };
+  EntryValues values = { { "Glass/Shape", "step" },
+                         { "Contact/Harmonics", "6" },
+                         { "Contact/Azimuth lines", "64" },
+                         { "Contact/Friction coupling", "none" },
+                         { "Load/Coupling", "one-way" } };
   values.insert(values.end(), effect.base.begin(), effect.base.end());
   if (with_value)
     values.emplace_back(effect.entry, effect.value);

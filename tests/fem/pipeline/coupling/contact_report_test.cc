@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/study/waviness_text.h"
 
 #include <gtest/gtest.h>
 
@@ -41,36 +40,37 @@ struct Described
   ContactReport report;
 };
 
-TEST(ContactReport, FrictionAtTheTerminalSpinIsThatOfThePressureThere)
+/// Friction of a contact by point forces, without rings and kernels.
+fem::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
+                                  const Study &study, double omega)
+{
+  return fem::resolved_friction(glass.foot->body().point_forces(contact),
+                                study.motion.orbit.friction_coefficient, omega,
+                                study.motion.orbit.orbit_speed);
+}
+
+TEST(ContactReport, LoadAtTheTerminalSpinIsThatOfThePressureThere)
 {
   const Study study = coarse_study_in_balance();
   const ring::Motion &motion = study.motion.orbit;
   const Described glass(study);
-  const FootReport &foot = *glass.report.foot;
   const double scale = motion.friction_coefficient * motion.normal_force() * 0.03;
-  // The torque vanishes, but for the width of the contact; the pressure of rest would leave a hundredth of
-  // the scale.
-  EXPECT_LT(std::abs(foot.friction_at_terminal.torque), 1e-4 * scale);
-  const fem::ResolvedFriction of_rest =
-    fem::resolved_friction(glass.foot->body().point_forces(foot.at_rest), motion.friction_coefficient,
-                           glass.omega, motion.orbit_speed);
-  EXPECT_GT(std::abs(of_rest.torque), 1e-2 * scale);
-  // At rest it is -mu N along the direction of travel, whatever the pressure.
-  EXPECT_NEAR(foot.friction_at_rest.force_x, -motion.friction_coefficient * motion.normal_force(), 1e-9);
-  EXPECT_NEAR(foot.friction_at_rest.torque, motion.friction_coefficient * glass.report.load.moment.x(),
-              1e-9 * scale);
-}
-
-TEST(ContactReport, FrictionOfAWavyFootKeepsToCoulombsBound)
-{
-  Study study = coarse_study_in_balance();
-  study.load.coupling = LoadCoupling::one_way;
-  study.table.waviness = *parse_waviness("2: 5e-6");
-  const FootReport foot = *Described(study).report.foot;
-  const double bound = study.motion.orbit.friction_coefficient * study.motion.orbit.normal_force();
-  const double force = std::hypot(foot.friction_at_terminal.force_x, foot.friction_at_terminal.force_y);
-  EXPECT_LE(force, bound * (1 + 1e-9));
-  EXPECT_GT(force, 0.5 * bound);
+  // Its torque vanishes there, but for what the leaning axis takes; the pressure of rest would leave a
+  // hundredth of the scale.
+  const fem::ContactState spinning = glass.load.contact_at()(glass.omega);
+  EXPECT_NEAR(friction_of(glass, spinning, study, glass.omega).torque,
+              -glass.load.leaning(glass.omega).lean_torque(), 1e-8 * scale);
+  const fem::ContactState &rest = glass.report.foot->at_rest;
+  EXPECT_GT(std::abs(friction_of(glass, rest, study, glass.omega).torque), 1e-2 * scale);
+  const LoadReport &at_terminal = glass.report.load_at_terminal;
+  EXPECT_NEAR((at_terminal.moment - Eigen::Vector2d(spinning.load.moment_x, spinning.load.moment_y)).norm(),
+              0, 1e-9 * motion.normal_force() * 0.03);
+  EXPECT_GT((at_terminal.moment - glass.report.load.moment).norm(), 1e-3 * motion.normal_force() * 0.03);
+  // At rest friction is -mu N along the direction of travel, whatever the pressure.
+  EXPECT_NEAR(friction_of(glass, rest, study, 0).force_x,
+              -motion.friction_coefficient * motion.normal_force(), 1e-9);
+  EXPECT_NEAR(friction_of(glass, rest, study, 0).torque,
+              motion.friction_coefficient * glass.report.load.moment.x(), 1e-9 * scale);
 }
 
 } // namespace

@@ -72,7 +72,7 @@ time constant (s): 1.0701234567 | 0.0010801234567 | 1.0901234567
 TEST(ConvergenceByHand, Report)
 {
   const Results results = made_convergence();
-  EXPECT_EQ(results.report.title, R"(Refinement study of glass.prm)");
+  EXPECT_EQ(results.report.title, R"(Refinement study of glass)");
   EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
 quantity: b2/a0 | terminal spin | time constant
 value: 1.01012346 | 1.04012346 | 1.07012346

@@ -141,6 +141,7 @@ struct TruncationByHand
     truncations.rows[0].at_rest->minimum = truncations.rows[0].at_terminal->minimum = 0.25;
     truncations.torque = hand_made_torque_curve(next);
     truncations.harmonics = { -next() / 100, next() / 1000 };
+    truncations.budget = hand_made_budget(next).rows;
   }
 
   Numbers next;
@@ -171,6 +172,7 @@ inline pipeline::Comparison comparison_by_hand()
     }
   }
   comparison.rows.front().difference_to_paper = 0;
+  comparison.budget = hand_made_budget(next).rows;
   return comparison;
 }
 

@@ -1,5 +1,6 @@
 // The results of `truncate` from a study made by hand, whose numbers are all different. The row with two
 // harmonics has no balance.
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/truncation_results.h"
 #include "tests/fem/pipeline/output/hand_made_studies.h"
 
@@ -117,6 +118,16 @@ truncation.dat: the answer by the number of harmonics
 spin_up.dat: the spin against time by the number of harmonics
 timings.json: how long it took
 )");
+}
+
+TEST(TruncationByHand, Budget)
+{
+  const TruncationByHand by_hand;
+  const Results results = made_truncation();
+  EXPECT_EQ(report_lines(results, "From the paper's model to this study's"), R"()");
+  EXPECT_EQ(json_lines(results.findings.summary["budget"]),
+            json_lines(budget_summary(
+              by_hand.study, chain_alone(by_hand.truncations.budget, by_hand.truncations.all().band))));
 }
 
 TEST(TruncationByHand, Summary)

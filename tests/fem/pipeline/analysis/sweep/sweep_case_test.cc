@@ -46,6 +46,41 @@ TEST(SweepCase, HasTheEffectOfHarmonicsOfTheBudget)
   }
 }
 
+TEST(SweepCase, HasTheNamedDifferencesOfTheBudget)
+{
+  Study study = quick_contact_study();
+  study.motion.grip_torque = 1e-4;
+  fem::ComplianceCache cache;
+  const Budget budget = find_budget(study, cache);
+  const SolvedCase solved(study);
+  unsigned int n_compared = 0;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "paper" && row.name != "harmonics")
+    {
+      EXPECT_NEAR(*solved[row.name], *row.difference, 1e-9) << row.name;
+      ++n_compared;
+    }
+  EXPECT_EQ(n_compared, 4u); // moment balance, grip, where the foot touches, tilt
+  study.motion.grip_torque = 0;
+  study.motion.tilt = false;
+  const SolvedCase without(study);
+  EXPECT_FALSE(without["grip"]);
+  EXPECT_FALSE(without["tilt"]);
+}
+
+TEST(SweepCase, SaysWhereTheFingersHoldTheGlass)
+{
+  Study study = quick_contact_study();
+  EXPECT_FALSE(SolvedCase(study)["held by the grip"]);
+  study.motion.grip_torque = 1e-4;
+  EXPECT_EQ(SolvedCase(study)["held by the grip"], 0.);
+  study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
+  const SolvedCase held(study);
+  EXPECT_EQ(held["held by the grip"], 1.);
+  EXPECT_EQ(held["terminal spin"], 0.);
+  EXPECT_FALSE(held["harmonic effect"]);
+}
+
 TEST(SweepCase, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
 {
   for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })

@@ -1,0 +1,188 @@
+// Identities of contact, friction and moments in balance that hold whatever the pressure. Kinds of reference:
+// symmetry, the moment balance written out, point quadrature.
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
+
+#include <Eigen/Geometry>
+#include <boost/math/quadrature/gauss.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::SolvedStudy;
+
+/// Whether the load of rest presses on every place of the land, in r and theta.
+bool is_loaded_everywhere(const SolvedStudy &solved)
+{
+  const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact());
+  return std::all_of(map.cuts.begin(), map.cuts.end(),
+                     [](const auto &cut)
+                     {
+                       return std::all_of(cut.begin(), cut.end(),
+                                          [](const fem::PressurePoint &point) { return point.pressure > 0; });
+                     });
+}
+
+TEST(Balance, AFlatLandOnALinearSupportHasNoEffectOfHarmonicsInTheBudget)
+{
+  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
+  {
+    const SolvedStudy solved(test::flat_land_on_a_mat(coupling));
+    EXPECT_EQ(solved.load.report().contact_fraction, 1);
+    EXPECT_TRUE(is_loaded_everywhere(solved));
+    fem::ComplianceCache cache;
+    const Budget budget = find_budget(solved.study, cache);
+    EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
+    EXPECT_NEAR(*budget.harmonics.relative, 0, 1e-9);
+    EXPECT_NEAR(*budget.rows.back().omega_terminal, solved.omega(), 1e-9);
+  }
+}
+
+TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinement)
+{
+  // The foot bends away from a stiff mat: a part of the land carries nothing, whose border the load moves.
+  Study study = test::flat_land_on_a_mat(LoadCoupling::two_way);
+  study.table.foundation_modulus = 1e13;
+  study.contact.azimuth_lines = 64;
+  std::vector<double> effects;
+  for (const unsigned int refinements : { 0u, 1u })
+  {
+    study.contact.refinements = refinements;
+    const SolvedStudy solved(study);
+    EXPECT_EQ(solved.load.report().contact_fraction, 1);
+    EXPECT_FALSE(is_loaded_everywhere(solved));
+    const LoadedRow first = truncated_row(study, solved.foot, solved.load, spin_question(study), 1);
+    effects.push_back(solved.omega() - first.row.terminal->omega);
+  }
+  EXPECT_GT(std::abs(effects[0]), 1e-6);
+  EXPECT_NEAR(effects[1], effects[0], 0.02 * std::abs(effects[0]));
+}
+
+TEST(Balance, OneWayAndTwoWayAgreeInTheClosurePaper)
+{
+  Study study = test::quick_contact_study();
+  study.motion.closure = ring::Closure::paper;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  study.load.coupling = LoadCoupling::one_way;
+  const double one_way = SolvedStudy(study).omega();
+  study.load.coupling = LoadCoupling::two_way;
+  EXPECT_NEAR(SolvedStudy(study).omega(), one_way, 1e-10);
+  study.contact.friction_coupling = FrictionCoupling::elastic; // then they have different loads
+  EXPECT_GT(std::abs(SolvedStudy(study).omega() - one_way), 1e-6);
+}
+
+/// An interface on a substrate.
+struct Surface
+{
+  const char *name;
+  TableInterface interface;
+  TableSubstrate substrate;
+};
+
+std::ostream &operator<<(std::ostream &stream, const Surface &surface)
+{
+  return stream << surface.name;
+}
+
+const Surface surfaces[] = { { "WinklerOnRigid", TableInterface::winkler, TableSubstrate::rigid },
+                             { "WinklerOnElastic", TableInterface::winkler, TableSubstrate::elastic },
+                             { "RoughOnRigid", TableInterface::rough, TableSubstrate::rigid },
+                             { "RoughOnElastic", TableInterface::rough, TableSubstrate::elastic },
+                             { "HardOnRigid", TableInterface::hard, TableSubstrate::rigid },
+                             { "HardOnElastic", TableInterface::hard, TableSubstrate::elastic } };
+
+class BalanceOnTables : public testing::TestWithParam<Surface>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Tables, BalanceOnTables, testing::ValuesIn(surfaces),
+                         [](const auto &info) { return std::string(info.param.name); });
+
+/// The default glass, friction deforming foot and substrate, on a table.
+Study study_on(const Surface &surface)
+{
+  Study study;
+  study.table.interface = surface.interface;
+  study.table.substrate = surface.substrate;
+  study.contact.azimuth_lines = 64;
+  return study;
+}
+
+TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
+{
+  // tau_z(0) = mu M_Nx, with M_N written out in three dimensions from the hand's force, the friction and the
+  // tilt: -dz k x F + z_CM k x T + N z_CM (-q2, q1).
+  for (const bool tilt : { true, false })
+  {
+    Study study = study_on(GetParam());
+    study.motion.tilt = tilt;
+    fem::ComplianceCache cache;
+    const BalancedLoad load = find_load(study, study_foot(study, cache));
+    const ring::Motion &motion = study.motion.orbit;
+    const LeaningLoad rest = load.leaning(0);
+    const ring::Wrench friction =
+      ring::CoulombRing(motion.friction_coefficient).wrench(rest.rings, 0, motion.orbit_speed);
+    const Eigen::Vector3d T(friction.force_x, friction.force_y, 0), k(0, 0, 1),
+      F = Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -
+          T;
+    const double arm = motion.centre_of_mass_height, weight = motion.normal_force();
+    const Eigen::Vector3d moment = -motion.force_offset * k.cross(F) + arm * k.cross(T) +
+                                   weight * arm * Eigen::Vector3d(-rest.tilt.y(), rest.tilt.x(), 0);
+    EXPECT_EQ(rest.tilt.norm() > 0, tilt);
+    const double scale = motion.friction_coefficient * weight * study.glass.profile.contact_radius;
+    EXPECT_NEAR(friction.torque, motion.friction_coefficient * moment.x(), 1e-10 * scale) << tilt;
+  }
+}
+
+TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyAndFriction)
+{
+  // Without tilt. The hand's force F = m a - T on a glass at constant speed has the power -T_x v; what the
+  // spin takes of it is I omega^2 / 2, the rest is mu int p |v_rel|, here by quadrature of the pressure where
+  // it lies.
+  Study study = study_on(GetParam());
+  study.motion.tilt = false;
+  const SolvedStudy solved(study);
+  const ring::Motion &motion = study.motion.orbit;
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  constexpr double end = 0.3; // s, beyond the time constant
+  using Quadrature = boost::math::quadrature::gauss<double, 20>;
+  std::vector<double> times = { 0 }, weights = { 0 };
+  for (int side = -1; side <= 1; side += 2)
+    for (std::size_t i = 0; i < Quadrature::abscissa().size(); ++i)
+    {
+      const std::size_t place = side < 0 ? Quadrature::abscissa().size() - 1 - i : i;
+      times.push_back(end / 2 * (1 + side * Quadrature::abscissa()[place]));
+      weights.push_back(end / 2 * Quadrature::weights()[place]);
+    }
+  times.push_back(end);
+  weights.push_back(0);
+  const double terminal = solved.omega();
+  const std::vector<ring::YawSample> spins =
+    spin_up(solved.load.interpolated(1.05 * terminal, -0.05 * terminal), motion, times);
+  double work = 0, heat = 0;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (weights[i] > 0)
+    {
+      const double omega = spins[i].omega;
+      work -= weights[i] * motion.orbit_speed *
+              friction.wrench(solved.load.at(omega), omega, motion.orbit_speed).force_x;
+      double power = 0;
+      for (const fem::PointForce &point : solved.foot->body().point_forces(solved.load.contact_at()(omega)))
+        power += point.force * std::hypot(motion.orbit_speed - omega * point.y, omega * point.x);
+      heat += weights[i] * motion.friction_coefficient * power;
+    }
+  const double omega = spins.back().omega;
+  EXPECT_GT(omega / terminal, 0.5);
+  EXPECT_NEAR(work, motion.yaw_inertia * omega * omega / 2 + heat, 1e-7 * work);
+}
+
+} // namespace
+} // namespace stemware::pipeline

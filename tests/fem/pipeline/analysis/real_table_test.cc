@@ -1,0 +1,108 @@
+// Terminal spins on mats, wood and cork. Kinds of reference: version 0.1 (other code for the balance, one
+// ring), and an independent prototype of contact, friction and moments in one system (stated to 1e-3).
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::SolvedStudy;
+
+/// The step profile in the closure full without tilt, on a hard disc.
+Study hard_disc(double thickness, double young_modulus, double poisson_ratio)
+{
+  Study study;
+  study.glass.profile.shape = fem::GlassShape::step;
+  study.motion.tilt = false;
+  study.table.interface = TableInterface::hard;
+  study.table.substrate = TableSubstrate::elastic;
+  study.table.disc.radius = 0.15;
+  study.table.disc.thickness = thickness;
+  study.table.disc_material = { young_modulus, poisson_ratio };
+  return study;
+}
+
+/// The terminal spin with friction that deforms neither body, the foot, or both.
+struct ByFriction
+{
+  explicit ByFriction(Study study)
+  {
+    both = SolvedStudy(study).omega();
+    study.model.friction_in_substrate = false;
+    foot = SolvedStudy(study).omega();
+    study.contact.friction_coupling = FrictionCoupling::none;
+    neither = SolvedStudy(study).omega();
+  }
+
+  double neither, foot, both; ///< [rad/s]
+};
+
+TEST(RealTable, FrictionInTheFootOnHardwood)
+{
+  Study study = hard_disc(0.05, 10e9, 0.3);
+  const ByFriction spin(study);
+  EXPECT_NEAR(spin.neither, -3.678, 1e-3 * 3.678);
+  EXPECT_NEAR(spin.foot, -3.632, 1e-3 * 3.632);
+  // Wood and glass do almost the same under friction: the substrate's part is about 1e-4.
+  EXPECT_GT(std::abs(spin.both / spin.foot - 1), 5e-5);
+  EXPECT_LT(std::abs(spin.both / spin.foot - 1), 2e-4);
+
+  study.motion.orbit.centre_of_mass_height = 0.10;
+  const ByFriction higher(study);
+  EXPECT_NEAR(higher.neither, -5.033, 1e-3 * 5.033);
+  EXPECT_NEAR(higher.foot, -4.938, 1e-3 * 4.938);
+}
+
+TEST(RealTable, FrictionInALayerOfCork)
+{
+  const ByFriction spin(hard_disc(0.005, 5e6, 0));
+  EXPECT_NEAR(spin.foot, -3.667, 2e-3 * 3.667);
+  EXPECT_NEAR(spin.both, -3.675, 2e-3 * 3.675);
+  EXPECT_NEAR(spin.both - spin.foot, -0.008, 0.003);
+}
+
+/// A mat, the terminal spin of version 0.1 on it with its load `exact`, and the band that it printed.
+struct OldMat
+{
+  double modulus; ///< [Pa/m]
+  double omega;   ///< [rad/s]
+  double band;
+};
+
+TEST(RealTable, MatsOfVersion01OnOneRingWithoutTilt)
+{
+  for (const OldMat &old :
+       { OldMat{ 1e9, -3.647285906269528, 2.6e-6 }, OldMat{ 1e10, -3.6489057695360603, 1.1e-5 },
+         OldMat{ 1e11, -3.6523153752659177, 4.1e-5 } })
+  {
+    Study study;
+    study.glass.profile.shape = fem::GlassShape::step;
+    study.contact.friction_coupling = FrictionCoupling::none;
+    study.table.foundation_modulus = old.modulus;
+    study.motion.tilt = false;
+    study.contact.rings = 1;
+    const double one_ring = SolvedStudy(study).omega();
+    EXPECT_NEAR(one_ring, old.omega, old.band) << old.modulus;
+    // What one ring and no tilt leave out is more than that, on the softer ones.
+    study.contact.rings = 5;
+    const double rings = SolvedStudy(study).omega();
+    study.motion.tilt = true;
+    const double tilted = SolvedStudy(study).omega();
+    EXPECT_LT(std::abs(rings - one_ring), 1e-3) << old.modulus;
+    EXPECT_LT(std::abs(tilted - rings), 0.02) << old.modulus;
+    if (old.modulus < 5e9)
+    {
+      EXPECT_GT(std::abs(rings - one_ring), old.band);
+      EXPECT_GT(std::abs(tilted - rings), 100 * old.band);
+    }
+  }
+}
+
+} // namespace
+} // namespace stemware::pipeline

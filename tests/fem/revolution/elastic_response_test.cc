@@ -1,0 +1,212 @@
+// What forces on the lines do to a body of revolution, and one Newton step of it: against matrices assembled
+// force by force.
+#include "fem/contact/rough_interface.h"
+#include "fem/revolution/line_newton.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+constexpr unsigned int few_lines = 20;
+constexpr unsigned int few_harmonics = 6;
+
+/// u_z on the lines under a unit force on circle @p i of line @p j, summed over the harmonics of a point
+/// force: 1 / (2 pi) + sum cos n(theta - theta_j) / pi up to n_max, what is left of it on the line itself.
+/// The harmonics of an azimuthal force, sin n(theta - theta_j) C^ztheta / pi, change sign: cos' = -sin.
+Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
+                                       const SlidingTraction &traction)
+{
+  const ContactCompliance &circles = response.compliance();
+  const auto azimuth = [&](Eigen::Index line) { return 2 * M_PI * static_cast<double>(line) / few_lines; };
+  const Eigen::Vector2d slide = traction.direction(circles.radii(i), azimuth(j));
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
+  for (Eigen::Index line = 0; line < few_lines; ++line)
+  {
+    double left = line == j ? few_lines / (2 * M_PI) : 0; // of the force's harmonics
+    for (unsigned int n = 0; n <= few_harmonics; ++n)
+    {
+      const double angle = n * (azimuth(line) - azimuth(j));
+      const double even = std::cos(angle) / (n == 0 ? 2 * M_PI : M_PI);
+      const HarmonicCompliance &harmonic = circles.harmonics[n];
+      expected.col(line) += even * (harmonic.normal.col(i) + slide(0) * harmonic.radial.col(i)) -
+                            std::sin(angle) / M_PI * slide(1) * harmonic.azimuthal.col(i);
+      left -= even;
+    }
+    expected.col(line) += left * (circles.beyond.normal.col(i) + slide(0) * circles.beyond.radial.col(i));
+  }
+  return expected;
+}
+
+/// C: u_z at the contact nodes by the force there, friction included [m/N].
+Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
+{
+  const Eigen::Index n_nodes = response.n_radii() * response.n_lines();
+  Eigen::MatrixXd compliance(n_nodes, n_nodes);
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(response.n_radii(), response.n_lines());
+  for (Eigen::Index node = 0; node < n_nodes; ++node)
+  {
+    unit(node) = 1;
+    compliance.col(node) = response.displacement(unit).reshaped();
+    unit(node) = 0;
+  }
+  return compliance;
+}
+
+/// Newton's method on f = law(C f + Q q) and L'f + H q = t with dense matrices.
+class DenseContact
+{
+public:
+  DenseContact(const BodyOfRevolution &body, const TableLaw &law, const LinearConditions &conditions)
+      : surface(body.contact_surface())
+      , law(law)
+      , conditions(conditions)
+      , compliance(dense_compliance(body.elastic_response()))
+      , modes(surface.motion_modes())
+      , forces(Eigen::VectorXd::Zero(surface.n_nodes()))
+  {
+  }
+
+  /// (1 + T C) df + T Q dq = law - f, L' df + H dq = -(L'f + H q - t).
+  void step()
+  {
+    ContactForces contact;
+    law.evaluate(compliance * forces + modes * motion, contact);
+    const Eigen::MatrixXd tangent(contact.tangent);
+    const Eigen::Index n = forces.size();
+    Eigen::MatrixXd matrix(n + 3, n + 3);
+    matrix.topLeftCorner(n, n) = tangent * compliance;
+    matrix.diagonal().head(n).array() += 1;
+    matrix.topRightCorner(n, 3) = tangent * modes;
+    matrix.bottomLeftCorner(3, n) = conditions.weights().transpose();
+    matrix.bottomRightCorner(3, 3) = conditions.motion_weights();
+    Eigen::VectorXd rhs(n + 3);
+    rhs << contact.forces - forces, -conditions.residual(forces, motion);
+    const Eigen::VectorXd found = matrix.partialPivLu().solve(rhs);
+    increment = found.head(n);
+    motion_increment = found.tail<3>();
+  }
+
+  void converge()
+  {
+    for (unsigned int i = 0; i < 40; ++i)
+    {
+      step();
+      forces += increment;
+      motion += motion_increment;
+      if (increment.norm() < 1e-13 * forces.norm())
+        return;
+    }
+    ADD_FAILURE() << "the dense Newton method did not converge";
+  }
+
+  const ContactSurface &surface;
+  const TableLaw &law;
+  const LinearConditions &conditions;
+  const Eigen::MatrixXd compliance;
+  const Eigen::MatrixX3d modes;
+  Eigen::VectorXd forces;
+  Eigen::Vector3d motion = Eigen::Vector3d::Zero();
+  Eigen::VectorXd increment;
+  Eigen::Vector3d motion_increment;
+};
+
+/// A small foot on which everything can be assembled, sliding and yawing or not.
+class SmallFoot : public testing::TestWithParam<double>
+{
+protected:
+  SmallFoot()
+      : foot(profile, foot_compliance(profile, graded_cells(), { 2, few_harmonics }), few_lines)
+  {
+    foot.body.set_sliding(traction);
+  }
+
+  /// A moment that depends on where the load is, and a glass that leans.
+  LinearConditions conditions() const
+  {
+    const ContactSurface &surface = foot.body.contact_surface();
+    const Resultants load = load_at(0.9, 0.4);
+    Eigen::MatrixX3d weights = surface.motion_modes();
+    weights.col(1).array() -= 0.02 * GetParam();
+    weights.col(2) += 0.1 * GetParam() * surface.node_position.col(0);
+    const Eigen::Matrix3d leaning = Eigen::Vector3d(0, 0.2, 0.2).asDiagonal();
+    return { surface, weights, { load.normal_force, -load.moment_y, load.moment_x }, leaning };
+  }
+
+  const GlassProfile profile;
+  const SlidingTraction traction{ GetParam(), -9. };
+  RevolutionCase foot;
+};
+
+INSTANTIATE_TEST_SUITE_P(Friction, SmallFoot, testing::Values(0., 0.4),
+                         [](const auto &info) { return info.param > 0 ? "Coupled" : "None"; });
+
+} // namespace
+
+// Reference: the sums over the harmonics written out, from the compliances of the circles.
+TEST_P(SmallFoot, RespondsByTheHarmonicsOfAPointForce)
+{
+  const ElasticResponse &response = foot.body.elastic_response();
+  ASSERT_EQ(response.has_sliding(), GetParam() > 0);
+  for (const Eigen::Index line : { 0, 3, 13 })
+    for (const Eigen::Index circle :
+         { Eigen::Index(0), Eigen::Index(5), foot.body.elastic_response().n_radii() - 1 + 0L })
+    {
+      Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
+      unit(circle, line) = 1;
+      const Eigen::MatrixXd expected = response_to_unit_force(response, circle, line, traction);
+      EXPECT_LT((response.displacement(unit) - expected).norm(), 1e-12 * expected.norm())
+        << "circle " << circle << ", line " << line;
+    }
+}
+
+// Reference: dense matrices of the same equations. The step is Newton's to 1e-3, what it leads to exact.
+TEST_P(SmallFoot, StepIsThatOfTheDenseSystem)
+{
+  const auto law = make_law(WinklerInterface(1e11), foot.body.contact_surface());
+  const LinearConditions wanted = conditions();
+  DenseContact dense(foot.body, *law, wanted);
+  const ContactSolution solution =
+    solve_contact(foot.body, *law, load_at(0.5, -0.3), profile.contact_radius); // a neighbour to start from
+  dense.forces = solution.forces;
+  dense.motion = solution.motion;
+  dense.step();
+  ContactForces contact;
+  law->evaluate(solution.normal_displacement, contact);
+  const Eigen::MatrixXd unbalanced =
+    (contact.forces - dense.forces).reshaped(foot.body.forces().rows(), few_lines);
+  const LineNewton::Increment increment =
+    LineNewton(foot.body.elastic_response(), contact.tangent, unbalanced)
+      .solve(wanted, wanted.residual(dense.forces, dense.motion));
+  EXPECT_GT(dense.increment.norm(), 0.1 * dense.forces.norm()); // a step worth looking at
+  EXPECT_LT((increment.forces.reshaped() - dense.increment).norm(), 1e-3 * dense.increment.norm());
+  EXPECT_LT((increment.motion - dense.motion_increment).cwiseProduct(Eigen::Vector3d(1, 0.03, 0.03)).norm(),
+            1e-3 * dense.motion_increment.cwiseProduct(Eigen::Vector3d(1, 0.03, 0.03)).norm());
+  // The conditions are linear: a whole step meets them to rounding.
+  EXPECT_LT(
+    wanted.residual(dense.forces + increment.forces.reshaped(), dense.motion + increment.motion).norm(),
+    1e-12 * weight);
+}
+
+TEST_P(SmallFoot, ConvergesToTheDenseSolution)
+{
+  const std::shared_ptr<const InterfaceLaw> interfaces[] = { std::make_shared<WinklerInterface>(1e10),
+                                                             std::make_shared<WinklerInterface>(1e13),
+                                                             std::make_shared<RoughInterface>() };
+  for (const auto &interface : interfaces)
+  {
+    const auto law = make_law(*interface, foot.body.contact_surface());
+    const LinearConditions wanted = conditions();
+    const ContactSolution solution = solve_contact(foot.body, *law, wanted, profile.contact_radius);
+    DenseContact dense(foot.body, *law, wanted);
+    dense.forces = 1.01 * solution.forces;
+    dense.motion = solution.motion;
+    dense.converge();
+    EXPECT_LT((solution.forces - dense.forces).norm(), 1e-9 * dense.forces.norm());
+    EXPECT_LT((solution.motion - dense.motion).norm(), 1e-9 * dense.motion.norm());
+  }
+}
