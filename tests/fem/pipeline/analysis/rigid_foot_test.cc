@@ -81,6 +81,7 @@ TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
     {
       Study study = with_moment(rigid_foot_study(modulus), moment_ratio);
       study.contact.azimuth_lines = 2048;
+      study.contact.load_harmonics = 512;
       const SolvedStudy solved(study);
       const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 4096);
       const ring::RingStack line =
