@@ -90,16 +90,57 @@ public:
     return work / study;
   }
 
-  double value(const std::string &study, const std::string &pointer)
+  /// The number at @p place: a JSON pointer into summary.json, or "TABLE.csv/ROW/COLUMN" (cell()).
+  double value(const std::string &study, const std::string &place)
   {
+    if (place.find('/') != 0)
+      return cell(study, place);
     const nlohmann::json &all = summary(study);
-    const nlohmann::json::json_pointer place(pointer);
-    if (!all.contains(place) || !all[place].is_number())
-      throw std::runtime_error(study + " has no number " + pointer + " in its summary.json.");
-    return all[place].get<double>();
+    const nlohmann::json::json_pointer pointer(place);
+    if (!all.contains(pointer) || !all[pointer].is_number())
+      throw std::runtime_error(study + " has no number " + place + " in its summary.json.");
+    return all[pointer].get<double>();
   }
 
 private:
+  /// A cell of a table of numbers: rows counted from 1, the column by its heading without unit, "_" for a
+  /// blank.
+  double cell(const std::string &study, const std::string &place)
+  {
+    std::istringstream parts(place);
+    std::string name, row, column;
+    std::getline(parts, name, '/');
+    std::getline(parts, row, '/');
+    std::getline(parts, column);
+    std::istringstream lines(read_file(folder(study) / name));
+    std::string line;
+    std::getline(lines, line);
+    std::size_t index = 0;
+    const std::vector<std::string> headings = cells_of(line);
+    for (; index < headings.size(); ++index)
+      if (std::regex_replace(headings[index].substr(0, headings[index].find(" (")), std::regex(" "), "_") ==
+          column)
+        break;
+    for (int i = 0, n = std::stoi(row); i < n; ++i)
+    {
+      line.clear();
+      std::getline(lines, line);
+    }
+    const std::vector<std::string> cells = cells_of(line);
+    if (index >= cells.size() || cells[index].empty())
+      throw std::runtime_error(study + " has no number " + place + ".");
+    return std::stod(cells[index]);
+  }
+
+  static std::vector<std::string> cells_of(const std::string &line)
+  {
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');)
+      cells.push_back(cell);
+    return cells;
+  }
+
   const nlohmann::json &summary(const std::string &study)
   {
     const auto known = summaries.find(study);
