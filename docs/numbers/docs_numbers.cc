@@ -90,19 +90,36 @@ public:
     return work / study;
   }
 
-  /// The number at @p place: a JSON pointer into summary.json, or "TABLE.csv/ROW/COLUMN" (cell()).
+  /// The number at @p place: "/KEY/KEY..." in summary.json, or "TABLE.csv/ROW/COLUMN" (cell()). An element of
+  /// an array has its index as its key, or its "name" or "step", "_" for a blank.
   double value(const std::string &study, const std::string &place)
   {
     if (place.find('/') != 0)
       return cell(study, place);
-    const nlohmann::json &all = summary(study);
-    const nlohmann::json::json_pointer pointer(place);
-    if (!all.contains(pointer) || !all[pointer].is_number())
+    const nlohmann::json *part = &summary(study);
+    std::istringstream keys(place.substr(1));
+    for (std::string key; part && std::getline(keys, key, '/');)
+      part = part_of(*part, key);
+    if (!part || !part->is_number())
       throw std::runtime_error(study + " has no number " + place + " in its summary.json.");
-    return all[pointer].get<double>();
+    return part->get<double>();
   }
 
 private:
+  static const nlohmann::json *part_of(const nlohmann::json &whole, const std::string &key)
+  {
+    if (!whole.is_array())
+      return whole.contains(key) ? &whole[key] : nullptr;
+    for (const nlohmann::json &element : whole)
+      for (const char *label : { "name", "step" })
+        if (element.is_object() && element.contains(label) && spaced(key) == element[label])
+          return &element;
+    const bool is_index = key.find_first_not_of("0123456789") == std::string::npos;
+    return is_index && std::stoul(key) < whole.size() ? &whole[std::stoul(key)] : nullptr;
+  }
+
+  static std::string spaced(const std::string &key) { return std::regex_replace(key, std::regex("_"), " "); }
+
   /// A cell of a table of numbers: rows counted from 1, the column by its heading without unit, "_" for a
   /// blank.
   double cell(const std::string &study, const std::string &place)
@@ -118,8 +135,7 @@ private:
     std::size_t index = 0;
     const std::vector<std::string> headings = cells_of(line);
     for (; index < headings.size(); ++index)
-      if (std::regex_replace(headings[index].substr(0, headings[index].find(" (")), std::regex(" "), "_") ==
-          column)
+      if (headings[index].substr(0, headings[index].find(" (")) == spaced(column))
         break;
     for (int i = 0, n = std::stoi(row); i < n; ++i)
     {
