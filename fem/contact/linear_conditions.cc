@@ -21,6 +21,15 @@ LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX
   symmetric = H.isZero(0) && L == surface.motion_modes();
 }
 
+LinearConditions LinearConditions::with_share_of_moment(const ContactSurface &surface, double share) const
+{
+  const Eigen::MatrixX3d modes = surface.motion_modes();
+  Eigen::MatrixX3d weights = modes;
+  if (!are_resultants())
+    weights += share * (L - modes);
+  return { surface, std::move(weights), { t(0), share * t(1), share * t(2) }, share * H };
+}
+
 LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load)
 {
   return LinearConditions(surface, surface.motion_modes(),

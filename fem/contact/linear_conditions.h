@@ -13,10 +13,11 @@ struct Resultants
   double moment_y = 0;     ///< M_Ny = -sum x f [N m]
 };
 
-/// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The first
-/// column of L is 1, so that t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y) and H = 0
-/// prescribe the resultants; a moment balance adds to x and y the arm of the friction that the normal forces
-/// bring along, and with H the moment of the weight of a glass that leans (docs/theory/closures.md).
+/// Three linear conditions L'f + H q = t on the nodal forces f of a contact and the table motions q. The
+/// first column of L is 1, so that t_0 is the normal force N; the other two are lengths. L = Q = (1, x, y)
+/// and H = 0 prescribe the resultants; a moment balance adds to x and y the arm of the friction that the
+/// normal forces bring along, and with H the moment of the weight of a glass that leans
+/// (docs/theory/closures.md).
 class LinearConditions
 {
 public:
@@ -31,8 +32,13 @@ public:
   const Eigen::Matrix3d &motion_weights() const { return H; }
   double normal_force() const { return t(0); }
 
-  /// Whether L = Q to the last bit and H = 0: equilibrium then minimises an energy and Newton's matrix is symmetric.
+  /// Whether L = Q to the last bit and H = 0: equilibrium then minimises an energy and Newton's matrix is
+  /// symmetric.
   bool are_resultants() const { return symmetric; }
+
+  /// These conditions with moments, friction's arm and leaning weight all multiplied by @p share: at 0 an
+  /// even press, on a path to the whole of them. @p surface is theirs.
+  LinearConditions with_share_of_moment(const ContactSurface &surface, double share) const;
 
   /// L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad]: in N, N m, N m.
   Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const

@@ -241,7 +241,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   const double layer = profile.foot_thickness / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
   const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
-  if (fillet_top > 1)
+  if (fillet_top > 1 + 1e-9) // else it is a sharp corner, but for rounding
     stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
           fillet.middle_radius, slabs);
   stack(fillet_top, 2 - fillet_top, n_stem_layers(profile.height() - fillet.centre_height, layer), 0,

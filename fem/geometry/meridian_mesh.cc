@@ -34,10 +34,10 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of about @p size up to @p end, none if the lines end there.
+/// Appends equal cells of about @p size up to @p end, none if the lines end there but for rounding.
 void append_sized(GridLines &lines, double end, double size)
 {
-  if (lines.back() == end)
+  if (std::abs(end - lines.back()) < 1e-6 * size)
     return;
   append_equal(lines, end,
                static_cast<unsigned int>(std::max(1., std::ceil((end - lines.back()) / size - 1e-9))));

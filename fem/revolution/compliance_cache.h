@@ -35,6 +35,10 @@ public:
   unsigned int n_computed() const;
 
 private:
+  /// The part of a compliance that is known with twice as many harmonics; nothing where there is none.
+  std::shared_ptr<const ContactCompliance> with_twice_the_harmonics(std::vector<double> key,
+                                                                    const MeridianOptions &options);
+
   using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
 
   const std::size_t max_entries;

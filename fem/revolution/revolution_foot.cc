@@ -1,6 +1,7 @@
 #include "fem/revolution/revolution_foot.h"
 
 #include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/path_of_moments.h"
 #include "fem/revolution/revolution_output.h"
 
 #include <deal.II/grid/tria.h>
@@ -91,6 +92,9 @@ std::shared_ptr<const InterfaceLaw> interface_of(const RevolutionSetup &setup)
   return std::make_shared<WinklerInterface>(setup.hardness / (compliance * width));
 }
 
+/// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
+constexpr double large_stiffening = 1000, small_stiffening = 10;
+
 ContactControl contact_control()
 {
   ContactControl control;
@@ -139,11 +143,14 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
   const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
   if (line_load(*this, normal_force) * plane_strain_compliance(*this) < 1e-3 * depth)
   {
-    ++resolved.resolution.refinements; // what the bodies as a whole yield is left
+    // What the bodies as a whole yield is left.
+    const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
+    resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
     return resolved;
   }
   resolved.resolution.focus_size = resolved.contact_half_width / (4 * fineness);
   resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
+  resolved.resolution.focus_growth = 1 + (resolution.focus_growth - 1) / std::sqrt(fineness);
   return resolved;
 }
 
@@ -241,9 +248,8 @@ unsigned int RevolutionFoot::n_resolved_harmonics() const
   return (setup.n_lines - 1) / 2;
 }
 
-ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions)
+ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, double largest_step)
 {
-  constexpr double largest_step = 1000; // in stiffness
   const double radius = setup.profile.contact_radius;
   BodyOfRevolution &body = zones.back()->body;
   const ContactSurface &surface = body.contact_surface();
@@ -310,7 +316,19 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  return solve_cold(conditions);
+  for (const double largest_step : { large_stiffening, small_stiffening })
+    try
+    {
+      return solve_cold(conditions, largest_step);
+    }
+    catch (const ContactFailure &failure)
+    {
+      if (failure.outcome == ContactOutcome::tipping)
+        throw;
+    }
+  const LinearConditions even = conditions.with_share_of_moment(zone.body.contact_surface(), 0);
+  return solve_along_moment(zone.body, *zone.law, conditions, setup.profile.contact_radius, contact_control(),
+                            solve_cold(even, small_stiffening));
 }
 
 ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,
@@ -350,7 +368,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
 }
 
 LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                             unsigned int n_harmonics)
+                                     unsigned int n_harmonics)
 {
   const Eigen::VectorXd &radii = zones.at(state.zone)->body.contact_compliance().radii;
   return harmonics_on_lines(state.solution.forces.reshaped(radii.size(), setup.n_lines), radii,

@@ -32,12 +32,12 @@ struct RevolutionSetup
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 
-  MeridianOptions meridian;          ///< order and highest elastic harmonic
-  MeridianResolution resolution;     ///< see resolved_for()
-  unsigned int n_lines = 256;        ///< azimuth lines
+  MeridianOptions meridian;      ///< order and highest elastic harmonic
+  MeridianResolution resolution; ///< see resolved_for()
+  unsigned int n_lines = 256;    ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
-  double fineness = 1; ///< of the cells in the contact, over the usual
+  double fineness = 1;           ///< of the cells in the contact, over the usual
   double normal_force = 1;       ///< N that the contact is resolved for [N], see resolved_for()
   double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
 
@@ -57,7 +57,8 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
 /// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
-/// stiffened step by step.
+/// stiffened step by step. Where that fails too, the moment grows from none to the whole in small steps; a
+/// leaning glass whose path ends before that tips.
 class RevolutionFoot : public Foot
 {
 public:
@@ -97,7 +98,8 @@ private:
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   void add_zone(double reach);
   ContactSolution solve_from_before(const ContactDemand &demand);
-  ContactSolution solve_cold(const LinearConditions &conditions);
+  /// @p largest_step: by how much the interface is stiffened at once.
+  ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
   /// Whether the contact has come to a border of the zone that is none of the land.
   bool has_left_zone() const;
 

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/comparison.h"
 
 #include "fem/pipeline/analysis/model_variants.h"
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/unilateral_foundation.h"
 
@@ -208,9 +208,7 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     Study own = study;
     own.motion.closure = row.closure;
     own.load.coupling = LoadCoupling::two_way;
-    if (has_quick_error_bands(own))
-      row.band =
-        band_of(estimate_bands(own, find_load(own, foot), row.terminal->omega, cache), "omega_terminal");
+    row.band = band_of(estimate_bands(own, foot, row, std::nullopt, cache), "omega_terminal");
   }
 }
 

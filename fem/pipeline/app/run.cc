@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
@@ -34,12 +34,14 @@ void run(const StudyOptions &options)
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
-  const SpinStudy spin = study_spin(study, foot, load, cache, progress);
+  SpinStudy spin = study_spin(study, foot, load, cache, progress);
   const double omega_terminal = spin.all().terminal->omega;
   stopwatch.finish("ring");
   const ContactReport report = describe(study, foot, load, omega_terminal);
   stopwatch.finish("report_of_contact");
-  const ErrorBands bands = estimate_bands(study, load, omega_terminal, cache);
+  const ErrorBands bands =
+    estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
+  add_bands(bands, spin.budget);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.

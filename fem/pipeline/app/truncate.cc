@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
@@ -43,7 +43,7 @@ void truncate(const TruncateOptions &options)
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
   stopwatch.finish("truncations");
   SpinRow &all = result.rows.back();
-  all.band = band_of(estimate_bands(study, load, all.terminal->omega, cache), "omega_terminal");
+  all.band = band_of(estimate_bands(study, foot, all, std::nullopt, cache), "omega_terminal");
   stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.

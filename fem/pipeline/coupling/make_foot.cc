@@ -29,6 +29,8 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.resolution.land_grading = study.contact.land_grading;
   setup.resolution.refinements = study.contact.refinements;
   setup.n_lines = study.contact.azimuth_lines;
+  setup.fineness = study.contact.fineness;
+  setup.hardness *= study.contact.hardness;
   setup.foot_is_rigid = study.model.foot_is_rigid;
   setup.friction_in_foot = study.model.friction_in_foot;
   setup.friction_in_substrate = study.model.friction_in_substrate;

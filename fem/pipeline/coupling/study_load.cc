@@ -257,16 +257,24 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
   place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
 }
 
+/// The contact at rest, on the rings of the study, which the first call chooses.
+fem::ContactState contact_at_rest(const Study &study, ElasticFoot &foot, const ring::Orientation &marks,
+                                  Progress &progress)
+{
+  fem::ContactState state = foot.solve(demand_at_rest(study), { 0, marks }, progress);
+  if (!foot.has_rings())
+  {
+    choose_rings(study, foot, state);
+    state.load = foot.gather(state);
+  }
+  return state;
+}
+
 BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                           unsigned int n_harmonics, Progress &progress)
 {
   const ring::Orientation marks = moment_balance(study).orientation;
-  fem::ContactState state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
-  if (!foot->has_rings())
-  {
-    choose_rings(study, *foot, state);
-    state = foot->solve(demand_at_rest(study), { 0, marks }, progress);
-  }
+  fem::ContactState state = contact_at_rest(study, *foot, marks, progress);
   progress.stage_done("contact");
   const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
   const BalancedLoad load = study.has_waviness()
@@ -319,6 +327,14 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
     return load_from_file(study.load.file).truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
+}
+
+BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                const ring::Orientation &orientation, unsigned int n_harmonics)
+{
+  const fem::ContactState state = contact_at_rest(study, *foot, orientation, silent_progress());
+  return load_at_one_phase(study, foot, orientation, report_of(state, foot->radius(), study.tilts()),
+                           n_harmonics, silent_progress());
 }
 
 MomentBalance moment_balance(const Study &study)

@@ -138,6 +138,23 @@ TEST_P(MeridianMeshOfShape, FootAndDiscShareTheirContactCells)
   EXPECT_NEAR(above.radii(above.n_nodes() / 2), profile.contact_radius, 1e-15);
 }
 
+/// The level of a sharp corner between foot and stem is 1 but for rounding, which must not become a row of
+/// cells.
+TEST(MeridianMesh, OfAFootWithASharpCornerHasNoSlivers)
+{
+  for (const double stem_radius : { 0.004, 0.0045, 0.005, 0.0061, 0.0074774, 0.00761733 })
+  {
+    GlassProfile profile;
+    profile.shape = GlassShape::foot;
+    profile.stem_radius = stem_radius;
+    profile.fillet_radius = 0;
+    dealii::Triangulation<2> triangulation;
+    make_meridian_mesh(profile, MeridianResolution(), triangulation);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      EXPECT_GT(cell->minimum_vertex_distance(), 1e-6) << "at " << cell->center();
+  }
+}
+
 TEST(MeridianMesh, RefusesImpossibleSections)
 {
   dealii::Triangulation<2> triangulation;

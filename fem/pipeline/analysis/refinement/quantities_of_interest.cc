@@ -10,12 +10,9 @@
 namespace stemware::pipeline
 {
 
-namespace
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const QuantityNoise &noise)
 {
-
-void add_load_quantities(const LoadReport &load, const QuantityNoise &noise,
-                         std::vector<QuantityOfInterest> &quantities)
-{
+  std::vector<QuantityOfInterest> quantities;
   const ring::RingStack &at_rest = load.rings;
   const double mean = at_rest.a(0);
   for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
@@ -31,9 +28,8 @@ void add_load_quantities(const LoadReport &load, const QuantityNoise &noise,
   quantities.push_back({ "contact_fraction", "share of the rim in contact", "1", load.contact_fraction,
                          ends_somewhere ? 1. / noise.n_azimuths : 0. });
   quantities.push_back({ "minimum", "least load", "N/rad", load.minimum, noise.relative * mean });
+  return quantities;
 }
-
-} // namespace
 
 bool BandedQuantity::is_zero() const
 {
@@ -45,9 +41,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
                                                        const std::optional<double> &near,
                                                        const QuantityNoise &noise)
 {
-  std::vector<QuantityOfInterest> quantities;
   const LoadReport &at_rest = load.report();
-  add_load_quantities(at_rest, noise, quantities);
+  std::vector<QuantityOfInterest> quantities = load_quantities(at_rest, noise);
 
   SpinQuestion question = { motion };
   question.torques_at = spins;

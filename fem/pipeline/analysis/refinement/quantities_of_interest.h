@@ -43,6 +43,9 @@ struct QuantityNoise
   unsigned int n_azimuths = 256; ///< at which the contact can tell loaded from free
 };
 
+/// Quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction, least load.
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const QuantityNoise &noise);
+
 /// The quantities that a refinement study follows: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact
 /// fraction, least load, torque at rest and at @p spins [rad/s], terminal spin, time constant. Always the
 /// same ones in the same order for equally many spins.

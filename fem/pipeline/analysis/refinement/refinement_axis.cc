@@ -101,13 +101,11 @@ unsigned int &azimuth_lines(Study &study)
   return study.contact.azimuth_lines;
 }
 
-/// Where the table is hard, there are as many lines as amplitudes, so lines are no parameter of their own.
 void add_harmonics_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
 {
   const ContactSection &contact = study.contact;
   Allowed numbers;
-  if (!study.table.is_hard())
-    numbers.most = (contact.azimuth_lines - 1) / 2;
+  numbers.most = (contact.azimuth_lines - 1) / 2;
   add_axis(harmonics_axis, study, harmonics, doubled(contact.harmonics, n_levels, numbers), axes);
 }
 
@@ -126,8 +124,7 @@ std::vector<RefinementAxis> axes_of_revolution(const Study &study, unsigned int 
   add_axis(mesh_axis, study, refinements, counted(contact.refinements, n_levels, most_halvings), axes);
   add_axis(degree_axis, study, degree, degrees(contact.degree, highest_degree), axes);
   add_harmonics_axis(study, n_levels, axes);
-  if (!study.table.is_hard())
-    add_lines_axis(study, n_levels, axes);
+  add_lines_axis(study, n_levels, axes);
   return axes;
 }
 
@@ -176,22 +173,11 @@ std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_l
   return axes;
 }
 
-std::vector<RefinementAxis> quick_axes(const Study &study)
-{
-  const ContactSection &contact = study.contact;
-  std::vector<RefinementAxis> axes;
-  add_axis(mesh_axis, study, refinements, counted(contact.refinements, 2, most_halvings), axes);
-  add_harmonics_axis(study, 2, axes);
-  // Twice the lines may by chance end the contact at the same place.
-  add_axis(lines_axis, study, azimuth_lines, { contact.azimuth_lines, 4 * contact.azimuth_lines }, axes);
-  return axes;
-}
-
 unsigned int n_contact_azimuths(const Study &study)
 {
   if (!abilities(study.contact.body).is_of_revolution)
     return study.contact.resolution.azimuthal_cells;
-  return study.table.is_hard() ? 2 * study.contact.harmonics + 1 : study.contact.azimuth_lines;
+  return study.contact.azimuth_lines;
 }
 
 } // namespace stemware::pipeline

@@ -45,10 +45,6 @@ struct RefinementAxis
 /// file only the degree. Throws BadInput for a load that needs no contact, and where nothing can be refined.
 std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_levels);
 
-/// The few levels that tell most for least work, for a body of revolution on a mat or a rough table: one
-/// finer mesh, half the harmonics, four times the lines.
-std::vector<RefinementAxis> quick_axes(const Study &study);
-
 /// How many azimuths tell where the contact of @p study ends.
 unsigned int n_contact_azimuths(const Study &study);
 

@@ -174,20 +174,4 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
   return quantities_of_interest(load, study.motion.orbit, spins, near, noise);
 }
 
-bool has_quick_error_bands(const Study &study)
-{
-  return study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution &&
-         !study.table.is_hard() && !study.has_waviness();
-}
-
-ErrorBands estimate_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
-                          fem::ComplianceCache &cache)
-{
-  if (!has_quick_error_bands(study))
-    return {};
-  const std::vector<double> spins = spins_of_interest(omega_terminal);
-  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega_terminal);
-  return refine(study, own, spins, quick_axes(study), cache).quantities;
-}
-
 } // namespace stemware::pipeline

@@ -52,13 +52,4 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near);
 
-/// Whether estimate_bands() cost little beside the study itself: a body of revolution on a table that is not
-/// hard. Where the contact is as narrow as Hertz makes it, finer meshes take seconds.
-bool has_quick_error_bands(const Study &study);
-
-/// The error bands of a study's quantities by the fewest further contact problems (quick_axes()); none where
-/// has_quick_error_bands() denies it. @p load is the study's own, @p omega_terminal its terminal spin.
-ErrorBands estimate_bands(const Study &study, const BalancedLoad &load, double omega_terminal,
-                          fem::ComplianceCache &cache);
-
 } // namespace stemware::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
+#include "fem/pipeline/analysis/spin_row.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/support/progress.h"
+#include "fem/revolution/compliance_cache.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The error bands of a study of a body of revolution, from few further contacts: each numerical parameter is
+/// changed once, by itself, and what that changes is the part of the band that carries its name
+/// (docs/method/error_bands.md):
+///
+///   mesh            cells twice as large
+///   degree          elements of one degree more, both on cells twice as large
+///   harmonics       half the elastic harmonics
+///   lines           four times the azimuth lines; nothing where the whole rim carries
+///   interface       a ten times stiffer spring in the place of a hard interface
+///   load_harmonics  twice the harmonics of the load, half where the lines resolve no more
+///   rings           twice the rings
+///   interpolation   loads between sampled phases of a waviness
+///   solver          tolerances
+///
+/// The band is their sum. Followed are the load at rest, the torque at rest, at half and at one and a half
+/// times the terminal spin, terminal spin and time constant, and what the harmonics beyond the first do to the
+/// terminal spin. Of an out-of-flat rim or table the torques are means over eight phases.
+///
+/// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
+/// that does not come from a contact, and for a solid body, which `converge` refines.
+ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+                          const std::optional<double> &first, fem::ComplianceCache &cache,
+                          Progress &progress = silent_progress());
+
+/// Gives the rows of @p budget that come from the contact their bands: that of the first harmonic alone and
+/// that of all, rows between them the wider of the two. Closed forms have none.
+void add_bands(const ErrorBands &bands, Budget &budget);
+
+} // namespace stemware::pipeline

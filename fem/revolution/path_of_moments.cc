@@ -1,0 +1,84 @@
+#include "fem/revolution/path_of_moments.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+/// The last two contacts of a path.
+struct Path
+{
+  ContactSolution last;
+  ContactSolution before;
+  double share = 0; ///< of the moment, in `last`
+  double step = 0;  ///< what it has over that of `before`; 0 at the beginning
+
+  /// Extrapolated to the share @p next.
+  ContactStart start(double next) const
+  {
+    const double ahead = step > 0 ? (next - share) / step : 0;
+    return { last.motion + ahead * (last.motion - before.motion),
+             last.normal_displacement + ahead * (last.normal_displacement - before.normal_displacement) };
+  }
+
+  void append(double next, ContactSolution solution)
+  {
+    before = std::exchange(last, std::move(solution));
+    step = next - share;
+    share = next;
+  }
+
+  /// Whether the lean grows much faster with the moment than it has on the way.
+  bool is_steep() const
+  {
+    constexpr double much_steeper = 3;
+    return step > 0 && (last.motion - before.motion).tail<2>().norm() / step >
+                         much_steeper * last.motion.tail<2>().norm() / share;
+  }
+};
+
+} // namespace
+
+ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
+                                   double radius, const ContactControl &usual, const ContactSolution &even)
+{
+  constexpr double shortest_step = 1. / 512;
+  const ContactSurface &surface = body.contact_surface();
+  ContactControl control = usual;
+  control.whole_steps = true;
+  control.max_steps = 20;
+
+  Path path = { even, even };
+  double step = 1. / 8;
+  while (path.share < 1)
+    try
+    {
+      const double next = std::min(1., path.share + step);
+      const ContactStart start = path.start(next);
+      body.set_forces(path.last.forces);
+      path.append(next, solve_contact(body, law, conditions.with_share_of_moment(surface, next), radius,
+                                      control, &start));
+      step *= 1.5;
+    }
+    catch (const ContactFailure &)
+    {
+      step /= 2;
+      if (step >= shortest_step)
+        continue;
+      if (conditions.are_resultants() || !path.is_steep())
+        throw;
+      std::ostringstream message;
+      message
+        << "the moment grows faster than what the contact can carry as the glass leans over; it ends at "
+        << 100 * path.share << " % of the moment. Lower the centre of mass or the hand, or reduce the speed.";
+      throw ContactFailure(ContactOutcome::tipping, message.str());
+    }
+  return path.last;
+}
+
+} // namespace stemware::fem
