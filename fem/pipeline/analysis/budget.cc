@@ -123,12 +123,18 @@ BudgetRow row_with_torques(const ChainLink &link, const ring::Motion &motion,
   return row;
 }
 
-WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, fem::ComplianceCache &cache)
+WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, bool complete_is_hard,
+                          fem::ComplianceCache &cache)
 {
   WithoutRow row = { variant.name };
   if (!has_compliance(variant.study))
   {
     row.reason = "not defined";
+    return row;
+  }
+  if (variant.study.has_waviness() && variant.study.table.is_hard() && !complete_is_hard)
+  {
+    row.reason = "not computed: a rim out of flat touches a hard table at few places, phase by phase others";
     return row;
   }
   const LoadedRow answer = attempt_row(variant.study, cache, question_near(variant.study, complete),
@@ -214,7 +220,7 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
   progress.pieces_done("budget", ++n_done, n_pieces);
   for (const ModelVariant &variant : variants)
   {
-    budget.without.push_back(answer_without(variant, by_harmonics.back().row, cache));
+    budget.without.push_back(answer_without(variant, by_harmonics.back().row, study.table.is_hard(), cache));
     progress.pieces_done("budget", ++n_done, n_pieces);
   }
   budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_unit(study));

@@ -21,7 +21,8 @@ namespace
 /// Numbers of harmonics of the rows.
 std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all)
 {
-  if (study.load.is_in_balance() && abilities(study.contact.body).is_collective && n_all > 1)
+  const bool is_slow = abilities(study.contact.body).is_collective || study.has_waviness();
+  if (study.load.is_in_balance() && is_slow && n_all > 1)
     return { 1, n_all };
   return truncation_orders(n_all);
 }

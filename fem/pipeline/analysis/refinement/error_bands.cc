@@ -170,9 +170,7 @@ bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
 }
 
-} // namespace
-
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
 {
   if (!foot || !abilities(study.contact.body).is_of_revolution || !all.terminal)
@@ -223,6 +221,21 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
         banded.band += all.spin_uncertainty;
       }
   return bands;
+}
+
+} // namespace
+
+ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+                          const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
+{
+  try
+  {
+    return bands_of(study, foot, all, first, cache, progress);
+  }
+  catch (const fem::ContactFailure &)
+  {
+    return {};
+  }
 }
 
 void add_bands(const ErrorBands &bands, Budget &budget)
