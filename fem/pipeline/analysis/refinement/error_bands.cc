@@ -133,11 +133,17 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
     change(copy.contact);
     return copy;
   };
+  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   const Study coarse = changed(study, [](ContactSection &contact) { contact.fineness /= 2; });
-  changes.push_back({ "mesh", safety, coarse });
+  changes.push_back({ "mesh", study.table.is_hard() ? safety : 0.75, coarse });
   if (study.contact.degree < 4)
-    changes.push_back(
-      { "degree", safety, changed(coarse, [](ContactSection &contact) { ++contact.degree; }), coarse });
+  {
+    const auto higher = [](ContactSection &contact) { ++contact.degree; };
+    if (study.table.is_hard())
+      changes.push_back({ "degree", safety, changed(coarse, higher), coarse });
+    else
+      changes.push_back({ "degree", safety, changed(study, higher) });
+  }
   if (study.contact.harmonics > 1)
     changes.push_back(
       { "harmonics", 0.5, changed(study, [](ContactSection &contact) { contact.harmonics /= 2; }) });
@@ -189,7 +195,10 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   std::size_t n_done = 0;
   for (const Change &change : changes)
   {
-    const Findings found = look(change.study, study_foot(change.study, cache), probe);
+    const std::shared_ptr<ElasticFoot> changed_foot = study_foot(change.study, cache);
+    if (change.part != "rings" && change.part != "load_harmonics")
+      changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
+    const Findings found = look(change.study, changed_foot, probe);
     if (change.part == "mesh")
       coarse = found;
     const auto to = quantities_from(found, probe, own, all, study);

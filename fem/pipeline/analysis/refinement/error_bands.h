@@ -20,7 +20,7 @@ namespace stemware::pipeline
 /// (docs/method/error_bands.md):
 ///
 ///   mesh            cells twice as large
-///   degree          elements of one degree more, both on cells twice as large
+///   degree          elements of one degree more (on hard tables both on cells twice as large)
 ///   harmonics       half the elastic harmonics
 ///   lines           four times the azimuth lines; nothing where the whole rim carries
 ///   interface       a ten times stiffer spring in the place of a hard interface
