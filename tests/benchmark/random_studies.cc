@@ -1,8 +1,8 @@
 // Does every study end, and how? Random studies over all tables, moment balances, shapes and wavinesses:
 // foot, load in balance and terminal spin of each. Build: cmake --preset bench && cmake --build --preset
 // bench, run:
-//   build/bench/random_studies N SEED [--list] [--only I]   studies 1 ... N of that seed, or its I-th alone
-//   build/bench/random_studies --file STUDY.prm ...          those studies
+//   build/bench/random_studies N SEED [--list] [--only I | --flat | --wavy]   studies 1 ... N of that seed,
+//   or a part of them build/bench/random_studies --file STUDY.prm ...          those studies
 // Ends with 0 when at least 99.5 % of the studies that do not tip converge, all within 20 s, and at most 5 %
 // tip.
 
@@ -303,7 +303,8 @@ private:
 
 int help()
 {
-  std::printf("random_studies N SEED [--list] [--only I]\nrandom_studies --file STUDY.prm ...\n");
+  std::printf(
+    "random_studies N SEED [--list] [--only I | --flat | --wavy]\nrandom_studies --file STUDY.prm ...\n");
   return 2;
 }
 
@@ -325,10 +326,15 @@ int main(int argc, char *argv[])
   const int n_studies = std::atoi(argv[1]);
   const auto seed = static_cast<unsigned int>(std::atoi(argv[2]));
   bool lists_all = false;
+  bool with_flat = true, with_wavy = true;
   int only = 0;
   for (int i = 3; i < argc; ++i)
     if (std::strcmp(argv[i], "--list") == 0)
       lists_all = true;
+    else if (std::strcmp(argv[i], "--flat") == 0)
+      with_wavy = false;
+    else if (std::strcmp(argv[i], "--wavy") == 0)
+      with_flat = false;
     else if (std::strcmp(argv[i], "--only") == 0 && i + 1 < argc)
       only = std::atoi(argv[++i]);
     else
@@ -338,7 +344,7 @@ int main(int argc, char *argv[])
   for (int i = 1; i <= n_studies; ++i)
   {
     const Study study = studies.next();
-    if (only == 0 || only == i)
+    if (only > 0 ? only == i : study.has_waviness() ? with_wavy : with_flat)
       campaign.answer(std::to_string(seed) + "/" + std::to_string(i), study);
   }
   return campaign.end() ? 0 : 1;

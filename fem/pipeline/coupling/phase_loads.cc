@@ -16,6 +16,9 @@ namespace
 
 constexpr double tolerance = 1e-7; ///< sampling goes on until the difference is below it
 constexpr double largest_allowed = 1e-3;
+/// From so many phases on a kink of lift-off decides on the difference, which then falls slowly.
+constexpr unsigned int many_phases = 32;
+constexpr double tolerance_of_many = 1e-5;
 constexpr unsigned int most_phases = 128;
 constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
@@ -47,6 +50,21 @@ double error_between(const LoadAtPhase &load, const PhaseGrids &grids, double gl
 
 } // namespace
 
+double PhaseGrids::turning_angle(const ring::Orientation &phase) const
+{
+  return glass.size() > 1 ? phase.glass : phase.table;
+}
+
+double PhaseGrids::turning_period() const
+{
+  return !turning ? 0 : glass.size() > 1 ? periods.glass : periods.table;
+}
+
+unsigned int PhaseGrids::n_turning_phases() const
+{
+  return glass.size() > 1 ? glass.size() : table.size();
+}
+
 ring::Orientation PhaseGrids::phase(unsigned int i) const
 {
   return { glass.node(i / table.size()), table.node(i % table.size()) };
@@ -54,23 +72,33 @@ ring::Orientation PhaseGrids::phase(unsigned int i) const
 
 PhaseGrids PhaseGrids::halved() const
 {
-  return { glass.halved(), table.halved(), periods, error };
+  return { glass.halved(), table.halved(), periods, error, turning };
 }
 
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
 {
-  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0 };
+  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
+  const auto better_error = [&](double glass_step, double table_step)
+  {
+    grids.turning = true;
+    const double turning = error_between(load, grids, glass_step, table_step);
+    grids.turning = false;
+    const double standing = error_between(load, grids, glass_step, table_step);
+    grids.turning = turning < standing;
+    return std::min(turning, standing);
+  };
   const auto refine = [&](PeriodicGrid &grid, const auto &error_of_grid)
   {
     if (grid.size() == 1)
       return;
+    const auto allowed = [&] { return grid.size() < many_phases ? tolerance : tolerance_of_many; };
     double error = error_of_grid();
-    for (; error > tolerance && grid.size() < most_phases; error = error_of_grid())
+    for (; error > allowed() && grid.size() < most_phases; error = error_of_grid())
       grid = grid.refined();
     grids.error = std::max(grids.error, error);
   };
-  refine(grids.glass, [&] { return error_between(load, grids, grids.glass.step(), 0); });
-  refine(grids.table, [&] { return error_between(load, grids, 0, grids.table.step()); });
+  refine(grids.glass, [&] { return better_error(grids.glass.step(), 0); });
+  refine(grids.table, [&] { return better_error(0, grids.table.step()); });
   if (!(grids.error <= largest_allowed))
     throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
                              std::to_string(grids.size()) + " phases it is off by " +
@@ -95,14 +123,46 @@ LeaningLoad PhaseLoads::load_of(const Eigen::VectorXd &column) const
   return LeaningLoad::from_coefficients({ column.begin(), column.end() }, n_rings);
 }
 
+Eigen::Index PhaseLoads::n_harmonics(Eigen::Index n_rows) const
+{
+  return ((n_rows - 2) / static_cast<Eigen::Index>(n_rings) - 2) / 2;
+}
+
+unsigned int PhaseLoads::crest_harmonic(Eigen::Index n) const
+{
+  constexpr double turn = boost::math::double_constants::two_pi;
+  return static_cast<unsigned int>(static_cast<double>(n) * grids.turning_period() / turn + 0.5);
+}
+
+void PhaseLoads::turn(Eigen::VectorXd &column, double angle) const
+{
+  if (grids.turning_period() == 0)
+    return;
+  const Eigen::Index n_max = n_harmonics(column.size());
+  const double n_crests = boost::math::double_constants::two_pi / grids.turning_period();
+  for (Eigen::Index n = 1; n <= n_max; ++n)
+  {
+    const double by = crest_harmonic(n) * n_crests * angle, cosine = std::cos(by), sine = std::sin(by);
+    for (std::size_t j = 0; j < n_rings; ++j)
+    {
+      const Eigen::Index ring = static_cast<Eigen::Index>(j) * (2 * n_max + 2);
+      double &even = column(ring + 1 + n), &odd = column(ring + 1 + n_max + n);
+      const double before = even;
+      even = before * cosine - odd * sine;
+      odd = before * sine + odd * cosine;
+    }
+  }
+}
+
 Eigen::MatrixXd PhaseLoads::sample(double omega) const
 {
   Eigen::MatrixXd columns;
   for (unsigned int i = 0; i < grids.size(); ++i)
   {
     const LeaningLoad exact = load(omega, grids.phase(i));
-    const Eigen::VectorXd column = column_of(exact);
     n_rings = exact.rings.rings().size();
+    Eigen::VectorXd column = column_of(exact);
+    turn(column, -grids.turning_angle(grids.phase(i)));
     columns.conservativeResize(column.size(), grids.size());
     columns.col(i) = column;
   }
@@ -126,7 +186,7 @@ SpinInterval PhaseLoads::find_spins(long interval) const
         interpolated += weights(k) * at_one_phase(spins.node(k));
       error = std::max(error, load_of(interpolated).difference(load_of(exact)));
     }
-    if (error <= tolerance || 2 * (spins.size() - 1) > most_steps)
+    if (error <= std::max(tolerance, grids.error / 10) || 2 * (spins.size() - 1) > most_steps)
     {
       largest_error = std::max(largest_error, error);
       return spins;
@@ -149,13 +209,21 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
 
 Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
 {
-  if (spin_unit == 0 || omega == 0)
-    return at_rest;
-  const Samples &samples = samples_around(omega);
-  const Eigen::VectorXd weights = samples.spins.weights(omega);
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(at_rest.rows(), at_rest.cols());
-  for (unsigned int k = 0; k < samples.spins.size(); ++k)
-    sum += weights(k) * samples.columns[k];
+  Eigen::MatrixXd sum = at_rest;
+  if (spin_unit != 0 && omega != 0)
+  {
+    const Samples &samples = samples_around(omega);
+    const Eigen::VectorXd weights = samples.spins.weights(omega);
+    sum.setZero();
+    for (unsigned int k = 0; k < samples.spins.size(); ++k)
+      sum += weights(k) * samples.columns[k];
+  }
+  for (unsigned int i = 0; i < grids.size(); ++i)
+  {
+    Eigen::VectorXd column = sum.col(i);
+    turn(column, grids.turning_angle(grids.phase(i)));
+    sum.col(i) = column;
+  }
   return sum;
 }
 
@@ -166,20 +234,35 @@ LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
   Eigen::VectorXd of_phase(grids.size());
   for (Eigen::Index i = 0; i < of_glass.size(); ++i)
     of_phase.segment(i * of_table.size(), of_table.size()) = of_glass(i) * of_table;
+  Eigen::VectorXd column;
   if (spin_unit == 0 || omega == 0)
-    return load_of(at_rest * of_phase);
-  const Samples &samples = samples_around(omega);
-  const Eigen::VectorXd weights = samples.spins.weights(omega);
-  Eigen::VectorXd column = Eigen::VectorXd::Zero(at_rest.rows());
-  for (unsigned int k = 0; k < samples.spins.size(); ++k)
-    column += weights(k) * (samples.columns[k] * of_phase);
+    column = at_rest * of_phase;
+  else
+  {
+    const Samples &samples = samples_around(omega);
+    const Eigen::VectorXd weights = samples.spins.weights(omega);
+    column.setZero(at_rest.rows());
+    for (unsigned int k = 0; k < samples.spins.size(); ++k)
+      column += weights(k) * (samples.columns[k] * of_phase);
+  }
+  turn(column, grids.turning_angle(phase));
   return load_of(column);
 }
 
 LeaningLoad PhaseLoads::mean(double omega) const
 {
   const Eigen::MatrixXd loads = at_spin(omega);
-  const LeaningLoad mean = load_of(loads.rowwise().mean());
+  Eigen::VectorXd mean_column = loads.rowwise().mean();
+  // Of what turns with the crests there is a mean only up to the interpolant's highest frequency, which
+  // counts half; the mean of the samples would take beats for one.
+  const Eigen::Index n_max = grids.turning_period() > 0 ? n_harmonics(loads.rows()) : 0;
+  for (Eigen::Index n = 1; n <= n_max; ++n)
+    if (2 * crest_harmonic(n) >= grids.n_turning_phases())
+      for (std::size_t j = 0; j < n_rings; ++j)
+        for (const Eigen::Index row : { 1 + n, 1 + n_max + n })
+          mean_column(static_cast<Eigen::Index>(j) * (2 * n_max + 2) + row) *=
+            2 * crest_harmonic(n) == grids.n_turning_phases() ? 0.5 : 0;
+  const LeaningLoad mean = load_of(mean_column);
   if (mean.rings.rings().size() > 1)
     return mean; // its radii are the same at every phase
   // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "fem/pipeline/coupling/leaning_load.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/periodic_grid.h"
 #include "fem/pipeline/coupling/spin_interval.h"
-#include "fem/pipeline/coupling/leaning_load.h"
 
 #include <Eigen/Core>
 
@@ -25,15 +25,24 @@ struct PhaseGrids
   PhasePeriods periods; ///< with which the load repeats itself
   double error = 0;     ///< of the load at rest between them, over a_0 (of the ring radius: over it)
 
+  /// Whether the samples are taken without what turns with the crests (PhaseLoads).
+  bool turning = false;
+
   unsigned int size() const { return glass.size() * table.size(); }
   ring::Orientation phase(unsigned int i) const;
+
+  /// The angle with which the crests turn that a load goes with: the glass's, where it is wavy, else the
+  /// table's; its period [rad], 0 where samples are taken as they are; and its number of samples.
+  double turning_angle(const ring::Orientation &phase) const;
+  double turning_period() const;
+  unsigned int n_turning_phases() const;
   /// With half the phases: enough for the mean over them.
   PhaseGrids halved() const;
 };
 
 /// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to 1e-7
-/// of a_0, at most 128 in each angle. Throws std::runtime_error, with a sentence, where the difference stays
-/// above 1e-3.
+/// of a_0 (to 1e-5, from 32 phases on), at most 128 in each angle, with turning samples or not, whichever is
+/// better. Throws std::runtime_error, with a sentence, where the difference stays above 1e-3.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods);
 
 /// The worst of all sampled phases, at rest.
@@ -46,6 +55,10 @@ struct PhaseExtremes
 /// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled on a grid
 /// of phases and, interval by interval as spins are asked for, on Chebyshev points; interpolated in between,
 /// trigonometrically in the phases and by polynomials in the spin.
+///
+/// A load that rests on w crests turns with them: its harmonic n goes round with the angle phi like exp(i k w
+/// phi), k the integer next to n / w. That factor is taken out of the samples, and what is left depends on
+/// phi smoothly even where the load is gathered at the crests.
 class PhaseLoads
 {
 public:
@@ -69,7 +82,8 @@ public:
   const PhaseExtremes &at_rest_extremes() const { return extremes; }
 
 private:
-  /// Samples on one interval of spins: per spin a matrix with a column per phase, RingStack::coefficients().
+  /// Samples on one interval of spins: per spin a matrix with a column per phase, LeaningLoad::coefficients()
+  /// without what turns.
   struct Samples
   {
     SpinInterval spins;
@@ -77,9 +91,15 @@ private:
   };
 
   LeaningLoad load_of(const Eigen::VectorXd &column) const;
+  Eigen::Index n_harmonics(Eigen::Index n_rows) const;
+  /// k above.
+  unsigned int crest_harmonic(Eigen::Index n) const;
+  /// Multiplies the load harmonics of @p column with exp(i k w angle).
+  void turn(Eigen::VectorXd &column, double angle) const;
   Eigen::MatrixXd sample(double omega) const;
   SpinInterval find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
+  /// A column per phase, in the slip frame.
   Eigen::MatrixXd at_spin(double omega) const;
 
   const LoadAtPhase load;
