@@ -236,4 +236,33 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   const double spin = outward.zero(first);
   return { direction * spin, false, n_evaluations };
 }
+
+std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,
+                                                const SpinSearch &search)
+{
+  constexpr unsigned int most_steps = 8;
+  const double grip = std::copysign(search.grip_torque, known.omega);
+  const double allowed =
+    search.tolerance * std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
+  double spin = known.omega, slope = known.slope;
+  double value = torque(spin) - grip;
+  for (unsigned int n = 1; n <= most_steps; ++n)
+  {
+    if (std::abs(value) <= std::abs(slope) * allowed)
+      return SpinZero{ spin, false, n };
+    const double next = spin - value / slope;
+    if (!(std::abs(next - known.omega) <= 0.1 * search.spin_scale))
+      return std::nullopt;
+    const double next_value = torque(next) - grip;
+    const double secant = (next_value - value) / (next - spin);
+    // Differences that rounding makes say nothing about the slope.
+    if (std::abs(next - spin) > 1e-6 * search.spin_scale)
+      slope = secant;
+    if (!(slope < 0))
+      return std::nullopt;
+    spin = next;
+    value = next_value;
+  }
+  return std::nullopt;
+}
 } // namespace stemware::ring

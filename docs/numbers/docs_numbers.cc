@@ -90,16 +90,73 @@ public:
     return work / study;
   }
 
-  double value(const std::string &study, const std::string &pointer)
+  /// The number at @p place: "/KEY/KEY..." in summary.json, or "TABLE.csv/ROW/COLUMN" (cell()). An element of
+  /// an array has its index as its key, or its "name" or "step", "_" for a blank.
+  double value(const std::string &study, const std::string &place)
   {
-    const nlohmann::json &all = summary(study);
-    const nlohmann::json::json_pointer place(pointer);
-    if (!all.contains(place) || !all[place].is_number())
-      throw std::runtime_error(study + " has no number " + pointer + " in its summary.json.");
-    return all[place].get<double>();
+    if (place.find('/') != 0)
+      return cell(study, place);
+    const nlohmann::json *part = &summary(study);
+    std::istringstream keys(place.substr(1));
+    for (std::string key; part && std::getline(keys, key, '/');)
+      part = part_of(*part, key);
+    if (!part || !part->is_number())
+      throw std::runtime_error(study + " has no number " + place + " in its summary.json.");
+    return part->get<double>();
   }
 
 private:
+  static const nlohmann::json *part_of(const nlohmann::json &whole, const std::string &key)
+  {
+    if (!whole.is_array())
+      return whole.contains(key) ? &whole[key] : nullptr;
+    for (const nlohmann::json &element : whole)
+      for (const char *label : { "name", "step" })
+        if (element.is_object() && element.contains(label) && spaced(key) == element[label])
+          return &element;
+    const bool is_index = key.find_first_not_of("0123456789") == std::string::npos;
+    return is_index && std::stoul(key) < whole.size() ? &whole[std::stoul(key)] : nullptr;
+  }
+
+  static std::string spaced(const std::string &key) { return std::regex_replace(key, std::regex("_"), " "); }
+
+  /// A cell of a table of numbers: rows counted from 1, the column by its heading without unit, "_" for a
+  /// blank.
+  double cell(const std::string &study, const std::string &place)
+  {
+    std::istringstream parts(place);
+    std::string name, row, column;
+    std::getline(parts, name, '/');
+    std::getline(parts, row, '/');
+    std::getline(parts, column);
+    std::istringstream lines(read_file(folder(study) / name));
+    std::string line;
+    std::getline(lines, line);
+    std::size_t index = 0;
+    const std::vector<std::string> headings = cells_of(line);
+    for (; index < headings.size(); ++index)
+      if (headings[index].substr(0, headings[index].find(" (")) == spaced(column))
+        break;
+    for (int i = 0, n = std::stoi(row); i < n; ++i)
+    {
+      line.clear();
+      std::getline(lines, line);
+    }
+    const std::vector<std::string> cells = cells_of(line);
+    if (index >= cells.size() || cells[index].empty())
+      throw std::runtime_error(study + " has no number " + place + ".");
+    return std::stod(cells[index]);
+  }
+
+  static std::vector<std::string> cells_of(const std::string &line)
+  {
+    std::vector<std::string> cells;
+    std::istringstream text(line);
+    for (std::string cell; std::getline(text, cell, ',');)
+      cells.push_back(cell);
+    return cells;
+  }
+
   const nlohmann::json &summary(const std::string &study)
   {
     const auto known = summaries.find(study);

@@ -58,9 +58,9 @@ struct RoughInterface : PressureInterface<RoughInterface>
   /// Where the pressure is 1e-20 of the greatest.
   double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
-  /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes little
-  /// from one to the next, where the pressure is more than rounding of the line's largest; the law's second
-  /// derivative jumps where the mean planes meet, so panels end there.
+  /// Along a line the exponent d / s is a quadratic. Gauss quadrature on panels so short that it changes
+  /// little from one to the next, where the pressure is more than rounding of the line's largest; the law's
+  /// second derivative jumps where the mean planes meet, so panels end there.
   template <typename Visitor>
   void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const
   {
@@ -74,9 +74,13 @@ struct RoughInterface : PressureInterface<RoughInterface>
     if (highest < unloaded * decay_length)
       return for_each_point(line, LineSegment{ -1, 1 }, visit);
 
-    const double panels_per_length = std::max(std::sqrt(std::abs(curvature) / decay_length),
-                                              std::abs(slope + top * curvature) / (2 * decay_length));
-    const PositiveSegments loaded((depth.array() - highest + rounding * decay_length).matrix());
+    // Where the exponential is largest: the highest place, or where the mean planes meet.
+    const double level = std::min(highest, 0.);
+    const double slope_at_level =
+      std::sqrt(std::max(0., std::pow(slope + top * curvature, 2) - 2 * curvature * (highest - level)));
+    const double panels_per_length =
+      std::max(std::sqrt(std::abs(curvature) / decay_length), slope_at_level / (2 * decay_length));
+    const PositiveSegments loaded((depth.array() - level + rounding * decay_length).matrix());
     const PositiveSegments beyond(depth); // mean planes met
     for (unsigned int s = 0; s < loaded.n_segments; ++s)
     {

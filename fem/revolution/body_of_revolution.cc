@@ -89,7 +89,9 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
                                         const Eigen::Vector3d &motion)
 {
   const Eigen::MatrixXd unbalanced = forces.reshaped(state.rows(), state.cols()) - state;
-  const LineNewton newton(response, tangent, unbalanced);
+  // Of the largest force: what rounding leaves where a contact has gone.
+  const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
+  const LineNewton newton(response, tangent, unbalanced, negligible);
   const LineNewton::Increment found =
     newton.solve(conditions, conditions.residual(state.reshaped(), motion));
   increment = found.forces;

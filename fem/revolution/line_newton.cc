@@ -44,15 +44,16 @@ HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCo
 } // namespace
 
 LineNewton::LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-                       const Eigen::MatrixXd &unbalanced)
+                       const Eigen::MatrixXd &unbalanced, double negligible)
     : response(response)
 {
-  find_lines(tangent, unbalanced);
+  find_lines(tangent, unbalanced, negligible);
   choose_functions();
   eliminate_lines(tangent, unbalanced);
 }
 
-void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced)
+void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
+                            double negligible)
 {
   const Eigen::Index n_radii = response.n_radii();
   lines.resize(response.n_lines());
@@ -63,7 +64,7 @@ void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Ei
     Line &line = lines[static_cast<std::size_t>(j)];
     const auto carries = [&](Eigen::Index i)
     {
-      if (unbalanced(i, j) != 0)
+      if (std::abs(unbalanced(i, j)) > negligible)
         return true;
       for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + i); entry; ++entry)
         if (entry.value() != 0)

@@ -21,9 +21,10 @@ namespace stemware::fem
 class LineNewton
 {
 public:
-  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N].
+  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]; places without
+  /// tangent where it is @p negligible [N] or less are left alone.
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-             const Eigen::MatrixXd &unbalanced);
+             const Eigen::MatrixXd &unbalanced, double negligible = 0);
 
   struct Increment
   {
@@ -46,7 +47,8 @@ private:
     Eigen::VectorXd balanced; ///< (1 + T D)^-1 r
   };
 
-  void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
+  void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
+                  double negligible);
   void choose_functions();
   void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
   auto functions_on(const Line &line) const

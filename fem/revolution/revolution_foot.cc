@@ -89,7 +89,9 @@ std::shared_ptr<const InterfaceLaw> interface_of(const RevolutionSetup &setup)
   if (compliance == 0)
     throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; let one of the "
                                 "three yield.");
-  const double width = setup.profile.crown_radius > 0 ? setup.contact_half_width : setup.profile.land_width;
+  const double width = setup.profile.crown_radius > 0 && setup.contact_half_width > 0
+                         ? setup.contact_half_width
+                         : setup.profile.land_width;
   return std::make_shared<WinklerInterface>(setup.hardness / (compliance * width));
 }
 
@@ -117,7 +119,15 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
 {
   if (setup.profile.crown_radius == 0)
     return 0;
-  const double of_bodies = hertz_half_width(setup, normal_force);
+  double of_bodies = hertz_half_width(setup, normal_force);
+  if (setup.table.substrate)
+  {
+    // A layer thinner than the contact is wide is a mat of modulus E / thickness.
+    const WinklerInterface layer(setup.table.substrate->material.young_modulus /
+                                 setup.table.substrate->disc.thickness);
+    of_bodies = std::min(
+      of_bodies, layer.half_width(line_load(setup, normal_force), setup.profile.crown_radius));
+  }
   const double of_interface =
     setup.table.interface->half_width(line_load(setup, normal_force), setup.profile.crown_radius);
   return std::min(std::max(of_bodies, of_interface), setup.profile.land_width / 2);
@@ -149,7 +159,10 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
     return resolved;
   }
-  resolved.resolution.focus_size = resolved.contact_half_width / (4 * fineness);
+  double size = resolved.contact_half_width / 6;
+  if (table.substrate)
+    size = std::min(size, table.substrate->disc.thickness / 3);
+  resolved.resolution.focus_size = size / fineness;
   resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
   resolved.resolution.focus_growth = 1 + (resolution.focus_growth - 1) / std::sqrt(fineness);
   return resolved;

@@ -97,7 +97,8 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   for (const double omega : question.torques_at)
     row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
   const LongRunSpin found =
-    terminal_spin(load, question.motion, question.expected, question.with_slope, question.grip_torque);
+    terminal_spin(load, question.motion, question.expected, question.with_slope, question.grip_torque,
+                  question.near);
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -142,12 +143,14 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
 }
 
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
-                          bool with_slope, double grip_torque)
+                          bool with_slope, double grip_torque,
+                          const std::optional<ring::KnownZero> &near)
 {
   constexpr double accuracy = 1e-9; // of the mean in the long run
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   ring::SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
+  search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
   search.expected = expected != 0 ? expected : expected_spin(load, motion);
   search.grip_torque = grip_torque;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -156,7 +159,10 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
     result.spin = ring::terminal_spin(torque, motion.yaw_inertia, search);
   else
   {
-    const ring::SpinZero zero = ring::find_terminal_spin(torque, search);
+    std::optional<ring::SpinZero> nearby;
+    if (near)
+      nearby = ring::find_terminal_spin_near(*near, torque, search);
+    const ring::SpinZero zero = nearby ? *nearby : ring::find_terminal_spin(torque, search);
     result.spin = { zero.omega, nan, nan, true, zero.held };
   }
   result.zero_of_mean_torque = result.spin.omega;

@@ -20,6 +20,8 @@ struct SpinQuestion
   /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
   std::optional<BalancedLoad> on_the_way = {};
   double expected = 0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
+  /// The terminal spin of a load much like this one, where it is known.
+  std::optional<ring::KnownZero> near = {};
   bool with_slope = false; ///< whether SpinRow::time_constant is wanted: it takes eight more loads
   bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
 };
@@ -38,7 +40,8 @@ struct LongRunSpin
 /// depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and time constant
 /// are NaN. Throws std::runtime_error where there is none, and as the load.
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected = 0,
-                          bool with_slope = true, double grip_torque = 0);
+                          bool with_slope = true, double grip_torque = 0,
+                          const std::optional<ring::KnownZero> &near = {});
 
 /// tau_z of the rings and lean torque, mean over the phases; the grip is not in it [N m].
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega);

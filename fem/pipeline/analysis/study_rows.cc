@@ -21,7 +21,8 @@ namespace
 /// Numbers of harmonics of the rows.
 std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all)
 {
-  if (study.load.is_in_balance() && abilities(study.contact.body).is_collective && n_all > 1)
+  const bool is_slow = abilities(study.contact.body).is_collective || study.has_waviness();
+  if (study.load.is_in_balance() && is_slow && n_all > 1)
     return { 1, n_all };
   return truncation_orders(n_all);
 }
@@ -169,6 +170,13 @@ LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &
   return { attempt_spin_row(cut, question), cut };
 }
 
+std::optional<ring::KnownZero> known_zero(const SpinRow &row)
+{
+  if (!row.terminal || row.terminal->held || !(row.terminal->torque_slope < 0) || row.terminal->omega == 0)
+    return std::nullopt;
+  return ring::KnownZero{ row.terminal->omega, row.terminal->torque_slope };
+}
+
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question, Progress &progress)
 {
@@ -176,6 +184,7 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   question.with_slope = true;
   const LoadedRow whole = { spin_row(load, question), load };
   question.with_slope = false;
+  question.near = known_zero(whole.row);
   const double omega = whole.row.terminal->omega;
   const ring::RingStack at_terminal = load.at(omega);
   std::vector<LoadedRow> rows;

@@ -63,10 +63,11 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
 
 The glass of the study under the closures paper, hand and full, on six kinds of load: the paper's
 first harmonic; a rigid rim, flat and round, on a mat that only pushes; a rigid foot on the study's
-table, where something yields there; and the elastic foot, one-way (the load of rest) and two-way (in
-balance with friction at every spin; a solid body with Load/Coupling = two-way only). Each with 1, 2,
-3 and all harmonics. A row that does not exist says why: tips, no balance, no terminal spin. "formal"
-loads would have to pull on the table.
+table, where something yields there; and the elastic foot, one-way (the load of rest) and two-way
+(in balance with friction at every spin; a solid body with Load/Coupling = two-way only). Each with
+1, 2, 3 and all harmonics, and the way from the paper's model to the study's, step by step. A row
+that does not exist says why: tips, no balance, no terminal spin. "formal" loads would have to pull
+on the table.
 
   compare.csv        one row for each closure, load and number of harmonics
   report.html, figures/, summary.json, parameters.prm, timings.json)");

@@ -65,7 +65,8 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
 
 The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads the friction of what is left
 enters the moment balance, the moment enters the contact, and the contact's load is cut off again;
-one-way, and with a given moment, the load of rest is cut off.
+one-way, and with a given moment, the load of rest is cut off. Beside that, the way from the paper's
+model to the study's, step by step.
 
   truncation.dat     torque, terminal spin, deviations, bounds
   spin_up.dat        the spin against time

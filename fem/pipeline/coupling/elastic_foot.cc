@@ -38,6 +38,26 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
                      });
 }
 
+const fem::ContactState &ElasticFoot::solve_at_rest(const fem::ContactDemand &demand,
+                                                    const ring::Orientation &marks, Progress &progress)
+{
+  const auto is_known = [&]
+  {
+    const fem::FootOrientation &known = at_rest->slip.orientation;
+    return demand.normal_force == demand_at_rest.normal_force && demand.moment_x == demand_at_rest.moment_x &&
+           demand.moment_y == demand_at_rest.moment_y && demand.tilt_moment == demand_at_rest.tilt_moment &&
+           known.glass == marks.glass && known.table == marks.table;
+  };
+  if (at_rest && is_known())
+  {
+    at_rest->load = gather(*at_rest); // the rings may be others by now
+    return *at_rest;
+  }
+  at_rest = solve(demand, { 0, marks }, progress);
+  demand_at_rest = demand;
+  return *at_rest;
+}
+
 ring::RingStack ring_stack(const fem::LoadHarmonics &load)
 {
   std::vector<ring::RingStack::Ring> rings;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace stemware::pipeline
@@ -34,6 +35,10 @@ public:
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress()) const;
 
+  /// solve() that remembers the last contact it has found: what is asked for at rest is asked for often.
+  const fem::ContactState &solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
+                                         Progress &progress);
+
   /// The load of @p state, a contact of this foot, on the rings of ring_radii().
   fem::LoadHarmonics gather(const fem::ContactState &state) const { return foot->gather(state, radii, highest); }
 
@@ -49,6 +54,8 @@ private:
   unsigned int highest;
   bool placed = false; ///< whether set_rings() has been called
   mutable std::size_t n_solved = 0;
+  std::optional<fem::ContactState> at_rest; ///< of solve_at_rest()
+  fem::ContactDemand demand_at_rest;
 };
 
 /// A contact's load as rings: the only place where the one becomes the other. One ring is turned to the

@@ -42,10 +42,9 @@ LoadFunction polynomial(const LoadSamples &samples)
   };
 }
 
-/// Chebyshev nodes of [lower, upper], ends included; every second one makes the coarser set.
-std::vector<double> chebyshev_nodes(double lower, double upper)
+/// Chebyshev nodes of [lower, upper], ends included; every second one makes a coarser set.
+std::vector<double> chebyshev_nodes(double lower, double upper, unsigned int n_intervals)
 {
-  constexpr unsigned int n_intervals = 16;
   std::vector<double> nodes = { lower };
   for (unsigned int i = 1; i < n_intervals; ++i)
     nodes.push_back((lower + upper) / 2 -
@@ -83,22 +82,28 @@ LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double uppe
   {
     const auto [begin, end] = open.back();
     open.pop_back();
-    const std::vector<double> nodes = chebyshev_nodes(begin, end);
-    LoadSamples every_second, all;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      all.emplace(nodes[i], sample(nodes[i]));
-      if (i % 2 == 0)
-        every_second.emplace(nodes[i], all.at(nodes[i]));
-    }
-    const LoadFunction coarse = polynomial(every_second);
     double difference = 0;
-    for (std::size_t i = 1; i < nodes.size(); i += 2)
-      difference = std::max(difference, coarse(nodes[i]).difference(all.at(nodes[i])));
+    LoadSamples samples;
+    for (const unsigned int n_intervals : { 8u, 16u })
+    {
+      samples.clear();
+      for (const double node : chebyshev_nodes(begin, end, n_intervals))
+        samples.emplace(node, sample(node));
+      // Between nodes, where the error of such a polynomial is largest; not at the nodes of the finer set.
+      const LoadFunction inside = polynomial(samples);
+      difference = 0;
+      for (const double share : { 0.05, 0.46, 0.81 })
+      {
+        const double x = begin + share * (end - begin);
+        difference = std::max(difference, inside(x).difference(sample(x)));
+      }
+      if (difference <= tolerance)
+        break;
+    }
     if (difference <= tolerance)
     {
       curve.error = std::max(curve.error, difference);
-      curve.pieces.push_back(std::move(all));
+      curve.pieces.push_back(std::move(samples));
       continue;
     }
     if (known.size() >= most_samples)

@@ -37,9 +37,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes
-/// is checked at the 8 between them; where it differs by more than @p tolerance the piece is halved, else its
-/// curve goes through all 17, and is better than the error that it has shown.
+/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes, then
+/// that through 17, is checked at three places between them; where it still differs by more than @p tolerance the
+/// piece is halved.
 ///
 /// Throws ToleranceMissed when @p most_samples do not do.
 LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,

@@ -261,7 +261,7 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
 fem::ContactState contact_at_rest(const Study &study, ElasticFoot &foot, const ring::Orientation &marks,
                                   Progress &progress)
 {
-  fem::ContactState state = foot.solve(demand_at_rest(study), { 0, marks }, progress);
+  fem::ContactState state = foot.solve_at_rest(demand_at_rest(study), marks, progress);
   if (!foot.has_rings())
   {
     choose_rings(study, foot, state);

@@ -10,9 +10,9 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-/// Nodal forces of a pressure(penetration), int p N_i r dr dtheta, by the midpoint rule with @p n_points on the
-/// part of each line that lies within @p reach of the rim's middle. Errors at the edges of contact fall with the
-/// square of the points' distance.
+/// Nodal forces of a pressure(penetration), int p N_i r dr dtheta, by the midpoint rule with @p n_points on
+/// the part of each line that lies within @p reach of the rim's middle. Errors at the edges of contact fall
+/// with the square of the points' distance.
 template <typename Law>
 Eigen::VectorXd point_sums(const ContactSurface &surface, const Law &law,
                            const Eigen::VectorXd &normal_displacement, unsigned int n_points, double reach)
@@ -55,7 +55,8 @@ Eigen::VectorXd bent(const ContactSurface &surface, double depth)
 
 /// Largest error of the law's nodal forces over the largest of them.
 template <typename Law>
-double error_of(const Law &law, const GlassProfile &profile, unsigned int land_cells, double depth, double reach = 1)
+double error_of(const Law &law, const GlassProfile &profile, unsigned int land_cells, double depth,
+                double reach = 1)
 {
   MeridianResolution resolution = equal_cells();
   resolution.land_cells = land_cells;
@@ -64,19 +65,19 @@ double error_of(const Law &law, const GlassProfile &profile, unsigned int land_c
   const Eigen::VectorXd displacement = bent(surface, depth);
   ContactForces contact;
   make_law(law, surface)->evaluate(displacement, contact);
-  const Eigen::VectorXd expected = point_sums(surface, law, displacement, 100000, reach);
+  const Eigen::VectorXd expected = point_sums(surface, law, displacement, 30000, reach);
   return (contact.forces - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
 }
 
 } // namespace
 
-// Reference: point sums whose own error is about 1e-10.
+// Reference: point sums whose own error is about 1e-9, under a rough interface 1e-8.
 TEST(PressureIntegration, WinklerToRounding)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
   {
-    EXPECT_LT(error_of(WinklerInterface(1e10), GlassProfile(), land_cells, 6e-6), 1e-9) << land_cells;
-    EXPECT_LT(error_of(WinklerInterface(1e10), flat_profile(), land_cells, 6e-6), 1e-9) << land_cells;
+    EXPECT_LT(error_of(WinklerInterface(1e10), GlassProfile(), land_cells, 6e-6), 5e-9) << land_cells;
+    EXPECT_LT(error_of(WinklerInterface(1e10), flat_profile(), land_cells, 6e-6), 5e-9) << land_cells;
   }
 }
 
@@ -84,7 +85,7 @@ TEST(PressureIntegration, WinklerToRounding)
 TEST(PressureIntegration, StiffSpringToRounding)
 {
   for (const unsigned int land_cells : { 2u, 8u, 40u })
-    EXPECT_LT(error_of(WinklerInterface(1e15), GlassProfile(), land_cells, 1e-8, 2e-5), 1e-9) << land_cells;
+    EXPECT_LT(error_of(WinklerInterface(1e15), GlassProfile(), land_cells, 1e-8, 2e-5), 5e-9) << land_cells;
 }
 
 TEST(PressureIntegration, RoughToRounding)
@@ -94,6 +95,6 @@ TEST(PressureIntegration, RoughToRounding)
     for (const double depth : { -3 * decay_length, 2 * decay_length, 20 * decay_length })
       for (const unsigned int land_cells : { 2u, 8u, 40u })
         for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
-          EXPECT_LT(error_of(RoughInterface(1e9, decay_length), profile, land_cells, depth), 2e-9)
+          EXPECT_LT(error_of(RoughInterface(1e9, decay_length), profile, land_cells, depth), 2e-8)
             << land_cells << " cells, s = " << decay_length << ", pressed in by " << depth;
 }

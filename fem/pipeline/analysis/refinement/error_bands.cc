@@ -133,11 +133,17 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
     change(copy.contact);
     return copy;
   };
+  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   const Study coarse = changed(study, [](ContactSection &contact) { contact.fineness /= 2; });
-  changes.push_back({ "mesh", safety, coarse });
+  changes.push_back({ "mesh", study.table.is_hard() ? safety : 0.75, coarse });
   if (study.contact.degree < 4)
-    changes.push_back(
-      { "degree", safety, changed(coarse, [](ContactSection &contact) { ++contact.degree; }), coarse });
+  {
+    const auto higher = [](ContactSection &contact) { ++contact.degree; };
+    if (study.table.is_hard())
+      changes.push_back({ "degree", safety, changed(coarse, higher), coarse });
+    else
+      changes.push_back({ "degree", safety, changed(study, higher) });
+  }
   if (study.contact.harmonics > 1)
     changes.push_back(
       { "harmonics", 0.5, changed(study, [](ContactSection &contact) { contact.harmonics /= 2; }) });
@@ -164,9 +170,7 @@ bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
 }
 
-} // namespace
-
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
 {
   if (!foot || !abilities(study.contact.body).is_of_revolution || !all.terminal)
@@ -189,7 +193,10 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   std::size_t n_done = 0;
   for (const Change &change : changes)
   {
-    const Findings found = look(change.study, study_foot(change.study, cache), probe);
+    const std::shared_ptr<ElasticFoot> changed_foot = study_foot(change.study, cache);
+    if (change.part != "rings" && change.part != "load_harmonics")
+      changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
+    const Findings found = look(change.study, changed_foot, probe);
     if (change.part == "mesh")
       coarse = found;
     const auto to = quantities_from(found, probe, own, all, study);
@@ -214,6 +221,21 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
         banded.band += all.spin_uncertainty;
       }
   return bands;
+}
+
+} // namespace
+
+ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
+                          const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
+{
+  try
+  {
+    return bands_of(study, foot, all, first, cache, progress);
+  }
+  catch (const fem::ContactFailure &)
+  {
+    return {};
+  }
 }
 
 void add_bands(const ErrorBands &bands, Budget &budget)

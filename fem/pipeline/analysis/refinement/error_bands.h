@@ -20,7 +20,7 @@ namespace stemware::pipeline
 /// (docs/method/error_bands.md):
 ///
 ///   mesh            cells twice as large
-///   degree          elements of one degree more, both on cells twice as large
+///   degree          elements of one degree more (on hard tables both on cells twice as large)
 ///   harmonics       half the elastic harmonics
 ///   lines           four times the azimuth lines; nothing where the whole rim carries
 ///   interface       a ten times stiffer spring in the place of a hard interface
@@ -34,7 +34,8 @@ namespace stemware::pipeline
 /// terminal spin. Of an out-of-flat rim or table the torques are means over eight phases.
 ///
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
-/// that does not come from a contact, and for a solid body, which `converge` refines.
+/// that does not come from a contact, for a solid body, which `converge` refines, and where one of the changed
+/// contacts does not converge: next to tipping a band cannot be had.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache,
                           Progress &progress = silent_progress());

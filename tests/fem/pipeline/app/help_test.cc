@@ -45,6 +45,26 @@ TEST(Help, DefaultsExplainEveryEntryAndCanBeRun)
   EXPECT_EQ(stemware(scratch, { "run", "defaults.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
 }
 
+TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
+{
+  const ScratchFolder scratch;
+  const std::string source = "Load/Source=first harmonic";
+  const Ended ended = stemware(scratch, { "run", "--set", source });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("Study     default\n"), std::string::npos) << ended.out;
+  const std::string file = scratch.write("empty.prm", "# nothing differs\n");
+  EXPECT_EQ(stemware(scratch, { "run", file, "--set", source }).exit_code, 0);
+  EXPECT_EQ(read_text(scratch / "results/default/summary.json"),
+            read_text(scratch / "results/empty/summary.json"));
+
+  EXPECT_EQ(stemware(scratch, { "truncate", "--set", source }).exit_code, 0);
+  EXPECT_EQ(stemware(scratch, { "compare", "--set", source }).exit_code, 0);
+  EXPECT_EQ(stemware(scratch, { "sweep", "--set", source, "--vary", "Motion/Mass=0.2,0.3" }).exit_code, 0);
+  EXPECT_EQ(
+    names_in(scratch / "results"),
+    (std::vector<std::string>{ "default", "default-compare", "default-sweep", "default-truncate", "empty" }));
+}
+
 TEST(Cookbooks, AreValidStudiesThatStateOnlyWhatDiffers)
 {
   const ScratchFolder scratch;

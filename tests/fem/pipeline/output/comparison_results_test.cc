@@ -27,6 +27,18 @@ the friction that this balance leaves out, -3.3501 ± 0.0036 rad/s, formally (mo
 (harmonics: -0.37 rad/s, +24.7 %), and with the complete balance -4.0901 ± 0.0043 rad/s (harmonics:
 -0.37 rad/s, +9.95 %).
 
+From the paper's model to this study's:
+
+                          terminal spin  difference               band
+  model, row by row             (rad/s)     (rad/s)  relative  (rad/s)
+  the paper's model          -4.3401235           -         -  4.4e-03
+  moment balance             -4.3901235       -0.05   +1.15 %  4.5e-03  formal
+  grip                       -4.4401235       -0.05   +1.14 %  4.5e-03
+  where the foot touches     -4.4901235       -0.05   +1.13 %  4.6e-03
+  tilt                                -           -         -        -  The foot tips
+  harmonics, n <= 2          -4.5401235           -         -  4.6e-03
+  harmonics, all             -4.5901235       -0.05    +1.1 %  4.3e-03
+
 Terminal spin by load, harmonics kept and moment balance:
 
                             paper    to the        hand    to the        full    to the

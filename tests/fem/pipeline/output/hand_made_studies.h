@@ -239,6 +239,7 @@ inline pipeline::FinishedCases cases_by_hand(const pipeline::SweepPlan &plan)
     for (std::size_t q = 0; q < pipeline::sweep_quantities().size(); ++q)
       result.values.push_back(next());
     result.values[pipeline::quantity_index("closure effect")].reset();
+    result.values[pipeline::quantity_index("held by the grip")] = i == 1 ? 1 : 0;
   }
   return cases;
 }

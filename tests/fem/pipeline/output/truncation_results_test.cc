@@ -41,6 +41,18 @@ In balance at every spin:
           2            -          -           0           -
           3      1.91012    1.92012       -1.87       1.9 %
 
+From the paper's model to this study's:
+
+                          terminal spin  difference               band
+  model, row by row             (rad/s)     (rad/s)  relative  (rad/s)
+  the paper's model          -2.1301235           -         -  2.2e-03
+  moment balance             -2.1801235       -0.05   +2.35 %  2.2e-03  formal
+  grip                       -2.2301235       -0.05   +2.29 %  2.3e-03
+  where the foot touches     -2.2801235       -0.05   +2.24 %  2.3e-03
+  tilt                                -           -         -        -  The foot tips
+  harmonics, n <= 2          -2.3301235           -         -  2.4e-03
+  harmonics, all             -2.3801235       -0.05   +2.15 %  2.0e-03
+
 )");
 }
 
@@ -124,7 +136,15 @@ TEST(TruncationByHand, Budget)
 {
   const TruncationByHand by_hand;
   const Results results = made_truncation();
-  EXPECT_EQ(report_lines(results, "From the paper's model to this study's"), R"()");
+  EXPECT_EQ(report_lines(results, "From the paper's model to this study's"), R"(Terminal spin in models of increasing detail
+step: 1 | 2 | 2a | 3 | 3a | 4 | 5
+what is added: the paper&#39;s model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
+terminal spin (rad/s): -2.1301235 | -2.1801235 | -2.2301235 | -2.2801235 | – | -2.3301235 | -2.3801235
+difference (rad/s): – | -0.05 | -0.05 | -0.05 | – | – | -0.05
+relative: – | +2.35 % | +2.29 % | +2.24 % | – | – | +2.15 %
+band (rad/s): 2.2e-03 | 2.2e-03 | 2.3e-03 | 2.3e-03 | – | 2.4e-03 | 2.0e-03
+:  | formal |  |  | The foot tips |  | 
+)");
   EXPECT_EQ(json_lines(results.findings.summary["budget"]),
             json_lines(budget_summary(
               by_hand.study, chain_alone(by_hand.truncations.budget, by_hand.truncations.all().band))));

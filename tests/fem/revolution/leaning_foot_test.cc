@@ -1,0 +1,148 @@
+// A glass that leans under its own weight, loads gathered on rings, and how many Newton steps a neighbour
+// takes.
+#include "fem/contact/hard_interface.h"
+#include "fem/revolution/revolution_foot.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+RevolutionSetup on_table(std::shared_ptr<const InterfaceLaw> interface,
+                         std::optional<Substrate> substrate = {})
+{
+  RevolutionSetup setup;
+  setup.table = { std::move(interface), std::move(substrate) };
+  return setup;
+}
+
+/// Mat, hardwood and a rigid table.
+std::vector<RevolutionSetup> three_tables()
+{
+  return { on_table(std::make_shared<WinklerInterface>()),
+           on_table(std::make_shared<HardInterface>(), Substrate()),
+           on_table(std::make_shared<HardInterface>()) };
+}
+
+const std::vector<double> five_rings = { 0.0298, 0.0299, 0.03, 0.0301, 0.0302 };
+
+} // namespace
+
+// Reference: closed form. A rigid annulus on a Winkler mat resists a tilt by kappa = pi k (r2^4 - r1^4) / 4
+// as long as all of it carries.
+TEST(Tilt, AmplifiesTheMomentOfARigidAnnulus)
+{
+  for (const double modulus : { 1e9, 1e10 })
+    for (const double height : { 0., 0.08, 0.3 })
+    {
+      RevolutionSetup setup = on_table(std::make_shared<WinklerInterface>(modulus));
+      setup.profile = flat_profile();
+      setup.foot_is_rigid = true;
+      setup.meridian.n_harmonics = 2;
+      setup.n_lines = 32;
+      RevolutionFoot foot(setup.resolved_for(weight));
+      ContactDemand demand = load_at(0.5, 0.7);
+      demand.tilt_moment = weight * height;
+      const LoadHarmonics load = foot.solve(demand).load;
+      ASSERT_EQ(load.contact_fraction, 1);
+      const double inner = setup.profile.land_inner_radius(), outer = setup.profile.land_outer_radius();
+      const double kappa = M_PI * modulus * (std::pow(outer, 4) - std::pow(inner, 4)) / 4;
+      const double amplified = 1 / (1 - weight * height / kappa);
+      EXPECT_NEAR(load.moment_x / demand.moment_x / amplified, 1, 1e-9) << modulus << ", " << height;
+      EXPECT_NEAR(load.moment_y / demand.moment_y / amplified, 1, 1e-9) << modulus << ", " << height;
+    }
+}
+
+/// Reference: the demand itself, from the motions that come with the solution; with lift-off too.
+TEST(Tilt, IsTheWeightTimesTheLean)
+{
+  for (const RevolutionSetup &setup : three_tables())
+  {
+    RevolutionFoot foot(setup.resolved_for(weight));
+    ContactDemand demand = load_at(1.3, 0.7);
+    demand.tilt_moment = weight * 0.08;
+    const ContactState state = foot.solve(demand);
+    const Eigen::Vector3d &motion = state.solution.motion;
+    const double scale = weight * 0.03;
+    EXPECT_NEAR(state.load.moment_x / scale, (demand.moment_x - demand.tilt_moment * motion(2)) / scale,
+                1e-9);
+    EXPECT_NEAR(state.load.moment_y / scale, (demand.moment_y + demand.tilt_moment * motion(1)) / scale,
+                1e-9);
+    EXPECT_GT(std::abs(demand.tilt_moment * motion(2)), 1e-7 * scale);
+    // Along the moment, not against it.
+    EXPECT_GT(std::hypot(state.load.moment_x, state.load.moment_y),
+              std::hypot(demand.moment_x, demand.moment_y));
+  }
+}
+
+// Reference: the forces on the contact nodes, azimuth line by azimuth line.
+TEST(Rings, CarryTheMomentsOfAState)
+{
+  for (const RevolutionSetup &setup : three_tables())
+  {
+    RevolutionFoot foot(setup.resolved_for(weight));
+    ContactDemand demand = load_at(1.2, 0.4);
+    demand.ring_radii = five_rings;
+    const ContactState state = foot.solve(demand);
+    const Eigen::VectorXd &radii = foot.elastic_body().contact_compliance().radii;
+    const Eigen::MatrixXd forces = state.solution.forces.reshaped(radii.size(), setup.n_lines);
+    for (const unsigned int n_rings : { 2u, 3u, 5u })
+    {
+      const LoadHarmonics load = foot.gather(state, { five_rings.begin(), five_rings.begin() + n_rings }, 8);
+      ASSERT_EQ(load.n_rings(), n_rings);
+      for (unsigned int k = 0; k < n_rings; ++k) // moments of (r - R) / w
+        for (const unsigned int n : { 0u, 1u, 2u, 7u })
+        {
+          const auto power = [&](double radius) { return std::pow((radius - 0.03) / 2e-4, k); };
+          double even = 0, odd = 0;
+          for (Eigen::Index j = 0; j < forces.cols(); ++j)
+            for (Eigen::Index i = 0; i < radii.size(); ++i)
+            {
+              const double theta = 2 * M_PI * static_cast<double>(j) / setup.n_lines;
+              const double part = forces(i, j) * power(radii(i)) / (n > 0 ? M_PI : 2 * M_PI);
+              even += part * std::cos(n * theta);
+              odd += part * std::sin(n * theta);
+            }
+          for (unsigned int j = 0; j < n_rings; ++j)
+          {
+            even -= power(five_rings[j]) * load.a[j][n];
+            odd -= power(five_rings[j]) * load.b[j][n];
+          }
+          EXPECT_NEAR(even / weight, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
+          EXPECT_NEAR(odd / weight, 0, 1e-11) << n_rings << " rings, moment " << k << ", harmonic " << n;
+        }
+      // Force and moment of the rings are those of the demand.
+      double force = 0, moment_x = 0, moment_y = 0;
+      for (unsigned int j = 0; j < n_rings; ++j)
+      {
+        force += 2 * M_PI * load.a[j][0];
+        moment_x += M_PI * load.radii[j] * load.b[j][1];
+        moment_y -= M_PI * load.radii[j] * load.a[j][1];
+      }
+      EXPECT_NEAR(force / weight, 1, 1e-10);
+      EXPECT_NEAR(moment_x / demand.moment_x, 1, 1e-9);
+      EXPECT_NEAR(moment_y / demand.moment_y, 1, 1e-9);
+    }
+  }
+}
+
+// Own regression: counts of steps, which no clock disturbs. Hard tables where the whole rim carries; a mat
+// under lift-off too.
+TEST(RevolutionFoot, NeighboursTakeFewNewtonSteps)
+{
+  for (RevolutionSetup setup : three_tables())
+  {
+    setup.friction_coefficient = 0.3;
+    RevolutionFoot foot(setup.resolved_for(weight));
+    const bool is_hard = setup.table.interface->is_hard();
+    for (const double m : is_hard ? std::vector<double>{ 0.4 } : std::vector<double>{ 0.4, 1.3, 1.7 })
+    {
+      foot.solve(load_at(m, 0.2), { -9, {} });
+      const ContactState near = foot.solve(load_at(1.02 * m, 0.22), { -9.2, {} });
+      EXPECT_LE(near.solution.n_iterations, is_hard ? 6u : 4u) << "m = " << m << ", hard: " << is_hard;
+    }
+  }
+}
