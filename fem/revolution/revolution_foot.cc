@@ -6,6 +6,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <Eigen/Geometry>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -248,12 +249,35 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
 {
   if (setup.imperfection.empty())
     return;
+  const double turn =
+    setup.imperfection.glass.empty() ? orientation.table - phase.table : orientation.glass - phase.glass;
   phase = orientation;
   const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
-  if (before) // the next contact starts from the penetration of the last one
-    before->normal_displacement += gap_before - zones.back()->body.contact_surface().node_gap;
+  turned.reset();
+  if (!before)
+    return;
+  // The next contact starts from the penetration of the last one, where it is or turned with the crests.
+  const Eigen::VectorXd &gap_now = zones.back()->body.contact_surface().node_gap;
+  const Eigen::VectorXd penetration = -(gap_before + before->normal_displacement);
+  before->normal_displacement = -(gap_now + penetration);
+  if (turn == 0)
+    return;
+  turned = before;
+  turned->normal_displacement = -(gap_now + turned_by_lines(penetration, turn));
+  turned->motion.tail<2>() = Eigen::Rotation2Dd(turn) * before->motion.tail<2>();
+}
+
+Eigen::VectorXd RevolutionFoot::turned_by_lines(const Eigen::VectorXd &nodal, double angle) const
+{
+  const Eigen::Index n_lines = setup.n_lines, n_radii = nodal.size() / n_lines;
+  const auto shift = static_cast<Eigen::Index>(
+    std::lround(angle / boost::math::double_constants::two_pi * static_cast<double>(n_lines)));
+  Eigen::MatrixXd result(n_radii, n_lines);
+  for (Eigen::Index j = 0; j < n_lines; ++j)
+    result.col(((j + shift) % n_lines + n_lines) % n_lines) = nodal.segment(j * n_radii, n_radii);
+  return result.reshaped();
 }
 
 unsigned int RevolutionFoot::n_resolved_harmonics() const
@@ -315,17 +339,28 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
   Zone &zone = *zones.back();
   const LinearConditions conditions = conditions_of(zone.body.contact_surface(), demand);
+  std::vector<ContactStart> starts;
   if (before)
+    starts.push_back(*before);
+  if (before && turned)
+    starts.insert(goes_with_crests ? starts.begin() : starts.end(), *turned);
+  const Eigen::VectorXd forces_before = zone.body.forces().reshaped();
+  before.reset();
+  for (std::size_t i = 0; i < starts.size(); ++i)
     try
     {
       ContactControl control = contact_control();
       control.whole_steps = true;
       control.max_steps = 15;
-      return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &*before);
+      if (i > 0)
+        zone.body.set_forces(forces_before);
+      const ContactSolution solution =
+        solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &starts[i]);
+      goes_with_crests = goes_with_crests != (i > 0);
+      return solution;
     }
     catch (const ContactFailure &failure)
     {
-      before.reset();
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }

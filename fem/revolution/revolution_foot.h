@@ -95,6 +95,8 @@ private:
   /// The zone of @p state with its gap at the state's phase.
   Zone &zone_of(const ContactState &state);
   void set_orientation(const FootOrientation &orientation);
+  /// Nodal values turned counter-clockwise by the next whole number of lines to @p angle.
+  Eigen::VectorXd turned_by_lines(const Eigen::VectorXd &nodal, double angle) const;
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   void add_zone(double reach);
   ContactSolution solve_from_before(const ContactDemand &demand);
@@ -111,6 +113,9 @@ private:
   /// it.
   std::vector<std::unique_ptr<Zone>> zones;
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
+  std::optional<ContactStart> turned; ///< the same turned with the crests since
+  /// Whether the last start that led to a solution after a turn of the crests was the turned one.
+  bool goes_with_crests = false;
 };
 
 } // namespace stemware::fem
