@@ -160,7 +160,10 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
   if (!foot.ring_radii().empty())
     changes.push_back({ "rings", safety,
                         changed(study, [&](ContactSection &contact)
-                                { contact.rings = 2 * static_cast<unsigned int>(foot.ring_radii().size()); }) });
+                                {
+                                  const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
+                                  contact.rings = n_rings <= 12 ? 2 * n_rings : n_rings / 2;
+                                }) });
   return changes;
 }
 
