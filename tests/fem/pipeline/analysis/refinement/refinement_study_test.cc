@@ -170,7 +170,7 @@ TEST(ErrorBands, OfRandomStudiesHold)
 {
   // The share over many more: tests/benchmark/error_band_coverage.cc, docs/method/error_bands.md.
   RandomStudies studies(2024);
-  for (unsigned int i = 0; i < 2; ++i)
+  for (unsigned int i = 0; i < 1; ++i)
   {
     const Study study = studies.next();
     const Levels comparison(study, much_finer(study));
