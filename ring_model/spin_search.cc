@@ -242,8 +242,7 @@ std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const To
 {
   constexpr unsigned int most_steps = 8;
   const double grip = std::copysign(search.grip_torque, known.omega);
-  const double allowed =
-    search.tolerance * std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
+  const double allowed = search.tolerance * std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
   double spin = known.omega, slope = known.slope;
   double value = torque(spin) - grip;
   for (unsigned int n = 1; n <= most_steps; ++n)

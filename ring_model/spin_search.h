@@ -62,10 +62,10 @@ struct KnownZero
 };
 
 /**
- * find_terminal_spin() next to the zero of another torque that differs little, by the secant method: two to four
- * evaluations. The zero found is the one that the search from rest would find as long as the torques differ too
- * little for others to appear.
- * Nothing where the method leaves the neighbourhood (a tenth of spin_scale) or does not end in eight steps.
+ * find_terminal_spin() next to the zero of another torque that differs little, by the secant method: two to
+ * four evaluations. The zero found is the one that the search from rest would find as long as the torques
+ * differ too little for others to appear. Nothing where the method leaves the neighbourhood (a tenth of
+ * spin_scale) or does not end in eight steps.
  * @throws what @p torque throws.
  */
 std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,

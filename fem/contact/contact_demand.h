@@ -13,8 +13,8 @@ namespace stemware::fem
 ///   M_N = moment + (friction_x, friction_y)(load) + tilt_moment (-q2, +q1),
 ///
 /// the sum of what is prescribed, of what the friction of the load itself adds, and of the weight of a glass
-/// that leans by the table motions q1, q2 (docs/theory/closures.md). Plain resultants are the case without the
-/// last two.
+/// that leans by the table motions q1, q2 (docs/theory/closures.md). Plain resultants are the case without
+/// the last two.
 struct ContactDemand : Resultants
 {
   ContactDemand() = default;

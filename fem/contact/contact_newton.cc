@@ -214,7 +214,8 @@ private:
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
     const NewtonIncrement increment = solve(mismatch);
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion - mismatch;
-    const double step_length = control.whole_steps || start_is_apart(mismatch) ? whole_step(increment, direction)
+    const double step_length = control.whole_steps || start_is_apart(mismatch)
+                                 ? whole_step(increment, direction)
                                : conditions.are_resultants() ? step_to_least_energy(increment, direction)
                                                              : step_to_less_residual(increment, direction);
     normal_displacement += step_length * direction;

@@ -40,8 +40,8 @@ struct ContactControl
 
 /// Where a contact solve begins: the table motions, and the normal displacement at which the table law is
 /// first evaluated. That need not be what body and table make of it at the moment: a body that answers
-/// otherwise than before, because friction has turned or the table law has become stiffer, then starts from the
-/// places that carried load.
+/// otherwise than before, because friction has turned or the table law has become stiffer, then starts from
+/// the places that carried load.
 struct ContactStart
 {
   Eigen::Vector3d motion;
@@ -67,8 +67,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
 /// solve_contact() under the prescribed resultants @p load. Throws std::invalid_argument unless N > 0 and all
 /// is finite.
 inline ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const Resultants &load, double radius,
-                                     const ContactControl &control = {},
-                                     const ContactStart *start = nullptr)
+                                     const ContactControl &control = {}, const ContactStart *start = nullptr)
 {
   return solve_contact(body, law, prescribed_resultants(body.contact_surface(), load), radius, control,
                        start);

@@ -28,7 +28,8 @@ public:
   /// Where the pressure is @p pressure > 0 [m].
   virtual double penetration_at(double pressure) const = 0;
 
-  /// A law of the same kind whose stiffness_at() is smaller by @p factor >= 1: the way to a solution from afar.
+  /// A law of the same kind whose stiffness_at() is smaller by @p factor >= 1: the way to a solution from
+  /// afar.
   virtual std::shared_ptr<const InterfaceLaw> softened(double factor) const = 0;
 
   /// The law on @p surface, to which it keeps a reference. @p penalty [Pa/m] steers a hard law, and only the

@@ -42,8 +42,8 @@ struct LoadFunction
   double operator()(const LoadHarmonics &load) const;
 };
 
-/// How rings share a force by its radius: the values there of the Lagrange polynomials of their radii, so that
-/// radial moments up to one less than the number of rings are kept. One ring gets all.
+/// How rings share a force by its radius: the values there of the Lagrange polynomials of their radii, so
+/// that radial moments up to one less than the number of rings are kept. One ring gets all.
 class RingShares
 {
 public:
@@ -59,9 +59,10 @@ private:
   mutable Eigen::VectorXd shares;
 };
 
-/// The load of nodal @p forces on circles @p radii [m] and equidistant azimuth lines, shape [n_radii, n_lines]
-/// [N]: on rings of @p ring_radii, on the one that carries moment and first harmonic where these are empty.
-/// With the pointwise quantities, those of the lines. Throws std::invalid_argument when there is no load.
+/// The load of nodal @p forces on circles @p radii [m] and equidistant azimuth lines, shape [n_radii,
+/// n_lines] [N]: on rings of @p ring_radii, on the one that carries moment and first harmonic where these are
+/// empty. With the pointwise quantities, those of the lines. Throws std::invalid_argument when there is no
+/// load.
 LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::VectorXd &radii,
                                  unsigned int n_harmonics, const std::vector<double> &ring_radii);
 

@@ -20,8 +20,8 @@ struct MeridianResolution
   /// Size of the contact cells in the focus, the band focus_radius -/+ focus_width [m]; 0: no focus. Outside
   /// the band they grow with their distance from it, and so do the cells behind them.
   double focus_size = 0;
-  double focus_radius = 0;   ///< [m]; 0 means the contact radius
-  double focus_width = 0;    ///< half the width of the band [m]; 0: the cells next to focus_radius
+  double focus_radius = 0;    ///< [m]; 0 means the contact radius
+  double focus_width = 0;     ///< half the width of the band [m]; 0: the cells next to focus_radius
   double focus_growth = 1.75; ///< a cell is at most growth - 1 times its distance from the band large
 
   bool has_focus() const { return focus_size > 0; }

@@ -62,7 +62,8 @@ void BodyOfRevolution::make_lines()
   const std::size_t n_pieces_of_line = surface.lines.size() / response.basis().n_lines();
   for (std::size_t j = 0; j < response.basis().n_lines(); ++j)
     for (std::size_t piece = 0; piece < n_pieces_of_line; ++piece)
-      surface.mirrored_lines.push_back((response.basis().n_lines() - j) % response.basis().n_lines() * n_pieces_of_line + piece);
+      surface.mirrored_lines.push_back(
+        (response.basis().n_lines() - j) % response.basis().n_lines() * n_pieces_of_line + piece);
 }
 
 void BodyOfRevolution::set_gap(const Gap &gap)
@@ -92,8 +93,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   // Of the largest force: what rounding leaves where a contact has gone.
   const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
   const LineNewton newton(response, tangent, unbalanced, negligible);
-  const LineNewton::Increment found =
-    newton.solve(conditions, conditions.residual(state.reshaped(), motion));
+  const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));
   increment = found.forces;
   moved = response.displacement(increment);
   NewtonIncrement step;

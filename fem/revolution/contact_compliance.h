@@ -46,7 +46,7 @@ struct ContactCompliance
   unsigned int degree = 0;                   ///< of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
   HarmonicCompliance beyond; ///< of all harmonics above n_harmonics(), see MeridianOptions::beyond()
-  unsigned int n_meridian_unknowns = 0;      ///< degrees of freedom of one meridional problem
+  unsigned int n_meridian_unknowns = 0; ///< degrees of freedom of one meridional problem
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
@@ -55,8 +55,8 @@ struct ContactCompliance
   /// the contact zone the nearest element's polynomials go on. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
 
-  /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element: forces
-  /// elsewhere are none, displacements elsewhere not asked for.
+  /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element:
+  /// forces elsewhere are none, displacements elsewhere not asked for.
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
 
   /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.

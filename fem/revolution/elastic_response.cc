@@ -69,7 +69,8 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
   const CircleRange loaded(forces);
   const Eigen::MatrixXd normal = forces.middleRows(loaded.first, loaded.size);
   const double per_line = n_lines() / FourierBasis::norm(0);
-  const auto columns = [&](const Eigen::MatrixXd &matrix) { return matrix.middleCols(loaded.first, loaded.size); };
+  const auto columns = [&](const Eigen::MatrixXd &matrix)
+  { return matrix.middleCols(loaded.first, loaded.size); };
 
   Eigen::MatrixXd result = per_line * (columns(circles.beyond.normal) * normal);
   Eigen::MatrixXd radial, radial_modes, azimuthal_modes;
@@ -78,8 +79,8 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
     radial = normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size));
     result.noalias() += per_line * (columns(circles.beyond.radial) * radial);
     radial_modes = modes.project(radial);
-    azimuthal_modes = modes.project_on_conjugates(
-      normal.cwiseProduct(slide_azimuthal.middleRows(loaded.first, loaded.size)));
+    azimuthal_modes =
+      modes.project_on_conjugates(normal.cwiseProduct(slide_azimuthal.middleRows(loaded.first, loaded.size)));
   }
   const Eigen::MatrixXd normal_modes = modes.project(normal);
   Eigen::MatrixXd amplitudes(n_radii(), modes.n_modes());

@@ -28,8 +28,8 @@ struct ForceModes
 /// foot and long beside the contact's width it is that of a line contact, so each line answers to its own
 /// force. In sum
 ///
-///   u_j = D f_j + sum_{n <= n_max} (C_n - C_beyond) f_n cos n(theta - theta_n) ...,  D = C_beyond n_lines / 2
-///   pi,
+///   u_j = D f_j + sum_{n <= n_max} (C_n - C_beyond) f_n cos n(theta - theta_n) ...,  D = C_beyond n_lines /
+///   2 pi,
 ///
 /// which is positive definite on every line, however many there are. Friction tractions t = s f with the
 /// direction s(r, theta) of sliding add C^zr and C^ztheta; the latter up to n_max alone.

@@ -142,8 +142,10 @@ void LineNewton::choose_functions()
   for (Eigen::Index n_functions = std::min<Eigen::Index>(2, n_circles);; ++n_functions)
   {
     functions = polynomials(radii, n_functions);
-    const auto left_out = [&](const Eigen::MatrixXd &matrix) {
-      return (matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose()).norm();
+    const auto left_out = [&](const Eigen::MatrixXd &matrix)
+    {
+      return (matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose())
+        .norm();
     };
     double worst = 0;
     for (const unsigned int n : { 0u, 1u, n_max / 2, n_max })
@@ -231,9 +233,10 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
           block[k] = pair(k);
       }
       const HarmonicCompliance &harmonic = reduced[FourierBasis::harmonic(row_mode)];
-      const Eigen::MatrixXd weight =
-        (kind == 0 ? harmonic.normal : kind == 1 ? harmonic.radial : harmonic.azimuthal) /
-        FourierBasis::norm(row_mode);
+      const Eigen::MatrixXd weight = (kind == 0   ? harmonic.normal
+                                      : kind == 1 ? harmonic.radial
+                                                  : harmonic.azimuthal) /
+                                     FourierBasis::norm(row_mode);
       matrix.block(row * p, 0, p, n).noalias() += weight * sums;
       matrix.block(row * p, n, p, 3).noalias() += weight * motions.col(row).reshaped(p, 3);
       solution.segment(row * p, p).noalias() += weight * unbalanced.col(row);

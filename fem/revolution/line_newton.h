@@ -21,8 +21,8 @@ namespace stemware::fem
 class LineNewton
 {
 public:
-  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]; places without
-  /// tangent where it is @p negligible [N] or less are left alone.
+  /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]; places
+  /// without tangent where it is @p negligible [N] or less are left alone.
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
              const Eigen::MatrixXd &unbalanced, double negligible = 0);
 

@@ -125,8 +125,8 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
     // A layer thinner than the contact is wide is a mat of modulus E / thickness.
     const WinklerInterface layer(setup.table.substrate->material.young_modulus /
                                  setup.table.substrate->disc.thickness);
-    of_bodies = std::min(
-      of_bodies, layer.half_width(line_load(setup, normal_force), setup.profile.crown_radius));
+    of_bodies =
+      std::min(of_bodies, layer.half_width(line_load(setup, normal_force), setup.profile.crown_radius));
   }
   const double of_interface =
     setup.table.interface->half_width(line_load(setup, normal_force), setup.profile.crown_radius);

@@ -227,8 +227,8 @@ private:
       data[line].resize(n_rows, nodes.size());
       for (unsigned int node = 0; node < nodes.size(); ++node)
         data[line].col(node) =
-          in_slip_frame(nodes[node], basis.azimuth(line),
-                        in_phase.block<6, 1>(6 * node, line), conjugate.block<3, 1>(3 * node, line));
+          in_slip_frame(nodes[node], basis.azimuth(line), in_phase.block<6, 1>(6 * node, line),
+                        conjugate.block<3, 1>(3 * node, line));
     }
     if (is_contact(cell))
       add_pressure(contact_face(cell), grid, nodes, data);
@@ -285,8 +285,8 @@ private:
 
 } // namespace
 
-void write_revolution_fields(const MeridianField &field, const PressureField &pressure, const Eigen::Vector3d &motion,
-                             std::ostream &file)
+void write_revolution_fields(const MeridianField &field, const PressureField &pressure,
+                             const Eigen::Vector3d &motion, std::ostream &file)
 {
   PatchWriter writer(FootPicture(field, pressure, motion).patches());
   DataOutBase::VtkFlags flags;

@@ -153,7 +153,8 @@ Eigen::VectorXd SolidBody::contact_displacement() const
 }
 
 NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &contact_tangent,
-                                 const Eigen::VectorXd &forces, const LinearConditions &conditions, const Eigen::Vector3d &motion)
+                                 const Eigen::VectorXd &forces, const LinearConditions &conditions,
+                                 const Eigen::Vector3d &motion)
 {
   Implementation &body = *implementation;
   body.set_tangent(contact_tangent);

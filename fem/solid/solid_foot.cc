@@ -104,7 +104,7 @@ unsigned int SolidFoot::n_resolved_harmonics() const
 }
 
 LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                        unsigned int n_harmonics)
+                                unsigned int n_harmonics)
 {
   return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii);
 }

@@ -2,6 +2,7 @@
 // same study four times finer. Build: cmake --preset bench && cmake --build --preset bench, run:
 // build/bench/error_band_coverage [studies [seed]]
 
+#include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -67,15 +68,19 @@ struct Tally
 void compare(const Study &study, Tally &quick, Tally &full)
 {
   stemware::fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
-  const double omega = terminal_spin(load, study.motion.orbit).spin.omega;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const BalancedLoad load = find_load(study, foot);
+  SpinQuestion question = { study.motion.orbit };
+  question.with_slope = true;
+  const SpinRow row = spin_row(load, question);
+  const double omega = row.terminal->omega;
   const std::vector<double> spins = spins_of_interest(omega);
   const std::vector<QuantityOfInterest> own = quantities_of_load(study, load, spins, omega);
   const Study finer_study = four_times_finer(study);
   const std::vector<QuantityOfInterest> finer =
     quantities_of_load(finer_study, find_load(finer_study, study_foot(finer_study, cache)), spins, omega);
   std::printf("   run\n");
-  quick.add(estimate_bands(study, load, omega, cache), finer);
+  quick.add(estimate_bands(study, foot, row, std::nullopt, cache), finer);
   std::printf("   converge\n");
   full.add(refine(study, own, spins, refinement_axes(study, 3), cache).quantities, finer);
   std::fflush(stdout);

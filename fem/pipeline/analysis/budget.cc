@@ -137,8 +137,8 @@ WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, 
     row.reason = "not computed: a rim out of flat touches a hard table at few places, phase by phase others";
     return row;
   }
-  const LoadedRow answer = attempt_row(variant.study, cache, question_near(variant.study, complete),
-                                       all_harmonics);
+  const LoadedRow answer =
+    attempt_row(variant.study, cache, question_near(variant.study, complete), all_harmonics);
   row.omega_terminal = answer.row.omega_terminal();
   if (row.omega_terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;

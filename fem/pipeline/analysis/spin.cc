@@ -96,9 +96,8 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.at_rest = ring_state(load, question, 0);
   for (const double omega : question.torques_at)
     row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
-  const LongRunSpin found =
-    terminal_spin(load, question.motion, question.expected, question.with_slope, question.grip_torque,
-                  question.near);
+  const LongRunSpin found = terminal_spin(load, question.motion, question.expected, question.with_slope,
+                                          question.grip_torque, question.near);
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -143,8 +142,7 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
 }
 
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
-                          bool with_slope, double grip_torque,
-                          const std::optional<ring::KnownZero> &near)
+                          bool with_slope, double grip_torque, const std::optional<ring::KnownZero> &near)
 {
   constexpr double accuracy = 1e-9; // of the mean in the long run
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
@@ -168,10 +166,9 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   result.zero_of_mean_torque = result.spin.omega;
   if (!load.phases())
     return result;
-  const ring::LongTimeSpin mean =
-    ring::long_time_spin(torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
-                         averaging_window(load.phases()->periods(), motion, result.spin), accuracy,
-                         search.spin_scale);
+  const ring::LongTimeSpin mean = ring::long_time_spin(
+    torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
+    averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
   result.uncertainty = mean.uncertainty;

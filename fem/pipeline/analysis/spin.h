@@ -19,7 +19,8 @@ struct SpinQuestion
   std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
   std::optional<BalancedLoad> on_the_way = {};
-  double expected = 0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
+  double expected =
+    0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
   /// The terminal spin of a load much like this one, where it is known.
   std::optional<ring::KnownZero> near = {};
   bool with_slope = false; ///< whether SpinRow::time_constant is wanted: it takes eight more loads
@@ -36,9 +37,9 @@ struct LongRunSpin
   double uncertainty = 0;         ///< of the mean [rad/s]
 };
 
-/// The terminal spin under @p load, @p expected or not: the zero of the torque that is reached from rest, or, where the load
-/// depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and time constant
-/// are NaN. Throws std::runtime_error where there is none, and as the load.
+/// The terminal spin under @p load, @p expected or not: the zero of the torque that is reached from rest, or,
+/// where the load depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and
+/// time constant are NaN. Throws std::runtime_error where there is none, and as the load.
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected = 0,
                           bool with_slope = true, double grip_torque = 0,
                           const std::optional<ring::KnownZero> &near = {});

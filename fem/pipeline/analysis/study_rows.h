@@ -57,8 +57,8 @@ LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const Spi
 LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                         const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics);
 
-/// The terminal spin of @p row as a start for those of models that differ little; nothing where it has none, or
-/// one without a slope.
+/// The terminal spin of @p row as a start for those of models that differ little; nothing where it has none,
+/// or one without a slope.
 std::optional<ring::KnownZero> known_zero(const SpinRow &row);
 
 /// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each as

@@ -53,8 +53,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
   // The friction's part of M_N is h k x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion.friction_coefficient, radii,
-                               std::min(balance.n_harmonics, foot->n_harmonics()),
-                               omega, motion.orbit_speed);
+                               std::min(balance.n_harmonics, foot->n_harmonics()), omega, motion.orbit_speed);
   demand.friction_x = load_function(friction.side, -arm, rotation);
   demand.friction_y = load_function(friction.drag, arm, rotation);
   return demand;
@@ -68,8 +67,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
   for (unsigned int round = 0;; ++round)
   {
     ++n_solved;
-    fem::ContactState state =
-      foot->solve(demand_at(omega, { one_radius }, one_rotation), slip, progress);
+    fem::ContactState state = foot->solve(demand_at(omega, { one_radius }, one_rotation), slip, progress);
     state.load = foot->gather(state);
     const double radius = state.load.radii.front(), rotation = ring_rotation(state.load);
     const bool settled =

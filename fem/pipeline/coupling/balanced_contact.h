@@ -44,7 +44,7 @@ private:
   const std::shared_ptr<const ElasticFoot> foot;
   const ContactBalance balance;
   std::map<double, LeaningLoad> loads;
-  double one_radius;     ///< of the one ring in the solution before [m]
+  double one_radius;       ///< of the one ring in the solution before [m]
   double one_rotation = 0; ///< [rad]
   std::size_t n_solved = 0;
 };

@@ -23,8 +23,7 @@ BalancedLoad::BalancedLoad(Parts given)
 LeaningLoad BalancedLoad::leaning(double omega) const
 {
   const AtSpin &at_spin = curve ? curve : parts->at_spin;
-  const LeaningLoad load =
-    at_spin ? at_spin(omega) : LeaningLoad(parts->at_rest.rings, parts->at_rest.tilt);
+  const LeaningLoad load = at_spin ? at_spin(omega) : LeaningLoad(parts->at_rest.rings, parts->at_rest.tilt);
   return load.rings.n_harmonics() > n_kept ? load.truncated(n_kept) : load;
 }
 

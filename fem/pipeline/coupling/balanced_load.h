@@ -36,11 +36,11 @@ public:
   struct Parts
   {
     LoadReport at_rest;
-    AtSpin at_spin = {}; ///< empty: the load at rest
+    AtSpin at_spin = {};                                 ///< empty: the load at rest
     std::shared_ptr<const PhaseLoads> phases = {};       ///< nothing where the phase does not matter
     std::shared_ptr<CouplingStatistics> statistics = {}; ///< nothing where the spin does not matter
     std::shared_ptr<const fem::ContactState>
-      contact = {};         ///< at rest; nothing where the load does not come from one
+      contact = {}; ///< at rest; nothing where the load does not come from one
     /// Solves the contact at a spin again; empty where it is the same at every spin.
     std::function<fem::ContactState(double omega)> contact_at = {};
     unsigned int n_kept = std::numeric_limits<unsigned int>::max(); ///< harmonics that at() gives

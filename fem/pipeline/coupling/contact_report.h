@@ -27,7 +27,7 @@ struct LoadReport
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();   ///< LeaningLoad::tilt [rad]
   double inner_radius = 0;                          ///< between which the load lies [m]
   double outer_radius = 0;
-  double minimum = 0;                               ///< least pointwise load [N/rad]
+  double minimum = 0; ///< least pointwise load [N/rad]
   std::vector<fem::AzimuthLoad>
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
 };

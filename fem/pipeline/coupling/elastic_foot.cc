@@ -65,8 +65,7 @@ ring::RingStack ring_stack(const fem::LoadHarmonics &load)
     rings.push_back({ load.radii[j], load.a[j], load.b[j] });
   ring::RingStack stack(std::move(rings));
   const double moment = std::hypot(load.moment_x, load.moment_y);
-  if (load.n_rings() > 1 || load.n_harmonics() == 0 ||
-      moment < 1e-10 * load.normal_force * load.mean_radius)
+  if (load.n_rings() > 1 || load.n_harmonics() == 0 || moment < 1e-10 * load.normal_force * load.mean_radius)
     return stack;
   return stack.rotated(ring_rotation(load));
 }

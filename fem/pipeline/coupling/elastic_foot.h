@@ -40,7 +40,10 @@ public:
                                          Progress &progress);
 
   /// The load of @p state, a contact of this foot, on the rings of ring_radii().
-  fem::LoadHarmonics gather(const fem::ContactState &state) const { return foot->gather(state, radii, highest); }
+  fem::LoadHarmonics gather(const fem::ContactState &state) const
+  {
+    return foot->gather(state, radii, highest);
+  }
 
   /// Contact solutions so far.
   std::size_t n_solutions() const { return n_solved; }
@@ -62,8 +65,8 @@ private:
 /// direction of M_N, which it then carries.
 ring::RingStack ring_stack(const fem::LoadHarmonics &load);
 
-/// By how much one ring has to be turned counter-clockwise for its first harmonic to have the direction of M_N
-/// [rad]: 0 by symmetry but for friction that deforms the foot.
+/// By how much one ring has to be turned counter-clockwise for its first harmonic to have the direction of
+/// M_N [rad]: 0 by symmetry but for friction that deforms the foot.
 double ring_rotation(const fem::LoadHarmonics &load);
 
 /// @p n_rings Chebyshev points of the band from @p inner to @p outer [m], ascending.

@@ -37,9 +37,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes, then
-/// that through 17, is checked at three places between them; where it still differs by more than @p tolerance the
-/// piece is halved.
+/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes,
+/// then that through 17, is checked at three places between them; where it still differs by more than @p
+/// tolerance the piece is halved.
 ///
 /// Throws ToleranceMissed when @p most_samples do not do.
 LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,

@@ -124,8 +124,7 @@ public:
       return known->second;
     const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, orientation });
     const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
-    return loads
-      .emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
+    return loads.emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
       .first->second;
   }
 
@@ -162,7 +161,8 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   const bool follows = follows_spin(study);
   const double spin_unit = follows ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
-  const auto for_mean = follows ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
+  const auto for_mean =
+    follows ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
 
   BalancedLoad::Parts parts =
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress)
@@ -198,15 +198,15 @@ struct Band
 unsigned int rings_for(const Band &band, double eps, unsigned int least)
 {
   constexpr unsigned int most = 25;
-  const double share =
-    (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
+  const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
   if (share >= 0.5)
     return std::max(least, most);
   const double wanted = std::ceil(std::log(1e-10) / std::log(share));
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most)));
 }
 
-/// As many harmonics as the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as fast again.
+/// As many harmonics as the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as fast
+/// again.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
@@ -227,9 +227,9 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
     if (n_rings == 1)
       return foot.set_rings({}, n_harmonics);
     const double margin = 0.1 * (band.outer - band.inner) + 1e-6 * band.outer;
-    foot.set_rings(chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin,
-                                   n_rings),
-                   n_harmonics);
+    foot.set_rings(
+      chebyshev_radii(std::max(band.inner - margin, 0.01 * band.inner), band.outer + margin, n_rings),
+      n_harmonics);
   };
   unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
   place(n_rings, n_harmonics);

@@ -30,8 +30,8 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics);
 
-/// find_load() of a contact with the marks of glass and table at @p orientation: a study whose rim or table is out
-/// of flat has a load of its own there.
+/// find_load() of a contact with the marks of glass and table at @p orientation: a study whose rim or table
+/// is out of flat has a load of its own there.
 BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                 const ring::Orientation &orientation,
                                 unsigned int n_harmonics = all_harmonics);

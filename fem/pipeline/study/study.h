@@ -110,9 +110,9 @@ struct ContactSection
   unsigned int harmonics = 16;  ///< of a body of revolution
   unsigned int azimuth_lines = 256; ///< on which a body of revolution meets the table
   unsigned int rings = 5;           ///< that take the pressure over
-  double fineness = 1;    ///< of the cells, over the usual; not an entry: error bands change it
-  double hardness = 1;    ///< of the spring in the place of a hard interface, over the usual; not an entry
-  unsigned int load_harmonics = 0;  ///< of each ring; 0: as many as the lines resolve and the kernels ask for
+  double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
+  double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; not an entry
+  unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
 };
 

@@ -135,7 +135,7 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
   };
   // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   const Study coarse = changed(study, [](ContactSection &contact) { contact.fineness /= 2; });
-  changes.push_back({ "mesh", study.table.is_hard() ? safety : 0.75, coarse });
+  changes.push_back({ "mesh", safety, coarse });
   if (study.contact.degree < 4)
   {
     const auto higher = [](ContactSection &contact) { ++contact.degree; };
@@ -154,13 +154,18 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
     changes.push_back(
       { "interface", safety, changed(study, [](ContactSection &contact) { contact.hardness *= 10; }) });
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
-  changes.push_back({ "load_harmonics", safety,
-                      changed(study, [=](ContactSection &contact)
-                              { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : n / 2; }) });
+  changes.push_back(
+    { "load_harmonics", safety,
+      changed(study, [=](ContactSection &contact)
+              { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : n / 2; }) });
   if (!foot.ring_radii().empty())
     changes.push_back({ "rings", safety,
-                        changed(study, [&](ContactSection &contact)
-                                { contact.rings = 2 * static_cast<unsigned int>(foot.ring_radii().size()); }) });
+                        changed(study,
+                                [&](ContactSection &contact)
+                                {
+                                  const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
+                                  contact.rings = n_rings <= 12 ? 2 * n_rings : n_rings / 2;
+                                }) });
   return changes;
 }
 
@@ -171,14 +176,14 @@ bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
 }
 
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                          const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
+                    const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
 {
   if (!foot || !abilities(study.contact.body).is_of_revolution || !all.terminal)
     return {};
   const double omega = all.terminal->omega;
   const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   Probe probe;
-  probe.spins = { 0, omega / 2, omega - scale / 64, omega, omega + scale / 64, 1.5 * omega };
+  probe.spins = { 0, omega / 2, omega - scale / 512, omega, omega + scale / 512, 1.5 * omega };
   probe.has_first = first.has_value();
   probe.first = first.value_or(0);
   probe.phases = phases_of(study);
@@ -204,8 +209,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     for (BandedQuantity &banded : bands)
     {
       const std::string &key = banded.quantity.key;
-      const double part =
-        change.factor * std::abs(quantity_of(to, key).value - quantity_of(from, key).value);
+      const double part = change.factor * std::abs(quantity_of(to, key).value - quantity_of(from, key).value);
       if (!std::isfinite(part))
         continue;
       banded.parts[change.part] = part;

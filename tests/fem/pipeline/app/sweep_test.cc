@@ -79,9 +79,11 @@ TEST(Sweep, HasTheDigitsOfSeparateRuns)
     ASSERT_EQ(ended.exit_code, 0) << ended.err;
     const nlohmann::json one = read_summary(scratch / "one");
     EXPECT_EQ(table.number(row, "terminal spin (rad/s)"), one["ring"]["omega_terminal"]);
-    EXPECT_EQ(table.number(row, "terminal spin of the first harmonic alone (rad/s)"),
-              one["truncation"][0]["omega_terminal"]);
-    EXPECT_EQ(table.number(row, "absolute harmonic effect (rad/s)"), one["harmonic_effect"]["absolute"]);
+    // `run` starts the search for this one from the spin of all harmonics, `sweep` from nothing.
+    EXPECT_NEAR(table.number(row, "terminal spin of the first harmonic alone (rad/s)"),
+                one["truncation"][0]["omega_terminal"], 1e-8);
+    EXPECT_NEAR(table.number(row, "absolute harmonic effect (rad/s)"), one["harmonic_effect"]["absolute"],
+                1e-8);
     EXPECT_EQ(table.number(row, "torque at rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment ratio (1)"), one["load"]["moment_ratio"]);
     EXPECT_EQ(table.number(row, "contact fraction (1)"), one["load"]["contact_fraction"]);
@@ -273,10 +275,12 @@ TEST(Sweep, FailsWhenEveryCaseDoes)
 
 TEST(Sweep, ContactFailuresCarryTheirOutcome)
 {
-  // A foot as soft as jelly would have to be squeezed flat.
+  // On a mat as soft as jelly the glass leans until it falls.
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
-  const Ended ended = stemware(scratch, sweep({ "--vary", "Glass/Young modulus=1e3,7e10" }));
+  const Ended ended = stemware(
+    scratch, sweep({ "--vary", "Table/Foundation modulus=1e8,1e12", "--set", "Motion/Tilt=included", "--set",
+                     "Motion/Centre of mass height=0.14", "--set", "Load/Coupling=two-way" }));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   const CsvTable table = table_of(scratch);
   EXPECT_EQ(table.text(0, "status"), "failed");

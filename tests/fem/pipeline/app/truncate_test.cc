@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <sstream>
 
 namespace stemware::test
@@ -184,7 +185,8 @@ TEST(Truncate, OneWayRowsByPlainQuadrature)
 {
   // A static study with lift-off: the load is the same at every spin.
   const ScratchFolder scratch;
-  const Json summary = summary_of(scratch, "truncate", { "Load/Moment ratio=1.3", "Load/Coupling=one-way" });
+  const Json summary =
+    summary_of(scratch, "truncate", { "Load/Moment ratio=1.3", "Load/Coupling=one-way", "Contact/Rings=1" });
   const auto spin_up = read_columns(scratch / "truncate/spin_up.dat");
   const Json &rows = summary["truncation"];
   ASSERT_EQ(spin_up.size(), rows.size() + 1);
@@ -197,7 +199,7 @@ TEST(Truncate, OneWayRowsByPlainQuadrature)
     EXPECT_NEAR(number(rows[row], "tau_at_rest"), ring.torque(0), 1e-15);
     for (std::size_t i = 0; i < omega.size(); ++i)
       EXPECT_NEAR(rows[row]["torque"][i].get<double>(), ring.torque(omega[i]), 1e-14) << row;
-    EXPECT_NEAR(ring.torque(number(rows[row], "omega_terminal")), 0, 1e-14) << row;
+    EXPECT_NEAR(ring.torque(number(rows[row], "omega_terminal")), 0, 5e-14) << row;
     EXPECT_NEAR(number(rows[row], "pulling_share"), ring.pulling_share(), 2e-5) << row; // its kinks
 
     // omega(t) by the classical Runge-Kutta method, I_z d omega / dt = tau_z.
@@ -276,7 +278,8 @@ TEST(Truncate, ReportHasTheAnswerAndTheFigures)
   const Ended ended = stemware(scratch, arguments(scratch, "truncate", {}));
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const std::string page = read_text(scratch / "truncate/report.html");
-  for (const char *figure : { "load", "spectrum", "terminal_spin", "torque", "spin_up", "deviation" })
+  for (const char *figure :
+       { "waterfall", "load", "spectrum", "terminal_spin", "torque", "spin_up", "deviation" })
   {
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure + "\""), std::string::npos) << figure;
     for (const char *kind : { ".svg", ".pdf", ".dat", ".gp" })
@@ -288,7 +291,7 @@ TEST(Truncate, ReportHasTheAnswerAndTheFigures)
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 100u) << line;
   EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
-  EXPECT_NE(ended.out.find("9 of 9 rows by harmonics"), std::string::npos) << ended.out;
+  EXPECT_TRUE(std::regex_search(ended.out, std::regex("([0-9]+) of \\1 rows by harmonics"))) << ended.out;
 }
 
 TEST(Truncate, LoadsThatDoNotSpinOrHaveOneHarmonic)

@@ -136,7 +136,8 @@ TEST(TruncationByHand, Budget)
 {
   const TruncationByHand by_hand;
   const Results results = made_truncation();
-  EXPECT_EQ(report_lines(results, "From the paper's model to this study's"), R"(Terminal spin in models of increasing detail
+  EXPECT_EQ(report_lines(results, "From the paper's model to this study's"),
+            R"(Terminal spin in models of increasing detail
 step: 1 | 2 | 2a | 3 | 3a | 4 | 5
 what is added: the paper&#39;s model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
 terminal spin (rad/s): -2.1301235 | -2.1801235 | -2.2301235 | -2.2801235 | – | -2.3301235 | -2.3801235
