@@ -16,9 +16,6 @@ namespace
 
 constexpr double tolerance = 1e-7; ///< sampling goes on until the difference is below it
 constexpr double largest_allowed = 1e-3;
-/// From so many phases on a kink of lift-off decides on the difference, which then falls slowly.
-constexpr unsigned int many_phases = 32;
-constexpr double tolerance_of_many = 1e-5;
 constexpr unsigned int most_phases = 128;
 constexpr unsigned int most_steps = 16; ///< on an interval of spins
 
@@ -91,9 +88,8 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
   {
     if (grid.size() == 1)
       return;
-    const auto allowed = [&] { return grid.size() < many_phases ? tolerance : tolerance_of_many; };
     double error = error_of_grid();
-    for (; error > allowed() && grid.size() < most_phases; error = error_of_grid())
+    for (; error > tolerance && grid.size() < most_phases; error = error_of_grid())
       grid = grid.refined();
     grids.error = std::max(grids.error, error);
   };

@@ -41,8 +41,8 @@ struct PhaseGrids
 };
 
 /// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to 1e-7
-/// of a_0 (to 1e-5, from 32 phases on), at most 128 in each angle, with turning samples or not, whichever is
-/// better. Throws std::runtime_error, with a sentence, where the difference stays above 1e-3.
+/// of a_0, at most 128 in each angle, with turning samples or not, whichever is better. Throws
+/// std::runtime_error, with a sentence, where the difference stays above 1e-3.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods);
 
 /// The worst of all sampled phases, at rest.
