@@ -1,0 +1,99 @@
+#include "fem/revolution/revolution_setup.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+double RevolutionSetup::plane_strain_compliance() const
+{
+  const auto of = [](const ElasticMaterial &material)
+  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus; };
+  double compliance = foot_is_rigid ? 0 : of(material);
+  if (table.substrate)
+    compliance += of(table.substrate->material);
+  return compliance;
+}
+
+double RevolutionSetup::line_load(double normal_force) const
+{
+  return normal_force / (2 * boost::math::double_constants::pi * profile.contact_radius);
+}
+
+std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
+{
+  if (!table.interface->is_hard())
+    return table.interface;
+  const double compliance = plane_strain_compliance();
+  if (compliance == 0)
+    throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; let one of the "
+                                "three yield.");
+  const double width =
+    profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width;
+  return std::make_shared<WinklerInterface>(hardness / (compliance * width));
+}
+
+double hertz_half_width(const RevolutionSetup &setup, double normal_force)
+{
+  return std::sqrt(4 * setup.line_load(normal_force) * setup.profile.crown_radius *
+                   setup.plane_strain_compliance() / boost::math::double_constants::pi);
+}
+
+double expected_half_width(const RevolutionSetup &setup, double normal_force)
+{
+  if (setup.profile.crown_radius == 0)
+    return 0;
+  double of_bodies = hertz_half_width(setup, normal_force);
+  if (setup.table.substrate)
+  {
+    // A layer thinner than the contact is wide is a mat of modulus E / thickness.
+    const WinklerInterface layer(setup.table.substrate->material.young_modulus /
+                                 setup.table.substrate->disc.thickness);
+    of_bodies =
+      std::min(of_bodies, layer.half_width(setup.line_load(normal_force), setup.profile.crown_radius));
+  }
+  const double of_interface =
+    setup.table.interface->half_width(setup.line_load(normal_force), setup.profile.crown_radius);
+  return std::min(std::max(of_bodies, of_interface), setup.profile.land_width / 2);
+}
+
+RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
+{
+  RevolutionSetup resolved = *this;
+  resolved.normal_force = normal_force;
+  resolved.contact_half_width = expected_half_width(*this, normal_force);
+  const bool flat = profile.crown_radius == 0;
+  if (flat)
+    resolved.resolution.land_grading = 1;
+  if (flat && table.interface->is_hard())
+  {
+    // The foot bends, so the load gathers at the inner edge of the land.
+    resolved.resolution.focus_radius = profile.land_inner_radius();
+    resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
+  }
+  if (flat)
+    return resolved;
+  // Where the interface yields a thousand times more than the bodies, their displacement is smooth within the
+  // contact.
+  const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
+  if (line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
+  {
+    // What the bodies as a whole yield is left.
+    const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));
+    resolved.resolution.refinements = static_cast<unsigned int>(std::max(halvings, 0.));
+    return resolved;
+  }
+  double size = resolved.contact_half_width / 6;
+  if (table.substrate)
+    size = std::min(size, table.substrate->disc.thickness / 3);
+  resolved.resolution.focus_size = size / fineness;
+  resolved.resolution.focus_width = 1.5 * resolved.contact_half_width;
+  resolved.resolution.focus_growth = 1 + (resolution.focus_growth - 1) / std::sqrt(fineness);
+  return resolved;
+}
+
+} // namespace stemware::fem
