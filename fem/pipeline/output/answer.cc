@@ -3,6 +3,8 @@
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/render/number_format.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -62,12 +64,39 @@ std::string one_way_beginning(const Study &study)
 
 // ---- run
 
+/// "one turn in 1.72 s".
+std::string duration_of_a_turn(double omega)
+{
+  return "one turn in " +
+         format::all_significant<3>(boost::math::double_constants::two_pi / std::abs(omega)) + " s";
+}
+
+/// "clockwise, against its orbit": as seen from above.
+std::string sense_of(const Study &study, double omega)
+{
+  const bool is_with_orbit = omega * study.motion.orbit.sense_sign() > 0;
+  return std::string(omega < 0 ? "clockwise, " : "counter-clockwise, ") +
+         (is_with_orbit ? "with" : "against") + " its orbit";
+}
+
 std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
                                    const std::vector<BandedQuantity> &bands)
 {
   const std::string beginning = one_way_beginning(study);
-  return beginning + (beginning.empty() ? "The" : "the") + " glass spins up to " +
-         with_band(spin.all().omega_terminal().value(), band_of(bands, "omega_terminal")) + " rad/s.";
+  const double omega = spin.all().omega_terminal().value();
+  return beginning + (beginning.empty() ? "The" : "the") + " glass spins " + sense_of(study, omega) + ", " +
+         duration_of_a_turn(omega) + ": " + with_band(omega, band_of(bands, "omega_terminal")) + " rad/s.";
+}
+
+/// The paper's answer, to stand beside the study's; empty where the study is the paper's model.
+std::string paper_sentence(const Study &study, const Budget &budget)
+{
+  const std::optional<double> &omega = budget.rows.front().omega_terminal;
+  if (budget.rows.size() < 2 || !omega)
+    return "";
+  return is_spin(study, *omega) ? "In the paper's model it makes " + duration_of_a_turn(*omega) + ": " +
+                                    format::all_significant<6>(*omega) + " rad/s."
+                                : "In the paper's model it does not spin up.";
 }
 
 /// Of a glass that does not spin up: by itself, or because the fingers hold it.
@@ -257,7 +286,7 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const std::vec
   if (!is_spin(study, spin.all().omega_terminal().value()))
     return at_rest_sentence(study, spin.all(), "");
   const bool has_band = band_of(bands, "omega_terminal").has_value();
-  return joined({ terminal_spin_sentence(study, spin, bands),
+  return joined({ terminal_spin_sentence(study, spin, bands), paper_sentence(study, spin.budget),
                   spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
                   largest_step_sentence(study, spin.budget),
                   without_sentence(study, spin.budget, has_band) });

@@ -15,9 +15,10 @@
 namespace stemware::pipeline
 {
 
-/// The answer of `run`: the terminal spin with its error band, what the harmonics beyond the first do to it,
-/// the largest other step of the budget, and what the band does not contain. A one-way load is called so in
-/// each sentence about it.
+/// The answer of `run`: the terminal spin in words (seen from above; with or against the orbit) and with its
+/// error band, the paper's beside it, what the harmonics beyond the first do to it, the largest other step of
+/// the budget, and what the band does not contain. A one-way load is called so in each sentence about it. The
+/// budget must have a row.
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands);
 
 /// Whether the load of rest is kept at every spin: that of Load/Coupling = one-way, of a given moment, or of

@@ -103,6 +103,25 @@ Table shown_budget_table(const Study &study, const Budget &budget)
   return budget_table(study, shown);
 }
 
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
+{
+  std::vector<BudgetRow> steps;
+  std::optional<double> first; // terminal spin of the first harmonic alone
+  for (const BudgetRow &row : rows)
+  {
+    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
+    {
+      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+      steps.push_back(row);
+      continue;
+    }
+    steps.back() = row;
+    steps.back().difference =
+      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
+  }
+  return steps;
+}
+
 Table without_table(const Study &study, const Budget &budget)
 {
   using Row = WithoutRow;

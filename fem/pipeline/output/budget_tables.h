@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 /// The budget of effects in numbers: for the console, reports, data files and summary.json.
 namespace stemware::pipeline
@@ -24,6 +25,9 @@ Table budget_table(const Study &study, const Budget &budget);
 
 /// budget_table() without the numbers of harmonics that change nothing.
 Table shown_budget_table(const Study &study, const Budget &budget);
+
+/// The chain with its rows of harmonics as one, from the first harmonic to all of them.
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 
 /// The complete model with one thing left out at a time, beside the complete model.
 Table without_table(const Study &study, const Budget &budget);

@@ -71,7 +71,8 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, con
   console() << console_text(results);
   const fs::path place = options.results_place();
   const std::string report = (place / "report.html").string();
-  console() << "Results   " << place.string() << "\nReport    " << report << std::endl;
+  console() << "Results   " << place.string() << "\nReport    "
+            << fs::absolute(report).lexically_normal().string() << std::endl;
   if (!options.json)
     return;
   Json line = { { "verb", options.verb },

@@ -332,12 +332,9 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
                                              narrow_contact_remark(study, report.foot),
                                              layer_remark(study, report.half_width),
                                              waviness_remark(study, spin.phases) };
-  results.console = { { joined({ results.report.answer, joined(remarks) }) },
-                      chain_block(study, spin.budget) };
-  if (!spin.budget.without.empty())
-    results.console.push_back({ "The complete model without one thing at a time:",
-                                without_table(study, spin.budget)
-                                  .with("", "name omega_terminal difference relative_difference remark") });
+  Budget steps = spin.budget;
+  steps.rows = named_steps(spin.budget.rows);
+  results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };
   results.findings = findings_of(study, report, spin, bands);
   if (report.foot)
     results.fields = report.foot->fields;

@@ -25,6 +25,7 @@ WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::strin
     , n_before(n_before)
     , noun(std::move(noun))
     , start(std::chrono::steady_clock::now())
+    , last_line(start)
     , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
 {
 }
@@ -72,9 +73,11 @@ void WorkProgress::show_bar(std::size_t n_finished, std::size_t n_failed)
 void WorkProgress::show_line(std::size_t n_finished, std::size_t n_failed)
 {
   const std::size_t tenths = 10 * n_finished / std::max<std::size_t>(n_cases, 1);
-  if (tenths == tenths_shown)
+  const auto now = std::chrono::steady_clock::now();
+  if (tenths == tenths_shown || now - last_line < std::chrono::seconds(3))
     return;
   tenths_shown = tenths;
+  last_line = now;
   console() << "          " << text(n_finished, n_failed) << std::endl;
 }
 

@@ -11,7 +11,7 @@ namespace stemware::pipeline
 std::string rough_duration(double seconds);
 
 /// Shows on the console how far a work of many cases has come: a bar with the time left where somebody
-/// watches, else a line for every tenth.
+/// watches, else a line for every tenth, at most every three seconds.
 class WorkProgress
 {
 public:
@@ -31,6 +31,7 @@ private:
   const std::size_t n_before;
   const std::string noun;
   const std::chrono::steady_clock::time_point start;
+  std::chrono::steady_clock::time_point last_line;
   std::size_t tenths_shown;
   std::size_t bar_width = 0; ///< columns of the line that may have to be overwritten
 };

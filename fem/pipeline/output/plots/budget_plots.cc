@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/plots/budget_plots.h"
 
+#include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/plot_script.h"
@@ -42,20 +43,11 @@ std::vector<Bar> bars_of(const Budget &budget)
   std::vector<Bar> bars;
   if (budget.rows.empty())
     return bars;
-  for (const BudgetRow &row : budget.rows)
+  for (const BudgetRow &row : named_steps(budget.rows))
   {
-    const bool is_first = &row == &budget.rows.front();
-    const bool is_formal = row.standing == Standing::formal;
-    if (row.name == "harmonics" && bars.back().title == "harmonics")
-    {
-      bars.back().to = row.omega_terminal;
-      bars.back().band = row.band;
-      bars.back().is_formal = is_formal;
-      continue;
-    }
     const auto from = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
-    bars.push_back({ is_first ? "the paper's model" : row.name, is_first ? std::nullopt : from,
-                     row.omega_terminal, row.band, is_formal });
+    bars.push_back({ bars.empty() ? "the paper's model" : row.name, bars.empty() ? std::nullopt : from,
+                     row.omega_terminal, row.band, row.standing == Standing::formal });
   }
   const BudgetRow &last = budget.rows.back();
   bars.push_back({ "this study", {}, last.omega_terminal, last.band });

@@ -111,7 +111,9 @@ TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
   EXPECT_NE(answer.find(per_cent(effect) + (effect > 0 ? " faster" : " slower")), std::string::npos)
     << answer;
   EXPECT_NE(answer.find("(one-way)"), std::string::npos) << answer; // its moment is given
-  EXPECT_NE(ended.out.find("\nReport    results/report.html\n"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("\nReport    " + fs::absolute(results() / "report.html").string() + "\n"),
+            std::string::npos)
+    << ended.out;
 }
 
 TEST_F(RunReport, HasEveryFigureAndLinksThatLead)

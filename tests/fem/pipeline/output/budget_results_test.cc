@@ -317,11 +317,12 @@ TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
 {
   EXPECT_EQ(
     wrapped(SpunStudy().answer()),
-    R"(The glass spins up to -3.2500 ± 0.0013 rad/s. The harmonics of the load beyond the first make it
-4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one is "moment
-balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not contain
-what the model leaves open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and
-grip -0.05.)");
+    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the
+paper's model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the
+first make it 4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one
+is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not
+contain what the model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
++0.01 and grip -0.05.)");
 }
 
 TEST(RunAnswer, SaysOneWayInEverySentence)
@@ -330,11 +331,13 @@ TEST(RunAnswer, SaysOneWayInEverySentence)
   one_way.study.load.coupling = LoadCoupling::one_way;
   EXPECT_EQ(
     wrapped(one_way.answer()),
-    R"(With the load of rest kept at every spin (one-way), the glass spins up to -3.2500 ± 0.0013 rad/s.
-The harmonics of the one-way load beyond the first make it 4.41 % slower (+0.15 rad/s). The largest
-other step from the paper's model to this one-way one is "moment balance": -0.5 rad/s (16.7 %
-faster). The band is that of the discretisation; it does not contain what the one-way model leaves
-open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and grip -0.05.)");
+    R"(With the load of rest kept at every spin (one-way), the glass spins clockwise, against its orbit,
+one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the paper's model it makes one turn in 2.09 s:
+-3.00000 rad/s. The harmonics of the one-way load beyond the first make it 4.41 % slower (+0.15
+rad/s). The largest other step from the paper's model to this one-way one is "moment balance": -0.5
+rad/s (16.7 % faster). The band is that of the discretisation; it does not contain what the one-way
+model leaves open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and grip
+-0.05.)");
   one_way.study.load.moment_ratio = 0.5;
   EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
   one_way.study.load.source = LoadSource::file;
@@ -350,9 +353,56 @@ TEST(RunAnswer, WithoutBandsAndEffects)
   plain.spin.budget.rows[1].standing = Standing::formal;
   EXPECT_EQ(
     wrapped(plain.answer()),
-    R"(The glass spins up to -3.25000 rad/s. The harmonics of the load beyond the first do not change that.
-The largest other step from the paper's model to this one is "moment balance": -0.5 rad/s (16.7 %
-faster), formally: such a load would have to pull on the table.)");
+    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.25000 rad/s. In the paper's
+model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the first do not
+change that. The largest other step from the paper's model to this one is "moment balance": -0.5
+rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
+}
+
+TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
+{
+  SpunStudy spun;
+  const auto begins = [&](double omega, ring::OrbitSense sense)
+  {
+    spun.spin.rows.back().terminal->omega = omega;
+    spun.study.motion.orbit.orbit_sense = sense;
+    const std::string answer = spun.answer();
+    return answer.substr(0, answer.find(", one turn"));
+  };
+  using ring::OrbitSense;
+  EXPECT_EQ(begins(-2, OrbitSense::counterclockwise), "The glass spins clockwise, against its orbit");
+  EXPECT_EQ(begins(2, OrbitSense::counterclockwise), "The glass spins counter-clockwise, with its orbit");
+  EXPECT_EQ(begins(-2, OrbitSense::clockwise), "The glass spins clockwise, with its orbit");
+  EXPECT_EQ(begins(2, OrbitSense::clockwise), "The glass spins counter-clockwise, against its orbit");
+}
+
+TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
+{
+  SpunStudy spun;
+  spun.spin.budget.rows.front().omega_terminal = 1e-13;
+  EXPECT_NE(spun.answer().find("rad/s. In the paper's model it does not spin up. "), std::string::npos);
+  spun.spin.budget.rows.front().omega_terminal.reset();
+  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
+  spun.spin.budget.rows = { { "1", "paper", 1, -3.25 } };
+  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
+}
+
+TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
+{
+  const std::vector<BudgetRow> rows = named_steps({ { "1", "paper", 1, -3. },
+                                                    { "3", "where the foot touches", 1, -3.4, -0.4 },
+                                                    { "4", "harmonics", 2, -3.2, 0.2 },
+                                                    { "5", "harmonics", 3, {}, {} },
+                                                    { "6", "harmonics", {}, -3.25, {} } });
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(title_of(rows[2]), "harmonics, all");
+  EXPECT_NEAR(rows[2].difference.value(), 0.15, 1e-15); // -3.25 + 3.4
+  EXPECT_FALSE(named_steps({ { "1", "paper", 1, -3. },
+                             { "3", "tilt", 1 },
+                             { "4", "harmonics", 2, -3.2 },
+                             { "5", "harmonics", {}, -3.25, -0.05 } })
+                 .back()
+                 .difference);
 }
 
 TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
