@@ -150,7 +150,7 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   stemware mesh --check my_foot.msh                           can it be used? (exit code 1: no)
   stemware mesh my_glass.prm --check my_foot.msh              and is it of the same size?
   stemware mesh --check my_foot.msh --write my_foot.vtu       to look for the bad cells
-  stemware mesh --check my_foot.msh --output results/my_foot  report.html with pictures
+  stemware mesh --check my_foot.msh --output results/my_foot   report.html with pictures
 
   .msh  Gmsh's format 2.2: linear hexahedra, stem cut with id 1, contact zone with id 2; can be
         read again with Contact/Mesh file. The crown is in it, as a polygon between vertices.

@@ -1,0 +1,113 @@
+#!/usr/bin/env bash
+# Runs the examples of a page or of a --help text as they stand there, but with few cases, few ranks and coarse solid
+# meshes, and expects exit code 0 of each.
+#
+#   run_examples.sh SOURCE_FOLDER STEMWARE PAGE.md            the code blocks and the `stemware ...` of a page
+#   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]"      the examples of stemware [VERB] --help
+#
+# Commands of one code block share a shell; lines of blocks that begin with another word are not commands of a user of
+# results, and are left to other tests. ./quickstart is not run: its verb and its study must exist.
+set -euo pipefail
+
+source=$1
+program=$2
+what=$3
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+mkdir -p "$scratch/bin" "$scratch/work/docs"
+ln -s -- "$program" "$scratch/bin/stemware"
+command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
+# shellcheck disable=SC2016 # for the script that is written
+printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
+chmod +x "$scratch/bin/xdg-open"
+export PATH=$scratch/bin:$PATH
+cd -- "$scratch/work"
+cp -r -- "$source/docs/cookbooks" docs/
+cp -r -- "$source/meshes" "$source/quickstart" .
+# Files that the examples call the reader's own.
+cp meshes/flat_foot.msh my_foot.msh
+for study in my_glass.prm glass.prm; do stemware defaults >$study; done
+
+# The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks
+# in --help (after three blanks) taken off.
+commands_of() {
+  sed -E -e ':join' -e '/\\$/{N;s/ *\\\n[^\t]*\t */ /;b join' -e '}' -e 's/\t +/\t/' -e 's/ {3,}[^-" ].*$//' |
+    grep -E $'\t'"(stemware|build/release/stemware|mpirun|\./quickstart|cd|cat|gnuplot|xdg-open) " || true
+}
+
+# The code blocks of a page, indented or fenced, and its inline commands that can be run as they stand.
+# shellcheck disable=SC2016 # backticks of Markdown
+examples_of_page() {
+  {
+    awk '/^```/ { fenced = !fenced; if (fenced) block++; inside = fenced; next }
+         fenced { print block "\t" $0; next }
+         /^    / { if (!inside) block++; inside = 1; print block "\t" substr($0, 5); next }
+         { inside = 0 }' "$source/$what"
+    grep -oE '`stemware [a-z]+ [^`<>…]*`' "$source/$what" | tr -d '`' | grep -vE '\[|DIR|\.\.\.' |
+      awk '{ print "inline" NR "\t" $0 }' || true
+  } | commands_of
+}
+
+examples_of_help() {
+  local verb=${what#help}
+  # shellcheck disable=SC2086 # no verb: no word
+  stemware ${verb# } --help | sed -n '/^Examples:/,/^$/p' | sed '1d;/^$/d' | awk '{ print "help\t" $0 }' | commands_of
+}
+
+# The same command with less work.
+reduced() {
+  local command
+  command=$(sed -E -e 's/:[0-9]+(:log)?"/:2\1"/g' -e 's/--samples [0-9]+/--samples 4/' -e 's/mpirun -n [0-9]+/mpirun -n 2/' \
+    -e 's|build/release/stemware|stemware|' -e 's/(Azimuthal cells)=[0-9]+/\1=24/' -e 's/--levels [0-9]+/--levels 3/' <<<"$1")
+  if [[ $command == *"Contact/Body=solid"* && $command != *"Mesh file"* ]]; then
+    local entry
+    for entry in "Azimuthal cells=24" "Radial cells=4" "Degree=1" "Foot layers=1"; do
+      [[ $command == *"${entry%=*}="* ]] || command+=" --set \"Contact/$entry\""
+    done
+  fi
+  printf '%s' "$command"
+}
+
+check_quickstart() {
+  local verb study
+  read -r _ verb study _ <<<"$1"
+  grep -qE "^(run \| test \| install|help \| .*)\)" quickstart && [[ $verb =~ ^(run|test|install|--help)$ ]] || return 1
+  [[ $verb != run || $study != *.prm || $study == my_* || -f $study ]]
+}
+
+if [[ $what == help* ]]; then examples=$(examples_of_help); else examples=$(examples_of_page); fi
+# A study in a page is run from where the cookbooks are.
+if [[ $what != help* ]]; then
+  awk '/^    subsection/ { inside = 1 } inside { print substr($0, 5) } /^    end$/ { inside = 0 }' "$source/$what" >docs/cookbooks/snippet.prm
+  [[ ! -s docs/cookbooks/snippet.prm ]] || examples+=$'\n'$'snippet\tstemware run docs/cookbooks/snippet.prm'
+fi
+
+status=0 block='' n=0
+while IFS=$'\t' read -r next command; do
+  [[ -n $command ]] || continue
+  [[ $next == "$block" ]] || cd -- "$scratch/work"
+  block=$next
+  n=$((n + 1))
+  start=$SECONDS
+  if [[ $command == "stemware new "* ]]; then
+    read -r _ _ study _ <<<"$command"
+    rm -f -- "$study" # the file of an earlier example is not overwritten
+  fi
+  if [[ $command == ./quickstart* ]]; then
+    check_quickstart "$command" && result=0 || result=$?
+  elif [[ $command == "cd "* ]]; then
+    cd -- "${command#cd }" && result=0 || result=$?
+  else
+    bash -c "set -o pipefail; $(reduced "$command")" >"$scratch/output" 2>&1 </dev/null && result=0 || result=$?
+  fi
+  printf '%s (%d s): exit code %d\n' "$command" "$((SECONDS - start))" "$result"
+  if ((result != 0)); then
+    sed 's/^/    /' "$scratch/output" | tail -n 12
+    status=1
+  fi
+done <<<"$examples"
+((n > 0)) || {
+  echo "There are no examples in $what."
+  status=1
+}
+exit "$status"
