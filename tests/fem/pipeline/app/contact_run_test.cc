@@ -292,6 +292,23 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
 }
 
+TEST(ContactRun, NeedsNoSsh)
+{
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  std::filesystem::create_directory(scratch / "bin");
+  for (const char *name : { "orted", "gnuplot" }) // the daemon of Open MPI, and what would be missed
+    for (const std::string folder : { "/usr/bin/", "/usr/local/bin/" })
+      if (std::filesystem::exists(folder + name))
+        std::filesystem::create_symlink(folder + name, scratch / ("bin/" + std::string(name)));
+  const Ended ended = RunningProgram({ "/usr/bin/env", "PATH=" + (scratch / "bin").string(), STEMWARE_PROGRAM,
+                                       "run", "coarse.prm", "--quiet" },
+                                     scratch.path())
+                        .end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+}
+
 TEST(ContactRun, DefaultOutputIsNamedAfterTheStudy)
 {
   const ScratchFolder scratch;

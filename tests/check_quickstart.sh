@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# What ./quickstart does and says, with stand-ins for apt, CMake and the program that note how they are called.
+#
+#   check_quickstart.sh SOURCE_FOLDER
+# shellcheck disable=SC2016,SC2317
+# (The stand-ins expand their arguments, not this script; functions are called through expect().)
+set -euo pipefail
+
+scratch=$(mktemp -d)
+trap 'rm -rf -- "$scratch"' EXIT
+mkdir -p "$scratch/clone" "$scratch/bin"
+cp -- "$1"/{quickstart,packages.txt,CMakePresets.json} "$scratch/clone"
+cd -- "$scratch/clone"
+export PATH=$scratch/bin:$PATH CALLS=$scratch/calls
+unset STEMWARE_PRESET CMAKE_BUILD_PARALLEL_LEVEL
+
+stand_in() { # name, what it does
+  printf '#!/usr/bin/env bash\necho "%s $*" >>"$CALLS"\n%s\n' "$1" "$2" >"$scratch/bin/$1"
+  chmod +x "$scratch/bin/$1"
+}
+stand_in dpkg-query 'echo "g++ installed"'
+stand_in dpkg ''
+stand_in sudo '[[ $1 == -* ]] || exec "$@"'
+stand_in apt-get 'case $* in *--assume-no*) printf "%s\n" "6 upgraded, 318 newly installed, 0 to remove and 9 not upgraded." "Need to get 293 MB/300 MB of archives." "After this operation, 1,953 MB of additional disk space will be used." ;; *) yes "Unpacking something" | head -n 500 ;; esac'
+program='mkdir -p build/release; printf "%s\n" "#!/bin/sh" "echo \"stemware \$*\" >>\"\$CALLS\"" "echo Report" >build/release/stemware; chmod +x build/release/stemware'
+stand_in cmake "yes 'Building something' | head -n 200; [[ \$* != *--build* ]] || { $program; }"
+
+troubles=0
+expect() { # what, then a command that must succeed
+  "${@:2}" && return
+  echo "quickstart: $1"
+  troubles=$((troubles + 1))
+}
+ends() { # exit code, then the arguments of quickstart
+  local status=0
+  : >"$CALLS"
+  ./quickstart "${@:2}" >"$scratch/out" 2>&1 </dev/null || status=$?
+  ((status == $1)) || { echo "exit code $status instead of $1:" && cat "$scratch/out" && return 1; }
+}
+shows() { grep -qE -e "$1" "$scratch/out" || { cat "$scratch/out" && return 1; }; }
+calls() { grep -qE -e "$1" "$CALLS" || { cat "$CALLS" && return 1; }; }
+
+expect "help ends with 0" ends 0 --help
+for wrong in "" jump "install a b" "install --prefix=a"; do
+  # shellcheck disable=SC2086 # several words
+  expect "\"$wrong\" is refused" ends 2 $wrong
+done
+
+expect "run works" ends 0 run
+first=$(head -n 1 "$scratch/out")
+expect "what it will do is said first: $first" grep -qE "installs 318 Debian packages \(293 MB to download, 1,953 MB on disk; upgrades 6 .* about [0-9]+ minutes" <<<"$first"
+for part in "1/4 install" "2/4 configure" "3/4 build" "4/4 run" "stemware new"; do expect "$part is shown" shows "$part"; done
+expect "apt and CMake are quiet" test "$(wc -l <"$scratch/out")" -le 12
+expect "the program alone is built" calls '^cmake --build .*--target stemware$'
+expect "the default study is run" calls '^stemware run docs/cookbooks/wine_glass.prm --output results/wine_glass$'
+expect "a study and its options reach the program" ends 0 run my_glass.prm --set "Motion/Mass=0.2"
+expect "a study is run under its name" calls '^stemware run my_glass.prm --set Motion/Mass=0.2 --output results/my_glass$'
+
+stand_in cmake 'seq 100; [[ $* != *--build* ]] || { echo "the cause"; exit 1; }'
+expect "a failing build ends with 1" ends 1 run
+expect "the end of the log is shown" shows "the cause"
+expect "the path of the log is shown" shows "$scratch/clone/build/quickstart.log"
+expect "no more of it than its end" test "$(wc -l <"$scratch/out")" -le 25
+
+stand_in cmake '[[ $* != *--build* ]] || sleep 60'
+for signal in INT TERM; do
+  : >"$scratch/out"
+  # A shell starts its background jobs with SIGINT ignored; env gives them back what they had.
+  env --default-signal=INT,TERM ./quickstart run >"$scratch/out" 2>&1 </dev/null &
+  quickstart=$!
+  for ((i = 0; i < 100; i++)); do grep -q "3/4" "$scratch/out" && break || sleep 0.1; done
+  sleep 0.3
+  kill -s "$signal" "$quickstart"
+  start=$SECONDS status=0
+  wait "$quickstart" || status=$?
+  expect "SIG$signal ends with 130, not $status" test "$status" -eq 130
+  expect "SIG$signal ends at once" test $((SECONDS - start)) -lt 10
+  expect "SIG$signal is answered in a sentence" shows "interrupted; the same command goes on"
+done
+
+((troubles == 0)) && echo "quickstart does and says what it should."
+exit $((troubles > 0))
