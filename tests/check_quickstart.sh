@@ -68,7 +68,7 @@ for signal in INT TERM; do
   # A shell starts its background jobs with SIGINT ignored; env gives them back what they had.
   env --default-signal=INT,TERM ./quickstart run >"$scratch/out" 2>&1 </dev/null &
   quickstart=$!
-  for ((i = 0; i < 100; i++)); do grep -q "3/4" "$scratch/out" && break || sleep 0.1; done
+  for ((i = 0; i < 100; i++)); do if grep -q "3/4" "$scratch/out"; then break; else sleep 0.1; fi; done
   sleep 0.3
   kill -s "$signal" "$quickstart"
   start=$SECONDS status=0
