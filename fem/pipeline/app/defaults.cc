@@ -14,7 +14,7 @@ void add_defaults_verb(CLI::App &program, Verb &chosen)
   verb->footer(R"(Examples:
   stemware defaults
   stemware defaults > my_glass.prm       then change what differs, and delete the rest
-  stemware defaults | grep -B 3 radius)");
+  stemware defaults | grep -A 3 radius)");
   verb->callback([&chosen] { chosen = [] { console() << commented_defaults() << std::flush; }; });
 }
 

@@ -46,15 +46,13 @@ void start_mpi()
 {
   static int n_arguments = 0;
   static char **arguments = nullptr;
-  if (running_session)
-    return;
-  // Open MPI starts a daemon beside a process that mpirun has not launched, and looks for the ssh that it
-  // would reach other machines by, although there are none; a container may not have it.
+  // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for.
   if (!launched_by_mpirun())
-    setenv("OMPI_MCA_plm_rsh_agent", "", 0);
+    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
   // machine.
-  running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
+  if (!running_session)
+    running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
 }
 
 bool is_first_rank()
