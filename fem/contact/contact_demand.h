@@ -37,6 +37,9 @@ struct ContactDemand : Resultants
   double tilt_moment = 0; ///< N z_CM [N m]
 
   bool has_friction() const { return !friction_x.a.empty(); }
+
+  /// The same demand on a load whose azimuths count from @p angle, counter-clockwise: in axes turned by it.
+  ContactDemand in_axes_turned_by(double angle) const;
 };
 
 /// The demand as linear conditions on the nodal forces of @p surface and the table motions. Throws

@@ -18,7 +18,8 @@ Eigen::Vector2d coulomb_friction(const Eigen::Vector2d &slip, double limit)
 Eigen::Vector2d SlidingTraction::direction(double radius, double azimuth) const
 {
   // Radial and azimuthal components of v_rel / v = (1, 0) + (omega / v) r e_theta.
-  const Eigen::Vector2d slip(std::cos(azimuth), -std::sin(azimuth) + spin_per_speed * radius);
+  const double theta = azimuth + axes_turned_by;
+  const Eigen::Vector2d slip(std::cos(theta), -std::sin(theta) + spin_per_speed * radius);
   return coulomb_friction(slip, friction_coefficient);
 }
 

@@ -16,6 +16,7 @@ struct SlidingTraction
   double friction_coefficient = 0; ///< mu, >= 0
   /// omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R.
   double spin_per_speed = 0;
+  double axes_turned_by = 0; ///< azimuths count from this direction, counter-clockwise from that of travel
 
   /// Radial and azimuthal traction on the foot per unit of pressure at (r, theta): at omega = 0 (-mu cos
   /// theta, mu sin theta). Zero where nothing slips.

@@ -135,7 +135,7 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
 double RevolutionFoot::gap(double radius, double azimuth) const
 {
   return setup.profile.gap(radius) +
-         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth, phase);
+         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis, phase);
 }
 
 FootDescription RevolutionFoot::description() const
@@ -156,11 +156,13 @@ FootCapabilities RevolutionFoot::capabilities() const
 
 void RevolutionFoot::set_orientation(const FootOrientation &orientation)
 {
-  if (setup.imperfection.empty())
+  if (setup.imperfection.empty() || (orientation.glass == phase.glass && orientation.table == phase.table))
     return;
-  const double turn =
-    setup.imperfection.glass.empty() ? orientation.table - phase.table : orientation.glass - phase.glass;
   phase = orientation;
+  const double crest = setup.imperfection.glass.empty() ? phase.table : phase.glass;
+  const long n_turned = std::lround(crest / line_spacing()) - crest_line;
+  crest_line += n_turned;
+  axis = crest - static_cast<double>(crest_line) * line_spacing();
   const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
@@ -171,21 +173,31 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   const Eigen::VectorXd &gap_now = zones.back()->body.contact_surface().node_gap;
   const Eigen::VectorXd penetration = -(gap_before + before->normal_displacement);
   before->normal_displacement = -(gap_now + penetration);
-  if (turn == 0)
+  if (n_turned == 0)
     return;
   turned = before;
-  turned->normal_displacement = -(gap_now + turned_by_lines(penetration, turn));
-  turned->motion.tail<2>() = Eigen::Rotation2Dd(turn) * before->motion.tail<2>();
+  turned->normal_displacement = -(gap_now + turned_by_lines(penetration, n_turned));
+  turned->motion.tail<2>() =
+    Eigen::Rotation2Dd(static_cast<double>(n_turned) * line_spacing()) * before->motion.tail<2>();
 }
 
-Eigen::VectorXd RevolutionFoot::turned_by_lines(const Eigen::VectorXd &nodal, double angle) const
+double RevolutionFoot::line_spacing() const
 {
-  const Eigen::Index n_lines = setup.n_lines, n_radii = nodal.size() / n_lines;
-  const auto shift = static_cast<Eigen::Index>(
-    std::lround(angle / boost::math::double_constants::two_pi * static_cast<double>(n_lines)));
+  return boost::math::double_constants::two_pi / setup.n_lines;
+}
+
+ContactSolution RevolutionFoot::in_axes_of_lines(ContactSolution solution) const
+{
+  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis) * solution.motion.tail<2>();
+  return solution;
+}
+
+Eigen::VectorXd RevolutionFoot::turned_by_lines(const Eigen::VectorXd &nodal, long n) const
+{
+  const Eigen::Index n_lines = setup.n_lines, n_radii = nodal.size() / n_lines, shift = n % n_lines;
   Eigen::MatrixXd result(n_radii, n_lines);
   for (Eigen::Index j = 0; j < n_lines; ++j)
-    result.col(((j + shift) % n_lines + n_lines) % n_lines) = nodal.segment(j * n_radii, n_radii);
+    result.col((j + shift + n_lines) % n_lines) = nodal.segment(j * n_radii, n_radii);
   return result.reshaped();
 }
 
@@ -247,7 +259,8 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
 ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
   Zone &zone = *zones.back();
-  const LinearConditions conditions = conditions_of(zone.body.contact_surface(), demand);
+  const LinearConditions conditions =
+    conditions_of(zone.body.contact_surface(), axis == 0 ? demand : demand.in_axes_turned_by(axis));
   std::vector<ContactStart> starts;
   if (before)
     starts.push_back(*before);
@@ -297,7 +310,8 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   const auto press = [&]
   {
     if (setup.friction_coefficient > 0)
-      zones.back()->body.set_sliding(SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed });
+      zones.back()->body.set_sliding(
+        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis });
     return solve_from_before(demand);
   };
   state.solution = press();
@@ -308,6 +322,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   }
   state.zone = static_cast<unsigned int>(zones.size() - 1);
   before = { state.solution.motion, state.solution.normal_displacement };
+  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 
   const BodyOfRevolution &body = zones.back()->body;
@@ -334,7 +349,7 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
   { return harmonics_on_lines(forces.reshaped(radii.size(), setup.n_lines), radii, highest, ring_radii); };
   LoadHarmonics load = of_nodes(state.solution.forces);
   if (ring_radii.size() <= 2)
-    return load;
+    return load.turned(axis);
   // Nodal forces have the radial moments of the pressure up to the elements' degree; what the pressure where
   // it lies has beyond is added. Force and moments stay what they are, those of the elastic forces.
   ContactForces by_law;
@@ -347,23 +362,30 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
       load.a[j][n] += resolved.a[j][n] - nodal.a[j][n];
       load.b[j][n] += resolved.b[j][n] - nodal.b[j][n];
     }
-  return load;
+  return load.turned(axis);
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  return zone_of(state).law->load(state.solution).points;
+  std::vector<PointForce> points = zone_of(state).law->load(state.solution).points;
+  const double cosine = std::cos(axis), sine = std::sin(axis);
+  for (PointForce &point : points)
+    point = { cosine * point.x - sine * point.y, sine * point.x + cosine * point.y, point.force };
+  return points;
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
-  return zone_of(state).law->pressure_map(state.solution);
+  PressureMap map = zone_of(state).law->pressure_map(state.solution);
+  return axis == 0 ? map : map.turned(axis);
 }
 
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
 {
   const Zone &zone = zone_of(state);
-  require_latest(zone.body, state);
+  ContactState on_lines = state;
+  on_lines.solution = in_axes_of_lines(state.solution);
+  require_latest(zone.body, on_lines);
   dealii::Triangulation<2> triangulation;
   make_meridian_mesh(setup.profile, setup.resolution, triangulation);
   const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);
@@ -378,10 +400,10 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
   const MeridianField field(space, setup.material,
                             { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) });
-  const PressureField pressure(zone.body, *zone.law, state.solution,
+  const PressureField pressure(zone.body, *zone.law, on_lines.solution,
                                [this](double r, double theta) { return gap(r, theta); });
   std::ostringstream file;
-  write_revolution_fields(field, pressure, state.solution.motion, file);
+  write_revolution_fields(field, pressure, state.solution.motion, axis, file);
   return { { "contact.vtu", file.str() } };
 }
 

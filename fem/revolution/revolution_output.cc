@@ -103,10 +103,12 @@ public:
 class FootPicture
 {
 public:
-  FootPicture(const MeridianField &field, const PressureField &pressure, const Eigen::Vector3d &motion)
+  FootPicture(const MeridianField &field, const PressureField &pressure, const Eigen::Vector3d &motion,
+              double axis)
       : field(field)
       , pressure(pressure)
       , motion(motion)
+      , axis(axis)
       , degree(field.space().dof_handler().get_fe().degree)
       , n_sectors(sectors_round_the_rim())
       , basis(n_harmonics(), degree * n_sectors)
@@ -227,7 +229,7 @@ private:
       data[line].resize(n_rows, nodes.size());
       for (unsigned int node = 0; node < nodes.size(); ++node)
         data[line].col(node) =
-          in_slip_frame(nodes[node], basis.azimuth(line), in_phase.block<6, 1>(6 * node, line),
+          in_slip_frame(nodes[node], basis.azimuth(line) + axis, in_phase.block<6, 1>(6 * node, line),
                         conjugate.block<3, 1>(3 * node, line));
     }
     if (is_contact(cell))
@@ -277,6 +279,7 @@ private:
   const MeridianField &field;
   const PressureField &pressure;
   const Eigen::Vector3d motion;
+  const double axis;
   const unsigned int degree;
   const unsigned int n_sectors;
   const FourierBasis basis; ///< on the azimuths of the picture's nodes
@@ -286,9 +289,9 @@ private:
 } // namespace
 
 void write_revolution_fields(const MeridianField &field, const PressureField &pressure,
-                             const Eigen::Vector3d &motion, std::ostream &file)
+                             const Eigen::Vector3d &motion, double axis, std::ostream &file)
 {
-  PatchWriter writer(FootPicture(field, pressure, motion).patches());
+  PatchWriter writer(FootPicture(field, pressure, motion, axis).patches());
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = field.space().dof_handler().get_fe().degree > 1;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;

@@ -12,12 +12,13 @@ namespace stemware::fem
 
 /// Writes the foot as a VTU file: the meridional cells swept round the axis in sectors, cells of the
 /// elements' degree, with what SolidBody::write_fields gives: `displacement` [m] in the slip frame with the
-/// table at rest, its motions @p motion (q0, q1, q2) put back on the glass, `stress` [Pa], `contact_pressure`
+/// table at rest, its motions @p motion (q0, q1, q2) put back on the glass, where the field's azimuths count
+/// from @p axis, `stress` [Pa], `contact_pressure`
 /// [Pa] on the contact zone.
 ///
 /// Contact cells wider than the contact are cut along r until the drawn pressure carries N to half
 /// a per cent.
 void write_revolution_fields(const MeridianField &field, const PressureField &pressure,
-                             const Eigen::Vector3d &motion, std::ostream &file);
+                             const Eigen::Vector3d &motion, double axis, std::ostream &file);
 
 } // namespace stemware::fem

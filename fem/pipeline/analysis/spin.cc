@@ -102,6 +102,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.terminal = found.spin;
   row.ripple = found.ripple;
   row.spin_uncertainty = found.uncertainty;
+  row.phase_error = load.phases() ? load.phases()->error() : 0;
   row.zero_of_mean_torque = found.zero_of_mean_torque;
   row.at_terminal = ring_state(load, question, omega);
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
@@ -144,7 +145,6 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
                           bool with_slope, double grip_torque, const std::optional<ring::KnownZero> &near)
 {
-  constexpr double accuracy = 1e-9; // of the mean in the long run
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   ring::SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
@@ -166,6 +166,8 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   result.zero_of_mean_torque = result.spin.omega;
   if (!load.phases())
     return result;
+  // Of the mean in the long run; finer than the loads are known would be in vain.
+  const double accuracy = std::max(1e-9, 0.1 * load.phases()->error());
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);

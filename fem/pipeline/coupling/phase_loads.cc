@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -14,10 +15,13 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr double tolerance = 1e-7; ///< sampling goes on until the difference is below it
-constexpr double largest_allowed = 1e-3;
-constexpr unsigned int most_phases = 128;
-constexpr unsigned int most_steps = 16; ///< on an interval of spins
+/// Sampling goes on until the difference is below the first; once that has taken many phases, below the
+/// second: each doubling doubles the work, and the band of error contains the difference.
+constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
+constexpr unsigned int many_phases = 32;  ///< of one angle
+constexpr double largest_allowed = 3e-2;  ///< the band of error contains it
+constexpr unsigned int most_phases = 128; ///< of one angle
+constexpr unsigned int most_steps = 16;   ///< on an interval of spins
 
 Eigen::VectorXd column_of(const LeaningLoad &load)
 {
@@ -30,18 +34,16 @@ PeriodicGrid first_grid(double period)
   return period > 0 ? PeriodicGrid(period, 8) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
 }
 
-/// Largest difference halfway between the phases of one of the two grids.
-double error_between(const LoadAtPhase &load, const PhaseGrids &grids, double glass_step, double table_step)
+/// Largest difference of the interpolant on @p grids from the load at those phases of @p refined, where one
+/// of the grids has twice the nodes, that lie halfway between.
+double error_between(const LoadAtPhase &load, const PhaseGrids &grids, const PhaseGrids &refined)
 {
   const PhaseLoads loads(load, grids, 0);
+  const bool in_glass = refined.glass.size() > grids.glass.size();
   double error = 0;
-  for (unsigned int i = 0; i < grids.size(); ++i)
-  {
-    ring::Orientation between = grids.phase(i);
-    between.glass += glass_step / 2;
-    between.table += table_step / 2;
-    error = std::max(error, loads.at(0, between).difference(load(0, between)));
-  }
+  for (unsigned int i = 0; i < refined.size(); ++i)
+    if ((in_glass ? i / refined.table.size() : i % refined.table.size()) % 2 == 1)
+      error = std::max(error, loads.at(0, refined.phase(i)).difference(load(0, refined.phase(i))));
   return error;
 }
 
@@ -72,29 +74,37 @@ PhaseGrids PhaseGrids::halved() const
   return { glass.halved(), table.halved(), periods, error, turning };
 }
 
-PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods)
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
 {
   PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
-  const auto better_error = [&](double glass_step, double table_step)
+  const auto can_refine = [&](const PeriodicGrid &grid)
+  { return grid.size() > 1 && grid.size() < most_phases && 2 * grids.size() <= most_samples; };
+  while (true)
   {
-    grids.turning = true;
-    const double turning = error_between(load, grids, glass_step, table_step);
-    grids.turning = false;
-    const double standing = error_between(load, grids, glass_step, table_step);
-    grids.turning = turning < standing;
-    return std::min(turning, standing);
-  };
-  const auto refine = [&](PeriodicGrid &grid, const auto &error_of_grid)
-  {
-    if (grid.size() == 1)
-      return;
-    double error = error_of_grid();
-    for (; error > tolerance && grid.size() < most_phases; error = error_of_grid())
-      grid = grid.refined();
-    grids.error = std::max(grids.error, error);
-  };
-  refine(grids.glass, [&] { return better_error(grids.glass.step(), 0); });
-  refine(grids.table, [&] { return better_error(0, grids.table.step()); });
+    PhaseGrids in_glass = grids, in_table = grids;
+    in_glass.glass = grids.glass.refined();
+    in_table.table = grids.table.refined();
+    double of_glass = 0, of_table = 0;
+    grids.error = std::numeric_limits<double>::infinity();
+    for (const bool turning : { true, false })
+    {
+      PhaseGrids tried = grids;
+      tried.turning = turning;
+      const double glass = grids.glass.size() > 1 ? error_between(load, tried, in_glass) : 0;
+      const double table = grids.table.size() > 1 ? error_between(load, tried, in_table) : 0;
+      if (std::max(glass, table) >= grids.error)
+        continue;
+      grids.turning = turning;
+      grids.error = std::max(glass, table);
+      of_glass = glass;
+      of_table = table;
+    }
+    PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
+    const double wanted = worse.size() < many_phases ? tolerance : tolerance_of_many;
+    if (grids.error <= wanted || !can_refine(worse))
+      break;
+    worse = worse.refined();
+  }
   if (!(grids.error <= largest_allowed))
     throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
                              std::to_string(grids.size()) + " phases it is off by " +
@@ -153,8 +163,12 @@ void PhaseLoads::turn(Eigen::VectorXd &column, double angle) const
 Eigen::MatrixXd PhaseLoads::sample(double omega) const
 {
   Eigen::MatrixXd columns;
-  for (unsigned int i = 0; i < grids.size(); ++i)
+  const unsigned int n_table = grids.table.size();
+  for (unsigned int step = 0; step < grids.size(); ++step)
   {
+    // To and fro in the table's angle: each contact starts from that of the phase before.
+    const unsigned int row = step / n_table, place = step % n_table;
+    const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
     const LeaningLoad exact = load(omega, grids.phase(i));
     n_rings = exact.rings.rings().size();
     Eigen::VectorXd column = column_of(exact);

@@ -41,9 +41,10 @@ struct PhaseGrids
 };
 
 /// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to 1e-7
-/// of a_0, at most 128 in each angle, with turning samples or not, whichever is better. Throws
-/// std::runtime_error, with a sentence, where the difference stays above 1e-3.
-PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods);
+/// of a_0, to 1e-5 where that takes more than 16 phases, at most 128 in each angle and @p most_samples
+/// together, with turning samples or not, whichever is better. Throws std::runtime_error, with a sentence,
+/// where the difference stays above 3e-2.
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples = 256);
 
 /// The worst of all sampled phases, at rest.
 struct PhaseExtremes

@@ -124,6 +124,7 @@ public:
       return known->second;
     const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, orientation });
     const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
+    progress.pieces_done("phases", loads.size() + 1, 0);
     return loads.emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
       .first->second;
   }
