@@ -46,6 +46,9 @@ void start_mpi()
 {
   static int n_arguments = 0;
   static char **arguments = nullptr;
+  // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for.
+  if (!launched_by_mpirun())
+    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
   // machine.
   if (!running_session)
