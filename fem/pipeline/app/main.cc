@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
 
@@ -11,6 +12,7 @@ int main(int argc, char *argv[])
 {
   using namespace stemware::pipeline;
 
+  open_missing_streams();
   watch_for_interruption();
   const MpiSession mpi;
   try

@@ -21,20 +21,20 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 /// The twelve entries that a new study comments, in the order of its file. Each preset of a glass has those
 /// of Motion and Glass but the friction, each of a table the friction and those of Table that it knows.
 const Entries explained = {
-  { "Motion/Mass", "the glass with what is in it" },
-  { "Motion/Centre of mass height", "above the table, of the glass with what is in it" },
+  { "Motion/Mass", "Mass of the glass with what is in it" },
+  { "Motion/Centre of mass height", "Height of its centre of mass above the table" },
   { "Motion/Force offset",
-    "height of the hand minus that of the centre of mass: negative, the hand is lower" },
-  { "Motion/Orbit radius", "of the circle on which the hand leads the glass" },
-  { "Motion/Orbit speed", "along that circle" },
-  { "Motion/Friction coefficient", "between foot and table" },
-  { "Glass/Contact radius", "of the rim of the foot that stands on the table" },
-  { "Glass/Foot radius", "to the outer edge of the foot" },
-  { "Glass/Foot thickness", "where the foot meets the stem" },
-  { "Glass/Crown radius", "rounding of the rim, seen in a cut through the axis" },
+    "Height of the hand minus that of the centre of mass; negative: the hand is lower" },
+  { "Motion/Orbit radius", "Radius of the circle on which the hand leads the glass" },
+  { "Motion/Orbit speed", "Speed along that circle" },
+  { "Motion/Friction coefficient", "Coulomb friction between foot and table" },
+  { "Glass/Contact radius", "Radius of the rim of the foot, where it stands on the table" },
+  { "Glass/Foot radius", "Outer radius of the foot" },
+  { "Glass/Foot thickness", "Thickness of the foot where it meets the stem" },
+  { "Glass/Crown radius", "Radius of the rim's rounding, seen in a cut through the axis" },
   { "Table/Interface",
-    "hard: bare; rough: with asperities; Winkler: a springy mat, pressure by penetration" },
-  { "Table/Foundation modulus", "pressure of the mat per depth of penetration" },
+    "hard: smooth; rough: with asperities; Winkler: a mat of springs that do not know each other" },
+  { "Table/Foundation modulus", "Pressure of the mat per depth of penetration" },
   { "Table/Disc Young modulus", "Young's modulus of the table or layer" },
 };
 

@@ -115,7 +115,7 @@ struct ContactSection
   double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; not an entry
   unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
-  double memory_limit = 8e9; ///< estimated memory above which a study is refused [byte]
+  double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 };
 
 enum class LoadSource

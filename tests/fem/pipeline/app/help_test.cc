@@ -26,6 +26,42 @@ TEST(Help, TeachesByExampleOnEveryVerb)
     EXPECT_NE(help.find(code), std::string::npos) << code;
 }
 
+TEST(Help, TheVerbHelpSaysTheSame)
+{
+  const ScratchFolder scratch;
+  for (const std::string &verb : all_verbs())
+    EXPECT_EQ(stemware(scratch, { "help", verb }).out, stemware(scratch, { verb, "--help" }).out) << verb;
+  EXPECT_EQ(stemware(scratch, { "help" }).out, stemware(scratch, { "--help" }).out);
+}
+
+TEST(Help, DefaultsOfOneSectionAreAStudyToo)
+{
+  const ScratchFolder scratch;
+  const Ended table = stemware(scratch, { "defaults", "table" });
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_EQ(table.out.rfind("subsection Table\n", 0), 0u) << table.out;
+  EXPECT_EQ(table.out.find("subsection", 5), std::string::npos);
+  scratch.write("table.prm", table.out);
+  EXPECT_EQ(stemware(scratch, { "run", "table.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
+}
+
+TEST(Help, AStudyMayComeFromStandardInput)
+{
+  const ScratchFolder scratch;
+  const std::string study = "subsection Load\n  set Source = first harmonic\nend\nsubsection Motion\n"
+                            "  set Mass = 250 g\nend\n";
+  scratch.write("study.prm", study);
+  scratch.write("study.json", R"({"Load": {"Source": "first harmonic"}, "Motion": {"Mass": "250 g"}})");
+  ASSERT_EQ(stemware(scratch, { "run", "study.prm" }).exit_code, 0);
+  for (const char *file : { "study.prm", "study.json" })
+  {
+    const std::string command = std::string(STEMWARE_PROGRAM) + " run - --output piped < " + file;
+    const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(read_summary(scratch / "piped")["ring"], read_summary(scratch / "results/study")["ring"]);
+  }
+}
+
 TEST(Help, VersionNamesTheProgram)
 {
   const ScratchFolder scratch;
