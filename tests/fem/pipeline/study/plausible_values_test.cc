@@ -1,6 +1,7 @@
 // Values that no glass has are computed after a warning; sizes that no machine has are refused before the
 // work.
 #include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
@@ -70,7 +71,9 @@ TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
   Study study;
   for (const StudyEntry &entry : study_entries(study))
     if (entry.is_quantity)
+    {
       EXPECT_EQ(implausible_note(entry.path(), entry.json().get<double>()), "") << entry.path();
+    }
   for (const PlausibleRange &range : plausible_ranges())
   {
     EXPECT_FALSE(unit_of(range.path).empty()) << range.path;
