@@ -17,7 +17,7 @@ void describe_program(CLI::App &program)
   program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
   program.footer(R"(Examples:
   stemware run                               the default study; results in results/default
-  stemware new my_glass.prm                  twelve entries to change, then: stemware run my_glass.prm
+  stemware new my_glass.prm                  a study of twelve entries to change
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Motion/Orbit speed=20 cm/s"
   stemware sweep my_glass.prm --vary "Motion/Mass=200:400:5 g"
   stemware defaults Glass                    all entries of a section, with their meaning

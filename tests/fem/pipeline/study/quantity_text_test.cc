@@ -60,7 +60,7 @@ TEST(QuantityText, EverythingElseIsNoQuantity)
 {
   for (const char *text :
        { "",         " ",        "g",       "30 mm",   "300 gramm", "nan",    "inf g",  "-inf",
-         "1e400",    "1e300 Gg", "3,5",     "300 g g", "300 g^2",   "300 /s", "300 g/", "300 g^",
+         "1e400",    "1e305 Gg", "3,5",     "300 g g", "300 g^2",   "300 /s", "300 g/", "300 g^",
          "300 g^99", "300 mkg",  "300 G g", "3 0",     "0x10",      "--3",    "+-3" })
     EXPECT_EQ(parse_quantity(text, "kg"), std::nullopt) << text;
 }
