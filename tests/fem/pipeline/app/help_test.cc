@@ -101,6 +101,31 @@ TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
     (std::vector<std::string>{ "default", "default-compare", "default-sweep", "default-truncate", "empty" }));
 }
 
+TEST(Container, WithoutSshOrAnyOtherProgramAContactIsSolved)
+{
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  const std::string command = "PATH=/nowhere exec " STEMWARE_PROGRAM " run coarse.prm";
+  const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_LE(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err; // gnuplot is missing
+  EXPECT_NE(ended.out.find("unknowns"), std::string::npos) << ended.out;
+}
+
+TEST(LoadFile, ThatPullsIsSaid)
+{
+  const ScratchFolder scratch;
+  scratch.write("pull.dat", "# ring radius: 0.03 (m)\n0 1 0\n1 0.5 0\n2 3 0\n");
+  const Ended ended = stemware(
+    scratch, { "run", "--set", "Load/Source=file", "--set", "Load/File=pull.dat", "--output", "results" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("have to pull"), std::string::npos) << ended.out;
+  const auto summary = read_summary(scratch / "results");
+  EXPECT_EQ(summary["ring"]["no_lift_off"], false);
+  // 1 + 0.5 cos(t) + 3 cos(2 t) is least at cos(t) = -0.5 / 24.
+  EXPECT_NEAR(summary["load"]["minimum"], 1 - 3 - 0.5 * 0.5 / 24 + 6 * 0.25 / 576, 1e-3);
+}
+
 TEST(Cookbooks, AreValidStudiesThatStateOnlyWhatDiffers)
 {
   const ScratchFolder scratch;
