@@ -11,6 +11,9 @@
 
 #include <Eigen/LU>
 
+#include <iostream>
+#include <stdexcept>
+
 namespace stemware::fem
 {
 
@@ -28,7 +31,23 @@ public:
   explicit Factorization(const MatrixType &matrix)
       : solver(control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"))
   {
-    solver.initialize(matrix);
+    // Amesos prints what MUMPS says; the exception says it in the words of a study.
+    std::streambuf *const printed = std::cerr.rdbuf(nullptr);
+    bool has_failed = false;
+    try
+    {
+      solver.initialize(matrix);
+    }
+    catch (const ExceptionBase &)
+    {
+      has_failed = true;
+    }
+    std::cerr.rdbuf(printed);
+    if (has_failed)
+      throw std::runtime_error(
+        "The stiffness of " + std::to_string(matrix.m()) +
+        " unknowns cannot be factorised: cells are distorted or memory is short; mend the "
+        "mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
   }
   void vmult(VectorType &dst, const VectorType &src) const override { solver.solve(dst, src); }
   // Back-substitutions cost about a sixtieth of a factorisation.

@@ -17,9 +17,11 @@ void describe_program(CLI::App &program)
   program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
   program.footer(R"(Examples:
   stemware run                               the default study; results in results/default
-  stemware run docs/cookbooks/paper.prm      the paper's glass; results in results/paper
-  stemware defaults > my_glass.prm           a commented study file to start from
-  stemware run my_glass.prm --set "Table/Foundation modulus=1e11"
+  stemware new my_glass.prm                  a study of twelve entries to change
+  stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Motion/Orbit speed=20 cm/s"
+  stemware sweep my_glass.prm --vary "Motion/Mass=200:400:5 g"
+  stemware defaults Glass                    all entries of a section, with their meaning
+  stemware help run                          more about a verb
 
 Exit codes:
   0   done
@@ -63,7 +65,8 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
                       const std::string &otherwise)
 {
   const auto meant = likeliest(word, known);
-  return "\"" + word + "\" is " + otherwise + (meant ? "; did you mean " + *meant + "? See" : "; see");
+  return "\"" + shortened(word) + "\" is " + otherwise +
+         (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
 
 /// What is wrong with the command line, up to the word "see".
@@ -78,10 +81,17 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
                      chosen.empty() ? "not one of the verbs " + enumerated(known)
                                     : "not expected by " + verb.get_name());
   return chosen.empty() ? "say what to do: one of " + enumerated(known) + "; see"
-                        : on_one_line(error.what()) + "; see";
+                        : shortened(error.what(), 160) + "; see";
 }
 
 } // namespace
+
+std::string why_no_verb(const CLI::App &program, const std::string &name)
+{
+  const std::vector<std::string> verbs = verbs_of(program);
+  return not_known(name, verbs, "not one of the verbs " + enumerated(verbs)) +
+         " `stemware --help` for examples.";
+}
 
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {

@@ -4,18 +4,25 @@
 
 #include <CLI/CLI.hpp>
 
+#include <memory>
+#include <ostream>
+
 namespace stemware::pipeline
 {
 
 void add_defaults_verb(CLI::App &program, Verb &chosen)
 {
+  const auto section = std::make_shared<std::string>();
   CLI::App *verb =
     program.add_subcommand("defaults", "Print a study file with every entry, its meaning and its default");
+  verb->add_option("SECTION", *section, "Motion, Glass, Table, Contact or Load; default: all of them");
   verb->footer(R"(Examples:
   stemware defaults
-  stemware defaults > my_glass.prm       then change what differs, and delete the rest
+  stemware defaults Table                    the entries of one section
+  stemware defaults > all_entries.prm        a study file; `stemware new` writes a short one
   stemware defaults | grep -A 3 radius)");
-  verb->callback([&chosen] { chosen = [] { console() << commented_defaults() << std::flush; }; });
+  verb->callback([&chosen, section]
+                 { chosen = [section] { console() << commented_defaults(*section) << std::flush; }; });
 }
 
 } // namespace stemware::pipeline

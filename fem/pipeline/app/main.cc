@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +12,8 @@ int main(int argc, char *argv[])
 {
   using namespace stemware::pipeline;
 
+  open_missing_streams();
+  watch_for_interruption();
   const MpiSession mpi;
   try
   {
@@ -19,12 +23,14 @@ int main(int argc, char *argv[])
     Verb chosen;
     describe_program(program);
     add_run_verb(program, chosen);
+    add_new_verb(program, chosen);
     add_truncate_verb(program, chosen);
     add_compare_verb(program, chosen);
     add_sweep_verb(program, chosen);
     add_mesh_verb(program, chosen);
     add_converge_verb(program, chosen);
     add_defaults_verb(program, chosen);
+    add_help_verb(program, chosen);
     if (const auto exit_code = parse_command_line(program, argc, argv))
       return static_cast<int>(*exit_code);
 

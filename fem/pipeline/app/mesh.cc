@@ -46,10 +46,11 @@ void check_options(const MeshOptions &options)
   {
     const std::string extension = fs::path(file).extension();
     if (extension != ".msh" && extension != ".vtu")
-      throw BadInput("--write " + file +
+      throw BadInput("--write " + shortened_path(file) +
                      " ends in neither .msh nor .vtu; end it in the format that you want.");
     if (fs::exists(file) && !fs::is_regular_file(file))
-      throw OutputFailure("--write " + file + " exists and is not a file; choose another name.");
+      throw OutputFailure("--write " + shortened_path(file) +
+                          " exists and is not a file; choose another name.");
   }
 }
 
@@ -100,7 +101,6 @@ void mesh(const MeshOptions &options)
   if (!options.study.study_file.empty())
     study = read_study(options.study.study_file, options.study.overrides);
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
-  watch_for_interruption();
   std::optional<ResultsFolder> folder;
   if (!options.study.output.empty())
     folder.emplace(options.study.results_place());

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/study/idle_entries.h"
+#include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
@@ -27,7 +28,7 @@ std::string why_no_spin(const std::string &text)
   double omega = 0;
   return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
            ? ""
-           : "\"" + text + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
+           : "\"" + shortened(text) + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
 }
 
 /// An empty name is a mistake (a variable that is not set), not the wish for the default study.
@@ -38,10 +39,12 @@ std::string why_no_study(const std::string &text)
                       : "";
 }
 
-/// Names the entries that have no effect, where the verb asks nothing but the study: the cases of a sweep
-/// have studies of their own.
-void note_idle_entries(Study study, const std::string &verb)
+/// Values that no glass has, and the entries that have no effect, where the verb asks nothing but the study:
+/// the cases of a sweep have studies of their own.
+void note_strange_entries(Study study, const std::string &verb)
 {
+  for (const std::string &note : implausible_notes(study))
+    console() << wrapped(note, "Check     ") << std::endl;
   if (verb == "sweep")
     return;
   if (verb == "compare") // asks for every moment balance
@@ -55,7 +58,9 @@ void note_idle_entries(Study study, const std::string &verb)
 void add_study_options(CLI::App &verb, StudyOptions &options)
 {
   options.verb = verb.get_name();
-  verb.add_option("STUDY", options.study_file, "Study file, .prm or .json; default: the default study")
+  verb
+    .add_option("STUDY", options.study_file,
+                "Study file, .prm or .json, - for standard input;\ndefault: the default study")
     ->check(why_no_study);
   verb
     .add_option("--output", options.output,
@@ -94,15 +99,18 @@ void add_console_options(CLI::App &verb, StudyOptions &options)
 Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
-  watch_for_interruption();
   Study study = read_study(options.study_file, options.overrides);
   study.required_resultants(); // refuses a glass that would tip
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
-            << "Study     " << (options.study_file.empty() ? "default" : options.study_file) << std::endl;
-  note_idle_entries(study, options.verb);
+            << "Study     "
+            << (options.study_file.empty()  ? "default"
+                : options.study_file == "-" ? "standard input"
+                                            : options.study_file)
+            << std::endl;
+  note_strange_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
   return study;

@@ -61,9 +61,11 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   stemware run docs/cookbooks/paper.prm
   stemware run docs/cookbooks/lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
   stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
-  stemware run my_glass.prm --set "Contact/Body=solid" --set "Contact/Mesh file=meshes/oval_foot.msh"
+  stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"
+  stemware run --set Contact/Body=solid --set "Contact/Mesh file=meshes/crowned_foot.msh"
   stemware run my_glass.prm --quiet --json | jq .omega_terminal
-  mpirun -n 4 stemware run my_glass.prm --set "Contact/Body=solid" --set "Contact/Azimuthal cells=192"
+  stemware defaults Glass | stemware run - --output results/piped     from standard input
+  mpirun -n 4 stemware run --set Contact/Body=solid --set "Contact/Azimuthal cells=96"
 
 Results are written to a temporary folder and renamed at the end; older results of the same name
 are replaced.

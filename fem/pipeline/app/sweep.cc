@@ -6,9 +6,12 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/output/sweep_results.h"
+#include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/work_progress.h"
 
 #include <CLI/CLI.hpp>
@@ -172,6 +175,21 @@ void require_one_solved(const FinishedCases &cases, const SweepFindings &finding
       fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"), findings.n_cases, trouble));
 }
 
+/// Names values of the cases that no glass has: the first of each entry.
+void note_strange_cases(const SweepPlan &plan)
+{
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+    for (const std::vector<std::string> &values : plan.cases)
+    {
+      const auto number = plan.entries[i].unit.empty() ? std::nullopt : parse_number(values[i]);
+      const std::string note = number ? implausible_note(plan.entries[i].path, *number) : "";
+      if (note.empty())
+        continue;
+      console() << wrapped(note, "Check     ") << std::endl;
+      break;
+    }
+}
+
 /// Solves the cases of a sweep, from the study's file to the folder of its results, and goes on where the
 /// same sweep was interrupted. Collective over all ranks, which share the cases. Throws BadInput,
 /// OutputFailure, and std::runtime_error when not a single case could be solved.
@@ -187,6 +205,7 @@ void sweep(const SweepOptions &options)
   console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
   if (cases.n_before > 0)
     console() << "          " << cases.n_before << " of them are kept from an interrupted run" << std::endl;
+  note_strange_cases(plan);
   stopwatch.finish("input");
 
   // 2. The cases.
@@ -226,26 +245,31 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
                  "one under mpirun")
     ->type_name("N")
     ->check(CLI::Range(1, 1024).description(""));
+  verb
+    ->add_option("--most-cases", request.most_cases,
+                 "Refuses a sweep of more cases, before the work; default: 10000")
+    ->type_name("N");
   verb->add_flag("--restart", options->restart, "Throws away the cases kept from an interrupted sweep");
   verb->footer(R"(Values of --vary:
   "Load/Moment ratio=0.1:1.9:50"               50 values from 0.1 to 1.9, equal steps
   "Table/Foundation modulus=1e8:1e12:20:log"   20 values, equal factors
+  "Motion/Mass=200,250,300 g"                  these; numbers may have units
   "Motion/Closure=paper,hand,full"             these
 
 Spreads of --random:
   "Motion/Friction coefficient=0.3+-0.03"      normal: mean and standard deviation
-  "Motion/Mass=0.3+-5%"                        the same, as a share of the mean
+  "Motion/Mass=300 g+-5%"                      the same, as a share of the mean
   "Table/Foundation modulus=1e10*/2"           lognormal: median and factor
-  "Glass/Crown radius=0.002..0.004"            uniform
+  "Glass/Crown radius=2..4 mm"                 uniform
   "Table/Foundation modulus=1e9..1e11:log"     uniform in the logarithm
 
 Examples:
   stemware sweep docs/cookbooks/paper.prm --vary "Motion/Force offset=-0.08:-0.02:25"
-  stemware sweep glass.prm --vary "Load/Moment ratio=0.1:1.9:50" \
-                           --vary "Table/Foundation modulus=1e8:1e12:20:log"
-  stemware sweep glass.prm --random "Motion/Friction coefficient=0.3+-10%" \
-                           --random "Glass/Crown radius=0.002..0.004" --samples 500
-  mpirun -n 8 stemware sweep glass.prm --vary "Load/Moment ratio=0:1.95:500"
+  stemware sweep my_glass.prm --vary "Load/Moment ratio=0.1:1.9:50" \
+                              --vary "Table/Foundation modulus=1e8:1e12:20:log"
+  stemware sweep my_glass.prm --random "Motion/Friction coefficient=0.3+-10%" \
+                              --random "Glass/Crown radius=2..4 mm" --samples 500
+  mpirun -n 8 stemware sweep my_glass.prm --vary "Load/Moment ratio=0:1.95:500"
 
 Finished cases are kept as they come: interrupted by Ctrl-C, kill or a power cut, the same command
 goes on where it was, and the table is the one of an unbroken run. A case that fails is listed with

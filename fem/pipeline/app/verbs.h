@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 // NOLINTNEXTLINE(readability-identifier-naming): the library's name
 namespace CLI
@@ -19,6 +20,9 @@ using Verb = std::function<void()>;
 
 /// What all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program);
+
+/// `stemware new`: a study file of a glass on a table to start from.
+void add_new_verb(CLI::App &program, Verb &chosen);
 
 /// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
 void add_run_verb(CLI::App &program, Verb &chosen);
@@ -38,8 +42,14 @@ void add_mesh_verb(CLI::App &program, Verb &chosen);
 /// `stemware converge`: a study on ever finer levels; observed orders and error bands.
 void add_converge_verb(CLI::App &program, Verb &chosen);
 
-/// `stemware defaults`: a commented study file of all defaults on standard output.
+/// `stemware defaults`: a commented study file of all defaults, or of one section, on standard output.
 void add_defaults_verb(CLI::App &program, Verb &chosen);
+
+/// `stemware help`: the text of --help, of the program or of a verb.
+void add_help_verb(CLI::App &program, Verb &chosen);
+
+/// A sentence that says that there is no verb of that name, and which there are.
+std::string why_no_verb(const CLI::App &program, const std::string &name);
 
 /// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
 /// error, which is reported in one sentence.

@@ -13,6 +13,9 @@ namespace stemware::pipeline
 namespace
 {
 
+/// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
+constexpr std::size_t most_harmonics = 1000;
+
 /// What has been read so far.
 struct Coefficients
 {
@@ -52,7 +55,8 @@ ring::RingStack read_load_file(const std::string &file)
 {
   std::ifstream stream(file);
   if (!stream)
-    throw BadInput("The load file " + file + " cannot be read; check its path and permissions.");
+    throw BadInput("The load file " + shortened_path(file) +
+                   " cannot be read; check its path and permissions.");
   Coefficients coefficients;
   std::string line;
   for (unsigned int number = 1; std::getline(stream, line); ++number)
@@ -62,16 +66,20 @@ ring::RingStack read_load_file(const std::string &file)
       continue;
     if (line[begin] == '#')
       read_comment(line.substr(begin), coefficients);
+    else if (coefficients.a.size() > most_harmonics)
+      throw BadInput("The load file " + shortened_path(file) + " holds more than the " +
+                     std::to_string(most_harmonics) +
+                     " harmonics that a torque is computed from; leave the higher ones out.");
     else if (!read_row(line, coefficients))
-      throw BadInput(file + ", line " + std::to_string(number) + ": expected \"" +
+      throw BadInput(shortened_path(file) + ", line " + std::to_string(number) + ": expected \"" +
                      std::to_string(coefficients.a.size()) + " a b\" with finite numbers in N/rad" +
                      (coefficients.a.empty() ? ", a greater than 0 and b = 0." : "."));
   }
   if (!coefficients.radius || *coefficients.radius <= 0)
-    throw BadInput("The load file " + file +
+    throw BadInput("The load file " + shortened_path(file) +
                    " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
   if (coefficients.a.size() < 2)
-    throw BadInput("The load file " + file +
+    throw BadInput("The load file " + shortened_path(file) +
                    " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
   return { coefficients.a, coefficients.b, *coefficients.radius };
 }

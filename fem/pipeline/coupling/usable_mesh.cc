@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -14,6 +15,10 @@ namespace stemware::pipeline
 fem::MeshReport read_mesh_file(const std::string &file, dealii::Triangulation<3, 3> &mesh)
 try
 {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  require(!std::filesystem::exists(status) || std::filesystem::is_regular_file(status),
+          "The mesh " + shortened_path(file) + " is not a file; give the path of a .msh file.");
   return fem::read_foot_mesh(file, mesh);
 }
 catch (const std::invalid_argument &error)

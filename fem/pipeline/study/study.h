@@ -27,6 +27,7 @@ struct MotionSection
   double grip_torque = 0;   ///< of the fingers, against the spin [N m]
   double end_time = 2;      ///< of the spin-up [s]
   double euler_step = 1e-3; ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;  ///< estimated steps of the spin-up above which a study is refused
 };
 
 /// Subsection Glass: shape and material of the foot, by default the foot of a wine glass.
@@ -114,6 +115,7 @@ struct ContactSection
   double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; not an entry
   unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
+  double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 };
 
 enum class LoadSource

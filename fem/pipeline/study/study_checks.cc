@@ -1,4 +1,5 @@
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -75,15 +76,6 @@ void require_resolved_load(const ContactSection &contact)
                 contact.load_harmonics, 2 * contact.load_harmonics, contact.azimuth_lines));
 }
 
-void require_steps(const MotionSection &motion)
-{
-  constexpr double most_steps = 1e7;
-  require(motion.end_time / motion.euler_step <= most_steps,
-          fmt::format(FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s makes more "
-                                 "than 1e7 steps of the forward Euler method; use longer steps."),
-                      to_text(motion.end_time), to_text(motion.euler_step)));
-}
-
 void require_load_file(const LoadSection &load)
 {
   if (load.source != LoadSource::file)
@@ -147,7 +139,6 @@ void check_study(const Study &study)
   require_known_waviness(study);
   require_alike_lengths(study);
   require_resolved_load(study.contact);
-  require_steps(study.motion);
   require_load_file(study.load);
   if (study.load.source == LoadSource::file)
     require_readable("Load/File", study.load.file);
@@ -167,6 +158,7 @@ void check_study(const Study &study)
   {
     throw BadInput(error.what());
   }
+  require_affordable(study);
 }
 
 void require_flat(const Study &study, const std::string &verb)

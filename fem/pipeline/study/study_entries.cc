@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/study_entries.h"
 
+#include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/renamed_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
@@ -48,9 +49,9 @@ public:
   void number(const std::string &name, double &value, const Range &range, const std::string &unit,
               const std::string &help)
   {
-    const auto parse = [range](const std::string &text)
+    const auto parse = [range, unit](const std::string &text)
     {
-      const auto number = parse_number(text);
+      const auto number = parse_quantity(text, unit);
       return number && range.contains(*number) ? number : std::nullopt;
     };
     StudyEntry &entry =
@@ -185,6 +186,8 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.number("End time", motion.end_time, positive, "s", "How long the spin-up is followed");
   list.number("Euler step", motion.euler_step, positive, "s",
               "Largest step of the forward Euler method that is shown beside the adaptive one");
+  list.number("Step limit", motion.step_limit, positive, "",
+              "A study whose spin-up would take more steps is refused before the work");
 }
 
 void add_glass(EntryList &list, GlassSection &glass)
@@ -311,6 +314,9 @@ void add_contact(EntryList &list, ContactSection &contact)
     { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
     "elastic: the friction's tractions deform the foot and an elastic substrate (body of revolution; "
     "without effect on a solid one); none: friction does not act back on the pressure");
+  list.number(
+    "Memory limit", contact.memory_limit, positive, "B",
+    "A study that is estimated to need more memory is refused before the work; 8 GB may be written");
 }
 
 void add_load(EntryList &list, LoadSection &load)
@@ -372,9 +378,12 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
 
 void assign(const StudyEntry &entry, const std::string &origin, const std::string &value)
 {
-  require(entry.assign(value),
-          fmt::format(FMT_STRING("{}{} = {} is not allowed; give {}."), origin, entry.path(),
-                      value.empty() ? "(nothing)" : shortened(value), entry.allowed));
+  if (entry.assign(value))
+    return;
+  const std::string trouble = entry.is_quantity ? trouble_with_unit(value, entry.unit) : "";
+  throw BadInput(fmt::format(FMT_STRING("{}{} = {}{}"), origin, entry.path(),
+                             value.empty() ? "(nothing)" : shortened(value),
+                             trouble.empty() ? " is not allowed; give " + entry.allowed + '.' : trouble));
 }
 
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,

@@ -3,14 +3,17 @@
 #include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/ranks.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <sstream>
+#include <iostream>
+#include <set>
 
 namespace stemware::pipeline
 {
@@ -18,34 +21,78 @@ namespace stemware::pipeline
 namespace
 {
 
+constexpr std::size_t longest_study = 1000000;
+
+/// At most a little more than the longest study of a stream, and whether it could be read.
+std::pair<std::string, bool> beginning_of(std::istream &stream)
+{
+  std::string text(longest_study + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return { text, stream.good() || stream.eof() };
+}
+
+/// @p text, once it is known to be that of a study; @p origin begins the sentence.
+std::string checked_text(const std::string &origin, const std::string &text)
+{
+  require(text.size() <= longest_study, origin +
+                                          " is longer than 1 MB; give a study file, which has a line for "
+                                          "each entry.");
+  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
+  require(std::none_of(text.begin(), text.end(), is_control),
+          origin + " is not a text file; give the path of a .prm or .json file.");
+  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
+          origin +
+            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
+  return text;
+}
+
+/// All of standard input, which only the first rank has.
+std::string standard_input()
+{
+  return checked_text("The study on standard input",
+                      from_first_rank([] { return beginning_of(std::cin).first; }));
+}
+
 /// The whole file, once it is known to be one that can be read.
 std::string contents(const std::string &file)
 {
   const std::string the_file = "The study file " + shortened_path(file);
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  require(
-    std::filesystem::exists(status),
-    the_file +
-      " does not exist; give the path of a .prm file, or write one with `stemware defaults > study.prm`.");
+  require(std::filesystem::exists(status),
+          the_file +
+            " does not exist; give the path of a .prm file, or write one with `stemware new study.prm`.");
   require(std::filesystem::is_regular_file(status),
           the_file + " is not a file; give the path of a .prm file.");
   const std::string extension = std::filesystem::path(file).extension();
   require(extension == ".prm" || extension == ".json",
           the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
   std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  require(stream.good() || stream.eof(), the_file + " cannot be read; check its permissions.");
-  std::string all = text.str();
-  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
-  require(std::none_of(all.begin(), all.end(), is_control),
-          the_file + " is not a text file; give the path of a .prm or .json file.");
-  require(
-    all.find_first_not_of(" \t\r\n") != std::string::npos,
-    the_file +
-      " is empty; write at least a comment into it to get the defaults, or start from `stemware defaults`.");
-  return all;
+  const auto [text, is_read] = beginning_of(stream);
+  require(is_read && stream.gcount() >= 0 && (stream.eof() || text.size() > longest_study),
+          the_file + " cannot be read; check its permissions.");
+  return checked_text(the_file, text);
+}
+
+/// The first name that an object of @p text has twice; a parser keeps one of them without a word.
+std::optional<std::string> repeated_name(const std::string &text)
+{
+  using Json = nlohmann::json;
+  std::vector<std::set<std::string>> names;
+  std::optional<std::string> repeated;
+  const auto look = [&](int, Json::parse_event_t event, Json &value)
+  {
+    if (event == Json::parse_event_t::object_start)
+      names.emplace_back();
+    else if (event == Json::parse_event_t::object_end)
+      names.pop_back();
+    else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
+      repeated = value.get<std::string>();
+    return true;
+  };
+  [[maybe_unused]] const Json unused = Json::parse(text, look, false);
+  return repeated;
 }
 
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
@@ -53,6 +100,8 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   const auto sections = nlohmann::ordered_json::parse(text, nullptr, false);
   require(sections.is_object(),
           file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
+  if (const auto name = repeated_name(text))
+    throw BadInput(file + ": \"" + shortened(*name) + "\" stands twice; leave one of them.");
   for (const auto &[section, values] : sections.items())
   {
     require(values.is_object(),
@@ -101,7 +150,13 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
 {
   Study study;
   const std::vector<StudyEntry> entries = study_entries(study);
-  if (std::filesystem::path(file).extension() == ".json")
+  if (file == "-")
+  {
+    const std::string text = standard_input();
+    const bool is_json = text[text.find_first_not_of(" \t\r\n")] == '{';
+    is_json ? read_json("standard input", text, entries) : read_prm("standard input", text, entries);
+  }
+  else if (std::filesystem::path(file).extension() == ".json")
     read_json(shortened_path(file), contents(file), entries);
   else if (!file.empty())
     read_prm(file, contents(file), entries);
@@ -131,6 +186,15 @@ StudyEntry find_entry(const std::string &option, const std::string &path)
   return entry_at(study_entries(study), option + ": ", path);
 }
 
+std::string unit_of(const std::string &path)
+{
+  Study study;
+  for (const StudyEntry &entry : study_entries(study))
+    if (entry.path() == path)
+      return entry.unit;
+  return "";
+}
+
 std::vector<std::string> files_of(const Study &study)
 {
   Study copy = study;
@@ -155,12 +219,21 @@ std::string study_as_prm(const Study &study)
   return prm_text(study_entries(copy), false);
 }
 
-std::string commented_defaults()
+std::string commented_defaults(const std::string &section)
 {
   Study study;
+  const std::vector<StudyEntry> all = study_entries(study);
+  std::vector<StudyEntry> entries;
+  for (const StudyEntry &entry : all)
+    if (section.empty() || boost::iequals(entry.section, section))
+      entries.push_back(entry);
+  require(!entries.empty(), "There is no section \"" + shortened(section) +
+                              "\"; give Motion, Glass, Table, Contact or Load, or nothing for all.");
+  if (!section.empty())
+    return prm_text(entries, true);
   return "# A study of Stemware with every entry at its default. A study file needs to state only what "
          "differs.\n" +
-         prm_text(study_entries(study), true);
+         prm_text(entries, true);
 }
 
 } // namespace stemware::pipeline

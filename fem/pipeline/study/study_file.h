@@ -12,9 +12,10 @@ namespace stemware::pipeline
 {
 
 /// Reads a study file (.prm or .json; entries that it does not state keep their defaults; an empty name: the
-/// default study), applies @p overrides, each "Section/Entry=value", and checks the whole. Relative paths in
-/// the file start at its folder, those of overrides where the program was started. Throws BadInput with one
-/// sentence about the first thing that is wrong.
+/// default study; "-": standard input of the first rank, as .json where it begins with a brace), applies @p
+/// overrides, each "Section/Entry=value", and checks the whole. Relative paths in the file start at its
+/// folder, those of overrides where the program was started. Throws BadInput with one sentence about the
+/// first thing that is wrong.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
 /// Gives entries of @p study other values, each "Section/Entry" with its text, and checks the whole. Throws
@@ -26,6 +27,9 @@ Study with_values(Study study, const std::string &option,
 /// where it comes from. The functions of the entry must not be called.
 StudyEntry find_entry(const std::string &option, const std::string &path);
 
+/// The unit of the entry of that path, "1" for pure numbers; empty for words, paths, and where there is none.
+std::string unit_of(const std::string &path);
+
 /// The files that the study reads.
 std::vector<std::string> files_of(const Study &study);
 
@@ -35,7 +39,8 @@ Study with_paths_from(const std::filesystem::path &folder, Study study);
 /// The study as a .prm file that gives the same study again.
 std::string study_as_prm(const Study &study);
 
-/// A .prm file of all defaults, every entry with its help, unit and allowed values as comments.
-std::string commented_defaults();
+/// A .prm file of all defaults, every entry with its help, unit and allowed values as comments; that of one
+/// section where @p section names one (upper and lower case are equal). Throws BadInput for other names.
+std::string commented_defaults(const std::string &section = "");
 
 } // namespace stemware::pipeline

@@ -5,7 +5,9 @@ namespace stemware::pipeline
 
 std::string StudyOptions::study_name() const
 {
-  return study_file.empty() ? "default" : std::filesystem::path(study_file).stem().string();
+  return study_file.empty()  ? "default"
+         : study_file == "-" ? "stdin"
+                             : std::filesystem::path(study_file).stem().string();
 }
 
 std::filesystem::path StudyOptions::results_place() const

@@ -11,13 +11,13 @@ namespace stemware::pipeline
 struct StudyOptions
 {
   std::string verb;                   ///< its name, "run"
-  std::string study_file;             ///< empty: the default study
+  std::string study_file;             ///< empty: the default study; "-": standard input
   std::string output;                 ///< of --output; empty: the default place
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
   bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 
-  /// The stem of the study file, "default" without one.
+  /// The stem of the study file, "default" without one, "stdin" for standard input.
   std::string study_name() const;
 
   /// The folder of the results: --output, or results/<name of the study> for `run` and

@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/waviness_text.h"
 
+#include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <boost/algorithm/string/classification.hpp>
@@ -30,8 +31,8 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
     return std::nullopt;
   const auto [amplitude_text, azimuth_text] = cut(*rest, '@');
   const auto order = parse_count(order_text);
-  const auto amplitude = parse_number(amplitude_text);
-  const auto azimuth = azimuth_text ? parse_number(*azimuth_text) : 0.;
+  const auto amplitude = parse_quantity(amplitude_text, "m");
+  const auto azimuth = azimuth_text ? parse_quantity(*azimuth_text, "rad") : 0.;
   if (!order || *order < 2 || !amplitude || !azimuth)
     return std::nullopt;
   return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
@@ -40,7 +41,7 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 } // namespace
 
 const char *const waviness_words =
-  "harmonics \"n: amplitude in m @ azimuth in rad\" separated by commas, such as 2: 5e-6 @ 0.3, 3: 2e-6, "
+  "harmonics \"n: amplitude @ azimuth\" (m, rad) separated by commas, such as 2: 5 um @ 20 deg, 3: 2e-6, "
   "with n from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb), or nothing";
 
 std::optional<Waviness> parse_waviness(const std::string &text)

@@ -3,6 +3,7 @@
 #include "fem/pipeline/support/ranks.h"
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <iostream>
 #include <string>
 #include <unistd.h>
@@ -28,6 +29,13 @@ std::streambuf *console_buffer()
 }
 
 } // namespace
+
+void open_missing_streams()
+{
+  for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      ::open("/dev/null", O_RDWR); // takes the lowest number that is free, which is this one
+}
 
 void direct_console(bool quiet, bool json)
 {

@@ -5,6 +5,10 @@
 namespace stemware::pipeline
 {
 
+/// Opens those of standard input, output and error that the program was started without, to nothing:
+/// otherwise the next file that is opened would take their place. To be called first.
+void open_missing_streams();
+
 /// Where the text for users goes from now on: to standard output; with @p json, which keeps standard output
 /// for programs, to standard error; with @p quiet nowhere.
 void direct_console(bool quiet, bool json);

@@ -33,7 +33,13 @@ std::string shortened(const std::string &text, std::size_t longest)
 
 std::string shortened_path(const std::string &path)
 {
-  return shortened(path, 255);
+  constexpr std::size_t longest = 80;
+  if (path.size() <= longest)
+    return on_one_line(path);
+  std::size_t begin = path.size() - longest + 3;
+  while (begin < path.size() && (path[begin] & 0xC0) == 0x80)
+    ++begin;
+  return "..." + on_one_line(path.substr(begin));
 }
 
 } // namespace stemware::pipeline

@@ -42,7 +42,8 @@ std::string on_one_line(const std::string &text);
 /// after that.
 std::string shortened(const std::string &text, std::size_t longest = 80);
 
-/// A path that somebody gave, as a message repeats it: longer than other texts, because its end says most.
+/// A path that somebody gave, as a message repeats it: on one line, and the last 80 characters of it at most,
+/// because its end says most.
 std::string shortened_path(const std::string &path);
 
 } // namespace stemware::pipeline

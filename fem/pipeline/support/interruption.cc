@@ -50,6 +50,31 @@ const std::map<int, bool> ignored_from_the_start = []
   return ignored;
 }();
 
+/// Ends a program that has not reached main() yet; it has nothing to tidy up.
+extern "C" void end_at_once(int)
+{
+  const char message[] = "\nstemware: interrupted; no results were written.\n";
+  [[maybe_unused]] const auto n_written = ::write(STDERR_FILENO, message, sizeof(message) - 1);
+  ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+void watch_while_libraries_start(int, char **, char **)
+{
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction action = {};
+    ::sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_DFL)
+      continue;
+    action.sa_handler = end_at_once;
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+/// Called by the loader before the libraries are initialised: these take as long as a study that is refused.
+__attribute__((section(".preinit_array"),
+               used)) void (*const first_call)(int, char **, char **) = watch_while_libraries_start;
+
 extern "C" void wake_up(int)
 {
   const int saved_errno = errno;

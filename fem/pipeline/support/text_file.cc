@@ -84,6 +84,22 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   refuse(error.message());
 }
 
+void create_text_file(const std::filesystem::path &file, const std::string &text)
+{
+  const std::string the_file = "The file " + shortened_path(file.string());
+  const int descriptor = open_file(file, true);
+  if (descriptor < 0 && errno == EEXIST)
+    throw OutputFailure(the_file +
+                        " exists already and is not overwritten; give another name, or remove it.");
+  if (write_and_close(descriptor, text))
+    return;
+  const std::string reason = std::strerror(errno);
+  std::error_code ignored;
+  if (descriptor >= 0)
+    std::filesystem::remove(file, ignored);
+  throw OutputFailure(the_file + " cannot be written (" + reason + "); choose another place.");
+}
+
 std::string read_text_file(const std::filesystem::path &file)
 {
   std::ifstream stream(file, std::ios::binary);

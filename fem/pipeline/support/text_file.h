@@ -14,6 +14,10 @@ void write_text_file(const std::filesystem::path &file, const std::string &text)
 /// complete, and replaces an older one. Throws OutputFailure with one sentence.
 void replace_text_file(const std::filesystem::path &file, const std::string &text);
 
+/// Writes a whole file that must not be there yet, not even as a link; nothing is left of one that the disk
+/// does not take. Throws OutputFailure with one sentence.
+void create_text_file(const std::filesystem::path &file, const std::string &text);
+
 /// Whether the disk has taken every byte of @p text for the open file @p descriptor; errno says why not.
 bool write_all(int descriptor, const std::string &text);
 

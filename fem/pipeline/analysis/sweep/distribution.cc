@@ -1,6 +1,8 @@
 #include "fem/pipeline/analysis/sweep/distribution.h"
 
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -19,7 +21,7 @@ namespace
 
 [[noreturn]] void refuse_distribution(const std::string &text, const std::string &trouble)
 {
-  throw BadInput("--random \"" + text + "\" " + trouble +
+  throw BadInput("--random \"" + shortened(text) + "\" " + trouble +
                  "; write \"Section/Entry=mean+-deviation\", \"=mean+-10%\", \"=median*/factor\", "
                  "\"=least..most\" or \"=least..most:log\".");
 }
@@ -31,7 +33,10 @@ struct Pair
   bool has_tail = false; ///< and it was there
 };
 
-std::optional<Pair> parse_pair(const std::string &text, const std::string &mark, const std::string &tail = "")
+/// Numbers in @p unit; the unit of the second one holds for the first too, unless @p second_is_pure or it has
+/// its own. Throws BadInput for units of another dimension.
+std::optional<Pair> parse_pair(const std::string &text, const std::string &unit, const std::string &mark,
+                               const std::string &tail = "", bool second_is_pure = false)
 {
   const auto place = text.find(mark);
   if (place == std::string::npos)
@@ -42,8 +47,20 @@ std::optional<Pair> parse_pair(const std::string &text, const std::string &mark,
                   second.compare(second.size() - tail.size(), tail.size(), tail) == 0;
   if (pair.has_tail)
     second.erase(second.size() - tail.size());
-  pair.first = parse_number(text.substr(0, place));
-  pair.second = parse_number(second);
+  const bool is_share = pair.has_tail && tail == "%";
+  std::vector<std::string> numbers = { text.substr(0, place), second };
+  if (!second_is_pure && !is_share)
+    numbers = with_shared_unit(numbers);
+  const std::string second_unit = second_is_pure || is_share ? "1" : unit;
+  for (const auto &[number, unit_of_it] : { std::pair(numbers[0], unit), std::pair(numbers[1], second_unit) })
+    if (const std::string trouble = trouble_with_unit(number, unit_of_it); !trouble.empty())
+      throw BadInput("--random: " + shortened(number) + trouble);
+  const bool has_half_a_unit = unit_behind(numbers[1]).empty() && !unit_behind(numbers[0]).empty();
+  if (has_half_a_unit && !second_is_pure && !is_share)
+    throw BadInput("--random: \"" + shortened(text) +
+                   "\" has a unit behind its first number only; put it behind the second one.");
+  pair.first = parse_quantity(numbers[0], unit);
+  pair.second = parse_quantity(numbers[1], second_unit);
   return pair;
 }
 
@@ -73,14 +90,14 @@ Spread uniform_spread(const std::string &text, const Pair &pair)
   return { "", pair.has_tail ? Spread::Kind::log_uniform : Spread::Kind::uniform, *pair.first, *pair.second };
 }
 
-Spread parse_distribution(const std::string &text, const std::string &distribution)
+Spread parse_distribution(const std::string &text, const std::string &distribution, const std::string &unit)
 {
   for (const char *mark : { "+-", "±" })
-    if (const auto pair = parse_pair(distribution, mark, "%"))
+    if (const auto pair = parse_pair(distribution, unit, mark, "%"))
       return normal_spread(text, *pair);
-  if (const auto pair = parse_pair(distribution, "*/"))
+  if (const auto pair = parse_pair(distribution, unit, "*/", "", true))
     return lognormal_spread(text, *pair);
-  if (const auto pair = parse_pair(distribution, "..", ":log"))
+  if (const auto pair = parse_pair(distribution, unit, "..", ":log"))
     return uniform_spread(text, *pair);
   refuse_distribution(text, "names no spread");
 }
@@ -124,7 +141,7 @@ std::string Spread::description() const
 Spread parse_spread(const std::string &text)
 {
   const auto [path, distribution] = split_assignment("--random", text);
-  Spread spread = parse_distribution(text, distribution);
+  Spread spread = parse_distribution(text, distribution, unit_of(path));
   spread.path = path;
   return spread;
 }

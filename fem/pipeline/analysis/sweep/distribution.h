@@ -35,12 +35,14 @@ struct Spread
 
 /// Reads what --random was given:
 ///
-///   Motion/Friction coefficient=0.3+-0.03       normal: mean and standard deviation; +-10% is a share of the
-///   mean Table/Foundation modulus=1e10*/2            lognormal: median and factor of one standard deviation
+///   Motion/Friction coefficient=0.3+-0.03       normal: mean and standard deviation
+///   Motion/Mass=300 g+-10%                      the same, as a share of the mean
+///   Table/Foundation modulus=1e10*/2            lognormal: median and factor of one standard deviation
 ///   Glass/Crown radius=0.002..0.004             uniform
 ///   Table/Foundation modulus=1e9..1e11:log      uniform in the logarithm
 ///
-/// Throws BadInput with one sentence for anything else; whether the entry exists is not looked at.
+/// Numbers may have units; one behind the second number only holds for both. Throws BadInput with one
+/// sentence for anything else; whether the entry exists is not looked at.
 Spread parse_spread(const std::string &text);
 
 /// Independent draws from all @p spreads, shape [n_samples][spreads], the same on every machine: 64-bit

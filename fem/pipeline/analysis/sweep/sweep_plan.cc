@@ -9,6 +9,7 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <fstream>
 #include <set>
 
@@ -20,7 +21,8 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-constexpr std::size_t most_cases = 1000000;
+/// The texts of more cases than this do not fit into memory.
+constexpr std::size_t largest_sweep = 1000000;
 
 void require_different(const std::vector<SweptEntry> &entries)
 {
@@ -30,19 +32,31 @@ void require_different(const std::vector<SweptEntry> &entries)
             "The sweep varies " + entry.path + " twice; give all its values in one place.");
 }
 
-SweepPlan make_grid(const std::vector<std::string> &requests)
+void require_allowed(std::size_t n_cases, const SweepRequest &request)
 {
+  require(n_cases <= largest_sweep,
+          fmt::format(FMT_STRING("The sweep has {} cases, but at most {} are possible; "
+                                 "ask for fewer."),
+                      n_cases, largest_sweep));
+  require(n_cases <= request.most_cases,
+          fmt::format(FMT_STRING("The sweep has {} cases, about {} of work at half a second each, and {} are "
+                                 "allowed; ask for fewer, or give --most-cases {}."),
+                      n_cases, n_cases < 172800 ? "hours" : "days", request.most_cases, n_cases));
+}
+
+SweepPlan make_grid(const SweepRequest &request)
+{
+  const std::vector<std::string> &requests = request.varied;
   require(requests.size() <= 2, "The sweep varies " + std::to_string(requests.size()) +
                                   " entries; --vary takes one or two of them, --random any number.");
   SweepPlan plan;
   plan.cases = { {} };
-  for (const std::string &request : requests)
+  for (const std::string &text : requests)
   {
-    const VariedEntry varied = parse_varied_entry(request);
+    const VariedEntry varied = parse_varied_entry(text);
     plan.entries.push_back(
       { varied.path, find_entry("--vary", varied.path).unit, varied.values, varied.by_factors });
-    require(plan.cases.size() * varied.values.size() <= most_cases,
-            "The sweep has more than " + std::to_string(most_cases) + " cases; ask for fewer values.");
+    require_allowed(plan.cases.size() * varied.values.size(), request);
     std::vector<std::vector<std::string>> cases;
     for (const auto &before : plan.cases)
       for (const std::string &value : varied.values)
@@ -57,9 +71,9 @@ SweepPlan make_grid(const std::vector<std::string> &requests)
 
 SweepPlan make_sample(const SweepRequest &request)
 {
-  require(2 <= request.n_samples && request.n_samples <= most_cases,
-          "--samples " + std::to_string(request.n_samples) +
-            " is not allowed; give a whole number from 2 to " + std::to_string(most_cases) + ".");
+  require(2 <= request.n_samples, "--samples " + std::to_string(request.n_samples) +
+                                    " is not allowed; give a whole number from 2 on.");
+  require_allowed(request.n_samples, request);
   SweepPlan plan;
   plan.seed = request.seed;
   for (const std::string &text : request.random)
@@ -156,7 +170,7 @@ SweepPlan make_plan(const SweepRequest &request)
           "\"Section/Entry=mean+-deviation\".");
   require(request.varied.empty() || request.random.empty(),
           "--vary and --random do not go together; run one sweep for the grid and one for the samples.");
-  SweepPlan plan = request.random.empty() ? make_grid(request.varied) : make_sample(request);
+  SweepPlan plan = request.random.empty() ? make_grid(request) : make_sample(request);
   require_different(plan.entries);
   return plan;
 }

@@ -20,6 +20,7 @@ struct SweepRequest
   std::vector<std::string> random; ///< --random, see parse_spread()
   unsigned int n_samples = 200;    ///< --samples
   std::uint64_t seed = 1;          ///< --seed
+  std::size_t most_cases = 10000;  ///< --most-cases
 };
 
 /// An entry that differs from case to case.
@@ -48,7 +49,7 @@ struct SweepPlan
 };
 
 /// The plan without its base. Throws BadInput, with one sentence, for requests that cannot be understood,
-/// entries that do not exist or cannot be sampled, and more than a million cases.
+/// entries that do not exist or cannot be sampled, and more cases than are allowed.
 SweepPlan make_plan(const SweepRequest &request);
 
 /// How the cases came about, for sweep.json.

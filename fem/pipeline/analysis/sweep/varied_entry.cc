@@ -1,5 +1,7 @@
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
 
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -28,7 +30,7 @@ std::vector<std::string> pieces(const std::string &text, char separator)
 
 [[noreturn]] void refuse_range(const std::string &text, const std::string &trouble)
 {
-  throw BadInput("--vary \"" + text + "\" " + trouble +
+  throw BadInput("--vary \"" + shortened(text) + "\" " + trouble +
                  "; write \"Section/Entry=first:last:number\", the same with :log at its end for equal "
                  "factors, or a list \"Section/Entry=a,b,c\".");
 }
@@ -43,14 +45,21 @@ double snapped(double value, double first, double last)
   return rounded(std::round(value / unit) * unit, 15) + 0.; // no -0
 }
 
-/// The values of first:last:number or first:last:number:log.
-std::vector<std::string> range_values(const std::string &text, const std::vector<std::string> &parts)
+/// The values of first:last:number or first:last:number:log, in @p unit.
+std::vector<std::string> range_values(const std::string &text, const std::vector<std::string> &parts,
+                                      const std::string &unit)
 {
   const bool is_log = parts.size() == 4 && parts.back() == "log";
   if (parts.size() != 3 && !is_log)
     refuse_range(text, "is not a range");
-  const auto first = parse_number(parts[0]);
-  const auto last = parse_number(parts[1]);
+  const std::vector<std::string> ends = with_shared_unit({ parts[0], parts[1] });
+  if (unit_behind(ends.front()).empty() != unit_behind(ends.back()).empty())
+    refuse_range(text, "has a unit behind its first number only");
+  const auto first = parse_quantity(ends.front(), unit);
+  const auto last = parse_quantity(ends.back(), unit);
+  for (const std::string &end : ends)
+    if (const std::string trouble = trouble_with_unit(end, unit); !trouble.empty())
+      throw BadInput("--vary \"" + shortened(text) + "\": " + shortened(end) + trouble);
   const auto number = parse_count(parts[2]);
   if (!first || !last)
     refuse_range(text, "does not range from one number to another");
@@ -76,7 +85,7 @@ std::pair<std::string, std::string> split_assignment(const std::string &option, 
 {
   const auto equal_sign = text.find('=');
   if (equal_sign == std::string::npos || text.find('/') > equal_sign)
-    throw BadInput(option + " \"" + text +
+    throw BadInput(option + " \"" + shortened(text) +
                    "\" is not of the form \"Section/Entry=...\"; `stemware sweep --help` shows examples.");
   return { boost::trim_copy(text.substr(0, equal_sign)), boost::trim_copy(text.substr(equal_sign + 1)) };
 }
@@ -86,12 +95,20 @@ VariedEntry parse_varied_entry(const std::string &text)
   const auto [path, values] = split_assignment("--vary", text);
   if (values.empty())
     refuse_range(text, "names no values");
+  const std::string unit = unit_of(path);
   if (values.find(':') != std::string::npos)
   {
     const std::vector<std::string> parts = pieces(values, ':');
-    return { path, range_values(text, parts), parts.size() == 4 };
+    return { path, range_values(text, parts, unit), parts.size() == 4 };
   }
-  return { path, pieces(values, ',') };
+  std::vector<std::string> list = pieces(values, ',');
+  if (unit.empty())
+    return { path, list };
+  list = with_shared_unit(list);
+  for (std::string &value : list)
+    if (const auto number = parse_quantity(value, unit); number && !unit_behind(value).empty())
+      value = to_text(*number);
+  return { path, list };
 }
 
 } // namespace stemware::pipeline

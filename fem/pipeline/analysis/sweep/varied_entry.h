@@ -19,8 +19,10 @@ struct VariedEntry
 ///
 ///   Load/Moment ratio=0.1:1.9:50                from 0.1 to 1.9 in equal steps, 50 values
 ///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
+///   Motion/Mass=200,250,300 g                   these; a unit behind the last one only holds for all
 ///   Motion/Closure=paper,hand,full              these
 ///
+/// Numbers may have units, also in a range; the values are in SI units.
 /// Values of a range are rounded to 15 digits, in equal steps to 15 digits of the larger end, so that a third
 /// of the way from 0 to 0.9 is 0.3, and half the way from -0.3 to 0.3 is 0. Throws BadInput with one sentence
 /// for anything else; whether the entry exists and takes the values is not looked at.

@@ -26,6 +26,42 @@ TEST(Help, TeachesByExampleOnEveryVerb)
     EXPECT_NE(help.find(code), std::string::npos) << code;
 }
 
+TEST(Help, TheVerbHelpSaysTheSame)
+{
+  const ScratchFolder scratch;
+  for (const std::string &verb : all_verbs())
+    EXPECT_EQ(stemware(scratch, { "help", verb }).out, stemware(scratch, { verb, "--help" }).out) << verb;
+  EXPECT_EQ(stemware(scratch, { "help" }).out, stemware(scratch, { "--help" }).out);
+}
+
+TEST(Help, DefaultsOfOneSectionAreAStudyToo)
+{
+  const ScratchFolder scratch;
+  const Ended table = stemware(scratch, { "defaults", "table" });
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_EQ(table.out.rfind("subsection Table\n", 0), 0u) << table.out;
+  EXPECT_EQ(table.out.find("subsection", 5), std::string::npos);
+  scratch.write("table.prm", table.out);
+  EXPECT_EQ(stemware(scratch, { "run", "table.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
+}
+
+TEST(Help, AStudyMayComeFromStandardInput)
+{
+  const ScratchFolder scratch;
+  const std::string study = "subsection Load\n  set Source = first harmonic\nend\nsubsection Motion\n"
+                            "  set Mass = 250 g\nend\n";
+  scratch.write("study.prm", study);
+  scratch.write("study.json", R"({"Load": {"Source": "first harmonic"}, "Motion": {"Mass": "250 g"}})");
+  ASSERT_EQ(stemware(scratch, { "run", "study.prm" }).exit_code, 0);
+  for (const char *file : { "study.prm", "study.json" })
+  {
+    const std::string command = std::string(STEMWARE_PROGRAM) + " run - --output piped < " + file;
+    const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(read_summary(scratch / "piped")["ring"], read_summary(scratch / "results/study")["ring"]);
+  }
+}
+
 TEST(Help, VersionNamesTheProgram)
 {
   const ScratchFolder scratch;
@@ -63,6 +99,31 @@ TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
   EXPECT_EQ(
     names_in(scratch / "results"),
     (std::vector<std::string>{ "default", "default-compare", "default-sweep", "default-truncate", "empty" }));
+}
+
+TEST(Container, WithoutSshOrAnyOtherProgramAContactIsSolved)
+{
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  const std::string command = "PATH=/nowhere exec " STEMWARE_PROGRAM " run coarse.prm";
+  const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_LE(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err; // gnuplot is missing
+  EXPECT_NE(ended.out.find("unknowns"), std::string::npos) << ended.out;
+}
+
+TEST(LoadFile, ThatPullsIsSaid)
+{
+  const ScratchFolder scratch;
+  scratch.write("pull.dat", "# ring radius: 0.03 (m)\n0 1 0\n1 0.5 0\n2 3 0\n");
+  const Ended ended = stemware(
+    scratch, { "run", "--set", "Load/Source=file", "--set", "Load/File=pull.dat", "--output", "results" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("have to pull"), std::string::npos) << ended.out;
+  const auto summary = read_summary(scratch / "results");
+  EXPECT_EQ(summary["ring"]["no_lift_off"], false);
+  // 1 + 0.5 cos(t) + 3 cos(2 t) = 6 c^2 + 0.5 c - 2 is least at c = cos(t) = -1 / 24.
+  EXPECT_NEAR(summary["load"]["minimum"], -2 - 0.25 / 24, 1e-3);
 }
 
 TEST(Cookbooks, AreValidStudiesThatStateOnlyWhatDiffers)

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <sys/stat.h>
 #include <thread>
 
 namespace stemware::test
@@ -80,6 +81,21 @@ TEST(Interruption, AFileLargerThanAllowedIsOneThatCannotBeWritten)
   const Ended ended = RunningProgram({ "/bin/sh", "-c", command }, scratch.path()).end();
   EXPECT_EQ(ended.exit_code, 3) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "default.prm" });
+}
+
+TEST(Interruption, FromTheFirstLineOfTheProgramOnItIsSaid)
+{
+  // Parsing, a study that is read from a pipe that never ends, the start of MPI.
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  RunningProgram reading({ "/bin/sh", "-c", "exec " STEMWARE_PROGRAM " run - <> pipe" }, scratch.path());
+  // A fifth of a second is what a busy machine may take to load the program; the signal comes while it reads.
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  reading.send(SIGTERM);
+  const Ended ended = reading.end();
+  EXPECT_EQ(ended.exit_code, 130);
+  EXPECT_NE(ended.err.find("interrupted; no results were written."), std::string::npos) << ended.err;
 }
 
 TEST(Interruption, AtAnyMomentThereIsAWholeFolderOrNone)

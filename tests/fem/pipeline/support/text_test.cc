@@ -35,7 +35,9 @@ TEST(Text, MessagesRepeatEightyCharactersAtMost)
   for (unsigned int i = 0; i < 81; ++i)
     accents += "é";
   EXPECT_EQ(shortened(accents), accents.substr(0, 160) + "...");
-  EXPECT_EQ(shortened_path(std::string(255, 'x')), std::string(255, 'x'));
+  EXPECT_EQ(shortened_path(std::string(80, 'x')), std::string(80, 'x'));
+  EXPECT_EQ(shortened_path(std::string(255, 'x') + "/the/end.prm"),
+            "..." + std::string(65, 'x') + "/the/end.prm");
 }
 
 } // namespace stemware::pipeline

@@ -116,10 +116,36 @@ INSTANTIATE_TEST_SUITE_P(
       SweepRequest{ { "Motion/Mass=1,2", "Motion/Gravity=9,10", "Motion/Orbit radius=1,2" }, {}, 200, 1 },
       "takes one or two"),
     std::pair(SweepRequest{ { "Motion/Mass=1:2:2000", "Motion/Gravity=1:2:2000" }, {}, 200, 1 },
-              "more than 1000000"),
+              "has 4000000 cases, but at most 1000000 are possible"),
+    std::pair(SweepRequest{ { "Motion/Mass=1:2:200", "Motion/Gravity=1:2:200" }, {}, 200, 1 },
+              "or give --most-cases 40000"),
+    std::pair(SweepRequest{ {}, { "Motion/Mass=1+-0.1" }, 20000, 1 }, "or give --most-cases 20000"),
+    std::pair(SweepRequest{ { "Motion/Mass=200:400:3 mm" }, {}, 200, 1 }, "whole number of values"),
+    std::pair(SweepRequest{ { "Motion/Mass=200:400 mm:3" }, {}, 200, 1 },
+              "is a length, but a mass is needed"),
+    std::pair(SweepRequest{ { "Motion/Mass=200 g:400:3" }, {}, 200, 1 },
+              "a unit behind its first number only"),
+    std::pair(SweepRequest{ {}, { "Motion/Mass=300 g+-15" }, 200, 1 }, "a unit behind its first number only"),
+    std::pair(SweepRequest{ {}, { "Motion/Mass=300+-15 mm" }, 200, 1 }, "is a length, but a mass is needed"),
     std::pair(SweepRequest{ {}, { "Motion/Mass=1+-0.1" }, 1, 1 }, "--samples 1 is not allowed"),
     std::pair(SweepRequest{ {}, { "Contact/Harmonics=4..16" }, 200, 1 }, "cannot be drawn from a spread"),
     std::pair(SweepRequest{ {}, { "Motion/Closure=1..2" }, 200, 1 }, "cannot be drawn from a spread")));
+
+TEST(SweepPlan, ValuesWithUnitsAreThoseInSi)
+{
+  const auto values = [](const std::string &request) { return grid({ request }).entries.front().values; };
+  EXPECT_EQ(values("Motion/Mass=200:400 g:3"), (Values{ "0.2", "0.3", "0.4" }));
+  EXPECT_EQ(values("Motion/Mass=0.2 kg:400 g:3"), (Values{ "0.2", "0.3", "0.4" }));
+  EXPECT_EQ(values("Motion/Mass=200, 250, 300 g"), (Values{ "0.2", "0.25", "0.3" }));
+  EXPECT_EQ(values("Table/Foundation modulus=0.1:10 GPa/m:3:log"), (Values{ "1e8", "1e9", "1e10" }));
+  const auto spread = [](const std::string &request) {
+    return make_plan({ {}, { request }, 2, 1 }).spreads.front().description();
+  };
+  EXPECT_EQ(spread("Motion/Mass=300+-15 g"), "normal, mean 0.3, standard deviation 0.015");
+  EXPECT_EQ(spread("Motion/Mass=300 g +- 5 %"), "normal, mean 0.3, standard deviation 0.015");
+  EXPECT_EQ(spread("Table/Foundation modulus=10 GPa/m*/2"), "lognormal, median 1e10, factor 2");
+  EXPECT_EQ(spread("Glass/Crown radius=2..4 mm"), "uniform, 0.002 to 0.004");
+}
 
 TEST(SweepPlan, IdentityTellsSweepsApart)
 {

@@ -1,0 +1,121 @@
+#include "fem/pipeline/study/study_size.h"
+
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The program and its libraries.
+constexpr double memory_of_the_program = 1.6e8;
+
+/// A dense system of harmonics times places across the land, the state on all lines, and a few factorised
+/// meridional sections.
+void add_body_of_revolution(const Study &study, StudySize &size)
+{
+  const ContactSection &contact = study.contact;
+  const fem::GlassProfile &profile = study.glass.profile;
+  const double halvings = std::pow(2., contact.refinements);
+  const double across = contact.degree * 2. * contact.resolution.radial_cells * halvings + 1;
+  const auto slenderness = [](double length, double thickness) { return std::ceil(length / thickness); };
+  double coarse =
+    40 * contact.resolution.radial_cells + 4 * (slenderness(profile.foot_radius, profile.foot_thickness) +
+                                                slenderness(profile.stem_height, profile.stem_radius));
+  if (study.table.make().substrate)
+    coarse += 4 * slenderness(study.table.disc.radius, study.table.disc.thickness);
+  size.cells = coarse * halvings * halvings;
+  const double nodes = size.cells * contact.degree * contact.degree;
+  size.unknowns = across * (2. * contact.harmonics + 1);
+  size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
+}
+
+void add_solid_body(const Study &study, StudySize &size)
+{
+  const ContactSection &contact = study.contact;
+  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
+  size.cells = contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
+  size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
+  constexpr double largest_direct = 150000, factorised = 25e3, iterated = 8e3; // bytes per unknown
+  const bool is_direct =
+    contact.linear_solver == fem::LinearSolver::direct ||
+    (contact.linear_solver == fem::LinearSolver::automatic && size.unknowns < largest_direct);
+  size.memory += size.unknowns * (is_direct ? factorised : iterated);
+}
+
+/// The entry whose default would lower the size most.
+StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
+{
+  Study defaults, trial = study;
+  const std::vector<StudyEntry> standard = study_entries(defaults), tried = study_entries(trial);
+  double least = measure(size_of(study));
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < tried.size(); ++i)
+  {
+    const std::string before = tried[i].text();
+    if (before == standard[i].text() || tried[i].unit.empty())
+      continue;
+    tried[i].assign(standard[i].text());
+    if (const double size = measure(size_of(trial)); size < least)
+    {
+      least = size;
+      found = i;
+    }
+    tried[i].assign(before);
+  }
+  return tried[found];
+}
+
+} // namespace
+
+StudySize size_of(const Study &study)
+{
+  StudySize size;
+  size.memory = memory_of_the_program;
+  // The adaptive method takes about ten steps a second; forward Euler those of its entry.
+  constexpr double longest_step = 0.1;
+  size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
+  if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)
+    add_body_of_revolution(study, size);
+  else if (study.load.is_from_contact() && study.contact.mesh_file.empty())
+    add_solid_body(study, size);
+  return size;
+}
+
+void require_affordable(const Study &study)
+{
+  const auto text_of = [](const Study &of, const StudyEntry &entry)
+  {
+    Study copy = of;
+    for (const StudyEntry &candidate : study_entries(copy))
+      if (candidate.path() == entry.path())
+        return candidate.text();
+    return std::string();
+  };
+  const StudySize size = size_of(study);
+  if (size.steps > study.motion.step_limit)
+    throw BadInput(fmt::format(
+      FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s takes about {:.2g} steps; use "
+                 "longer steps or less time, or allow more with Motion/Step limit = {:.1e}."),
+      to_short_text(study.motion.end_time), to_short_text(study.motion.euler_step), size.steps,
+      1.1 * size.steps));
+  if (size.memory > study.contact.memory_limit)
+  {
+    const StudyEntry entry = greediest(study, [](const StudySize &of) { return of.memory; });
+    throw BadInput(fmt::format(
+      FMT_STRING(
+        "{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), above {} GB; give "
+        "a value nearer to its default, or allow more with Contact/Memory limit = {:.0f} GB."),
+      entry.path(), text_of(study, entry), size.memory / 1e9, size.cells, size.unknowns,
+      to_short_text(study.contact.memory_limit / 1e9), std::ceil(1.1 * size.memory / 1e9)));
+  }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+
+namespace stemware::pipeline
+{
+
+/// What a study will take, estimated from its entries alone, before anything is made. Measured factors, good
+/// to two or three.
+struct StudySize
+{
+  double cells = 0;    ///< of the generated mesh; 0 for meshes from files and without a contact
+  double unknowns = 0; ///< of the largest linear system
+  double memory = 0;   ///< [byte]
+  double steps = 0;    ///< of the spin-up
+};
+
+StudySize size_of(const Study &study);
+
+/// Throws BadInput, with the entry that asks for most, where the estimate is above Contact/Memory limit or
+/// Motion/Step limit.
+void require_affordable(const Study &study);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,129 @@
+// `stemware new`: twelve entries with a comment each, ready to run; nothing is overwritten; every preset
+// gives a result.
+#include "fem/pipeline/study/idle_entries.h"
+#include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/study/presets.h"
+#include "fem/pipeline/study/study_file.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+namespace stemware::test
+{
+namespace
+{
+
+using pipeline::glass_presets;
+using pipeline::Preset;
+using pipeline::table_presets;
+
+/// Lines "set ..." that follow a comment, and those that do not.
+std::pair<unsigned int, unsigned int> count_entries(const std::string &text)
+{
+  std::pair<unsigned int, unsigned int> n;
+  std::istringstream lines(text);
+  bool is_explained = false;
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.rfind("  set ", 0) == 0)
+      ++(is_explained ? n.first : n.second);
+    is_explained = line.rfind("  # ", 0) == 0;
+  }
+  return n;
+}
+
+TEST(NewStudy, IsTheDefaultStudyInTwelveCommentedEntries)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "new", "my_glass.prm" });
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("stemware run my_glass.prm"), std::string::npos);
+  EXPECT_EQ(count_entries(read_text(scratch / "my_glass.prm")), std::pair(12u, 0u));
+  EXPECT_EQ(pipeline::study_as_json(pipeline::read_study(scratch / "my_glass.prm")),
+            pipeline::study_as_json(pipeline::Study()));
+}
+
+TEST(NewStudy, OverwritesNothing)
+{
+  const ScratchFolder scratch;
+  scratch.write("mine.prm", "# mine\n");
+  const Ended ended = stemware(scratch, { "new", "mine.prm" });
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_NE(ended.err.find("exists already and is not overwritten"), std::string::npos) << ended.err;
+  EXPECT_EQ(read_text(scratch / "mine.prm"), "# mine\n");
+}
+
+TEST(NewStudy, EveryPairOfPresetsIsAStudyWithoutIdleOrStrangeEntries)
+{
+  const ScratchFolder scratch;
+  for (const Preset &glass : glass_presets())
+    for (const Preset &table : table_presets())
+    {
+      const std::string text = pipeline::new_study_text(glass, table, "a.prm");
+      EXPECT_EQ(count_entries(text).first, 12u) << text;
+      scratch.write("a.prm", text);
+      const pipeline::Study study = pipeline::read_study(scratch / "a.prm");
+      EXPECT_EQ(pipeline::idle_entries(study), std::vector<std::string>()) << text;
+      EXPECT_EQ(pipeline::implausible_notes(study), std::vector<std::string>()) << text;
+      EXPECT_NO_THROW(study.required_resultants());
+    }
+}
+
+TEST(NewStudy, NamesAreTakenInAnyCaseAndWithHyphens)
+{
+  EXPECT_EQ(pipeline::preset_of(table_presets(), "--table", "Cork-Mat").name, "cork mat");
+  EXPECT_EQ(pipeline::preset_of(glass_presets(), "--glass", "bordeaux").name, "Bordeaux");
+}
+
+class PresetPair : public testing::TestWithParam<std::pair<std::string, std::string>>
+{
+};
+
+TEST_P(PresetPair, GivesAResultWithThreeLinesChanged)
+{
+  const ScratchFolder scratch;
+  const auto &[glass, table] = GetParam();
+  ASSERT_EQ(stemware(scratch, { "new", "my.prm", "--glass", glass, "--table", table }).exit_code, 0);
+  std::string text = read_text(scratch / "my.prm");
+  for (const auto &[entry, value] : { std::pair("Mass ", "280 g"), std::pair("Orbit speed ", "30 cm/s"),
+                                      std::pair("Friction coefficient ", "0.28") })
+    text = std::regex_replace(text, std::regex("(set " + std::string(entry) + "\\s*= ).*"),
+                              "$01" + std::string(value));
+  scratch.write("my.prm", text);
+  const Ended ended = stemware(scratch, { "run", "my.prm", "--output", "results" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const auto summary = read_summary(scratch / "results");
+  EXPECT_EQ(summary["parameters"]["Motion"]["Mass"], 0.28);
+  EXPECT_EQ(summary["parameters"]["Motion"]["Orbit speed"], 0.3);
+  EXPECT_EQ(summary["parameters"]["Motion"]["Friction coefficient"], 0.28);
+  // Against the orbit, and not faster than the rim could roll along the table.
+  const double omega = summary["ring"]["omega_terminal"];
+  const double radius = summary["parameters"]["Glass"]["Contact radius"];
+  EXPECT_LT(omega, 0);
+  EXPECT_GT(omega, -0.3 / radius);
+}
+
+std::vector<std::pair<std::string, std::string>> preset_pairs()
+{
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const Preset &glass : glass_presets())
+    pairs.emplace_back(glass.name, "mat");
+  for (const Preset &table : table_presets())
+    if (table.name != "mat")
+      pairs.emplace_back("wine glass", table.name);
+  return pairs;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PresetPair, testing::ValuesIn(preset_pairs()),
+                         [](const auto &info)
+                         {
+                           std::string name = info.param.first + "_on_" + info.param.second;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+} // namespace
+} // namespace stemware::test

@@ -1,0 +1,152 @@
+// Values that no glass has are computed after a warning; sizes that no machine has are refused before the
+// work.
+#include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_size.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+using Texts = std::vector<std::string>;
+
+Texts notes_with(const Settings &settings)
+{
+  return implausible_notes(with_values(Study(), "the test", settings));
+}
+
+std::string why_refused(const Settings &settings)
+{
+  try
+  {
+    with_values(Study(), "the test", settings);
+    return "";
+  }
+  catch (const BadInput &error)
+  {
+    return error.what();
+  }
+}
+
+TEST(PlausibleValues, GramsTakenForKilogramsAreNamed)
+{
+  EXPECT_EQ(
+    notes_with({ { "Motion/Mass", "300" } }),
+    Texts{ "Motion/Mass = 300 kg is outside 0.02 to 2 kg for a glass; write 300 g if that is meant." });
+  EXPECT_EQ(notes_with({ { "Motion/Mass", "300 g" } }), Texts());
+  EXPECT_EQ(
+    notes_with({ { "Motion/Orbit speed", "20" } }),
+    Texts{
+      "Motion/Orbit speed = 20 m/s is outside 0.01 to 3 m/s for a glass; write 20 cm/s if that is meant." });
+  EXPECT_EQ(notes_with({ { "Glass/Young modulus", "70" } }).at(0).find("write 70 GPa if that is meant") !=
+              std::string::npos,
+            true);
+  EXPECT_EQ(
+    notes_with({ { "Motion/Friction coefficient", "5" } }),
+    Texts{
+      "Motion/Friction coefficient = 5 is outside 0.02 to 1.5 for a glass; write 5 % if that is meant." });
+  EXPECT_EQ(
+    notes_with({ { "Motion/Gravity", "1e6" } }),
+    Texts{ "Motion/Gravity = 1e6 m/s^2 is outside 1 to 30 m/s^2 for a glass; check number and unit." });
+}
+
+TEST(PlausibleValues, WhatHasNoEffectOrIsLeftOutIsNotLookedAt)
+{
+  EXPECT_EQ(notes_with({ { "Table/Disc thickness", "8" } }), Texts());
+  EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
+}
+
+TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
+{
+  Study study;
+  for (const StudyEntry &entry : study_entries(study))
+    if (entry.is_quantity)
+    {
+      EXPECT_EQ(implausible_note(entry.path(), entry.json().get<double>()), "") << entry.path();
+    }
+  for (const PlausibleRange &range : plausible_ranges())
+  {
+    EXPECT_FALSE(unit_of(range.path).empty()) << range.path;
+    EXPECT_LT(range.least, range.most) << range.path;
+    EXPECT_NE(implausible_note(range.path, 1.01 * range.most), "") << range.path;
+    EXPECT_FALSE(range.reason.empty());
+  }
+}
+
+TEST(PlausibleValues, ThePageShowsTheSameTable)
+{
+  const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
+  for (const PlausibleRange &range : plausible_ranges())
+  {
+    const std::string unit = unit_of(range.path) == "1" ? "" : ' ' + unit_of(range.path);
+    const std::string row =
+      fmt::format(FMT_STRING("| `{}` | {} to {}{} | {} |"), range.path, to_short_text(range.least),
+                  to_short_text(range.most), unit, range.reason);
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}
+
+TEST(StudySize, OfWhatPeopleAskForIsAllowed)
+{
+  for (const auto &setting : Settings{ { "Contact/Refinements", "3" },
+                                       { "Contact/Harmonics", "64" },
+                                       { "Contact/Azimuth lines", "4096" },
+                                       { "Contact/Degree", "4" },
+                                       { "Contact/Body", "solid" },
+                                       { "Motion/End time", "100" } })
+    EXPECT_EQ(why_refused({ setting }), "") << setting.first;
+}
+
+TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
+{
+  const auto expect_refusal =
+    [](const std::string &entry, const std::string &value, const Settings &base = {})
+  {
+    Settings settings = base;
+    settings.emplace_back("Contact/Harmonics", "20");
+    settings.emplace_back(entry, value);
+    EXPECT_EQ(why_refused(settings).rfind(entry + " = " + value + " would take about ", 0), 0u)
+      << why_refused(settings);
+    settings.emplace_back("Contact/Memory limit", "100 TB");
+    EXPECT_NE(why_refused(settings).find("unknown unit"), std::string::npos); // no prefix T is known
+    settings.back().second = "1e15";
+    EXPECT_EQ(why_refused(settings), "");
+  };
+  expect_refusal("Contact/Refinements", "6");
+  expect_refusal("Contact/Harmonics", "1000");
+  expect_refusal("Contact/Azimuth lines", "100000");
+  expect_refusal("Contact/Foot layers", "100",
+                 { { "Contact/Body", "solid" }, { "Contact/Radial cells", "40" } });
+  expect_refusal("Contact/Azimuthal cells", "2000", { { "Contact/Body", "solid" } });
+  EXPECT_EQ(why_refused({ { "Motion/End time", "1e6" } }).rfind("Motion/End time = 1e6 s in steps of ", 0),
+            0u);
+  EXPECT_EQ(why_refused({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
+}
+
+TEST(StudySize, MemoryIsThatOfMeasuredRuns)
+{
+  // Peak of `stemware truncate`, resident, of version 0.2: default 189 MB, Refinements = 2 454 MB, Azimuth
+  // lines = 4000 411 MB. An estimate that only protects may be off by a factor of two.
+  const auto megabytes = [](const Settings &settings)
+  { return size_of(with_values(Study(), "the test", settings)).memory / 1e6; };
+  for (const auto &[found, measured] :
+       { std::pair(megabytes({}), 189.), std::pair(megabytes({ { "Contact/Refinements", "2" } }), 454.),
+         std::pair(megabytes({ { "Contact/Azimuth lines", "4000" } }), 411.) })
+  {
+    EXPECT_GT(found, measured / 2);
+    EXPECT_LT(found, measured * 2);
+  }
+}
+
+} // namespace
+} // namespace stemware::pipeline

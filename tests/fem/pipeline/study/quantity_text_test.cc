@@ -1,0 +1,137 @@
+// Values as people write them. The oracle is the definition of each unit, written out in powers of ten.
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using Texts = std::vector<std::string>;
+
+TEST(QuantityText, UnitsOfTenAreTheNearestDouble)
+{
+  const std::vector<std::tuple<const char *, const char *, double>> cases = {
+    { "300 g", "kg", 0.3 },
+    { "300g", "kg", 0.3 },
+    { "0.3", "kg", 0.3 },
+    { "+300 g", "kg", 0.3 },
+    { "30 mm", "m", 0.03 },
+    { "0.3 mm", "m", 3e-4 },
+    { "1.7 um", "m", 1.7e-6 },
+    { "1.7 \u00b5m", "m", 1.7e-6 },
+    { "1.7 \u03bcm", "m", 1.7e-6 },
+    { "70 GPa", "Pa", 70e9 },
+    { "7e4 MPa", "Pa", 7e10 },
+    { "70e+3 N/mm^2", "Pa", 7e10 },
+    { "70 kN/mm\u00b2", "Pa", 7e10 },
+    { "10 GPa/m", "Pa/m", 1e10 },
+    { "10 MPa/mm", "Pa/m", 1e10 },
+    { "10 N/mm^3", "Pa/m", 1e10 },
+    { "20 cm/s", "m/s", 0.2 },
+    { "981 cm/s^2", "m/s^2", 9.81 },
+    { "981 cm s^-2", "m/s^2", 9.81 },
+    { "1.4 mN m", "N m", 1.4e-3 },
+    { "1.4 N*mm", "N m", 1.4e-3 },
+    { "3000 g cm^2", "kg m^2", 3e-4 },
+    { "500 ms", "s", 0.5 },
+    { "30 %", "1", 0.3 },
+    { "30%", "", 0.3 },
+    { "8 GB", "B", 8e9 },
+    { "1 bar", "Pa", 1e5 },
+  };
+  for (const auto &[text, unit, expected] : cases)
+    EXPECT_EQ(parse_quantity(text, unit), expected) << text;
+}
+
+TEST(QuantityText, OtherUnitsAreWithinRounding)
+{
+  EXPECT_NEAR(*parse_quantity("180 deg", "rad"), 3.141592653589793, 1e-15);
+  EXPECT_NEAR(*parse_quantity("-90\u00b0", "rad"), -1.5707963267948966, 1e-15);
+  EXPECT_NEAR(*parse_quantity("2 min", "s"), 120, 1e-12);
+  EXPECT_NEAR(*parse_quantity("1 inch", "m"), 0.0254, 1e-17);
+  EXPECT_NEAR(*parse_quantity("360 deg/s", "rad/s"), 6.283185307179586, 1e-14);
+}
+
+TEST(QuantityText, EverythingElseIsNoQuantity)
+{
+  for (const char *text :
+       { "",         " ",        "g",       "30 mm",   "300 gramm", "nan",    "inf g",  "-inf",
+         "1e400",    "1e305 Gg", "3,5",     "300 g g", "300 g^2",   "300 /s", "300 g/", "300 g^",
+         "300 g^99", "300 mkg",  "300 G g", "3 0",     "0x10",      "--3",    "+-3" })
+    EXPECT_EQ(parse_quantity(text, "kg"), std::nullopt) << text;
+}
+
+TEST(QuantityText, EveryEntryRefusesAnotherDimension)
+{
+  Study study;
+  unsigned int n_quantities = 0;
+  for (const StudyEntry &entry : study_entries(study))
+    if (entry.is_quantity)
+    {
+      // Nothing in a study is a length to the seventh power.
+      EXPECT_FALSE(entry.assign("0.1 m^7")) << entry.path();
+      EXPECT_EQ(entry.assign("1 kg"), entry.unit == "kg") << entry.path();
+      EXPECT_EQ(entry.assign(entry.text() + (entry.unit == "1" ? "" : ' ' + entry.unit)), true)
+        << entry.path();
+      ++n_quantities;
+    }
+  EXPECT_GE(n_quantities, 30u);
+}
+
+TEST(QuantityText, AWrongUnitIsNamedInOneSentence)
+{
+  const auto refusal = [](const std::string &path, const std::string &value) -> std::string
+  {
+    try
+    {
+      with_values(Study(), "--set", { { path, value } });
+      return "";
+    }
+    catch (const BadInput &error)
+    {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refusal("Motion/Mass", "30 mm"),
+            "--set: Motion/Mass = 30 mm is a length, but a mass is needed, such as "
+            "300 g; a number alone is in kg.");
+  EXPECT_EQ(refusal("Glass/Contact radius", "30 mmm"),
+            "--set: Glass/Contact radius = 30 mmm has an unknown unit, \"mmm\"; give a length, such as 30 "
+            "mm; a number "
+            "alone is in m.");
+  EXPECT_EQ(
+    refusal("Motion/Friction coefficient", "0.3 N"),
+    "--set: Motion/Friction coefficient = 0.3 N is a force, but a pure number is needed, such as 0.3.");
+  EXPECT_EQ(refusal("Motion/Mass", "-300 g"),
+            "--set: Motion/Mass = -300 g is not allowed; give a number greater than 0 (kg).");
+  EXPECT_NE(refusal("Motion/Mass", "0,3 kg").find("has a comma"), std::string::npos);
+}
+
+TEST(QuantityText, AUnitBehindTheLastNumberHoldsForAll)
+{
+  EXPECT_EQ(with_shared_unit({ "200", "250", "300 g" }), (Texts{ "200 g", "250 g", "300 g" }));
+  EXPECT_EQ(with_shared_unit({ "0.2 kg", "300 g" }), (Texts{ "0.2 kg", "300 g" }));
+  EXPECT_EQ(with_shared_unit({ "200 g", "300" }), (Texts{ "200 g", "300" }));
+  EXPECT_EQ(with_shared_unit({}), Texts());
+}
+
+TEST(QuantityText, ResultsAreInSi)
+{
+  const Study study = with_values(Study(), "the test",
+                                  { { "Motion/Mass", "250 g" },
+                                    { "Glass/Young modulus", "60 GPa" },
+                                    { "Glass/Rim waviness", "3: 2 um @ 90 deg" } });
+  const auto json = study_as_json(study);
+  EXPECT_EQ(json["Motion"]["Mass"], 0.25);
+  EXPECT_EQ(json["Glass"]["Young modulus"], 6e10);
+  EXPECT_EQ(study.glass.waviness.front().amplitude, 2e-6);
+  EXPECT_NEAR(study.glass.waviness.front().azimuth, 1.5707963267948966, 1e-15);
+  EXPECT_NE(study_as_prm(study).find("= 0.25\n"), std::string::npos);
+}
+
+} // namespace
+} // namespace stemware::pipeline
