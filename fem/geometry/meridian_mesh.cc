@@ -204,7 +204,7 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
 /// through the thickness carry it.
 double largest_cell(const GlassProfile &profile)
 {
-  return 1.25 * profile.foot_thickness;
+  return 1.25 * profile.thickness();
 }
 
 /// Appends the cells between the land and what lies within it, those of the land, and those outside it.
@@ -216,7 +216,7 @@ void append_foot(const GlassProfile &profile, const ContactCells &contact, GridL
   if (profile.land_inner_radius() > radii.back())
     append_shrinking(radii, profile.land_inner_radius(), growth);
   radii.insert(radii.end(), contact.coarse.begin() + 1, contact.coarse.end());
-  append_growing(radii, profile.foot_radius, growth);
+  append_growing(radii, profile.outer_radius(), growth);
 }
 
 /// Rows of cells between the land and @p end, the height of the lowest row where there is no focus, in the

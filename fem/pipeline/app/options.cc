@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/study/idle_entries.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
@@ -102,6 +103,8 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   watch_for_interruption(); // again: MPI puts handlers of its own in place
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     " << (options.study_file.empty() ? "default" : options.study_file) << std::endl;
+  if (const std::string note = profile_note(study); !note.empty())
+    console() << wrapped(note, "Profile   ") << std::endl;
   note_idle_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;

@@ -1,6 +1,7 @@
 #include "fem/pipeline/study/study_file.h"
 
 #include "fem/pipeline/study/prm_file.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 
@@ -92,7 +93,7 @@ void forget_stated_defaults(Study &study)
 /// The entries that name files.
 std::vector<std::string *> paths_of(Study &study)
 {
-  return { &study.contact.mesh_file, &study.load.file };
+  return { &study.glass.profile_file, &study.contact.mesh_file, &study.load.file };
 }
 
 } // namespace
@@ -111,6 +112,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
       *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   for (const std::string &override_text : overrides)
     apply(override_text, entries);
+  attach_profile(study);
   check_study(study);
   return study;
 }
@@ -121,6 +123,7 @@ Study with_values(Study study, const std::string &option,
   const std::vector<StudyEntry> entries = study_entries(study);
   for (const auto &[path, value] : values)
     assign(entries, option + ": ", path, value);
+  attach_profile(study);
   check_study(study);
   return study;
 }
