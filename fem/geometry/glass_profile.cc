@@ -194,7 +194,7 @@ void GlassProfile::validate_section() const
                land_outer_radius(), "largest radius of the profile", section->outer_radius());
   const double tolerance = 1e-6 * section->outer_radius();
   for (const SectionVertex &vertex : section->points_below(tolerance))
-    if (std::abs(vertex.radius - contact_radius) > land_width / 2 + tolerance)
+    if (std::abs(vertex.radius - contact_radius) > 1.05 * land_width / 2)
     {
       std::ostringstream message;
       message << "The profile stands on the table at r = " << vertex.radius << " m (line " << vertex.line

@@ -248,6 +248,23 @@ void MeridianSection::find_rounding()
   stem_start = j + 1 < stem.x.size() ? stem.x[j] : middle_height();
 }
 
+std::vector<double> MeridianSection::corner_radii() const
+{
+  constexpr double smallest_bend = 0.2;
+  std::vector<double> radii;
+  for (const PiecewiseLinear *curve : { &lower, &upper })
+    for (std::size_t i = 1; i + 1 < curve->x.size(); ++i)
+    {
+      const auto direction = [&](std::size_t j)
+      { return std::atan2(curve->y[j + 1] - curve->y[j], curve->x[j + 1] - curve->x[j]); };
+      if (curve->x[i] > fillet_end && curve->x[i] < edge &&
+          std::abs(direction(i) - direction(i - 1)) > smallest_bend)
+        radii.push_back(curve->x[i]);
+    }
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
 std::vector<SectionVertex> MeridianSection::points_below(double height) const
 {
   std::vector<SectionVertex> points;

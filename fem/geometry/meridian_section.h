@@ -60,6 +60,9 @@ public:
   double fillet_end_radius() const { return fillet_end; }
   double stem_begin() const { return stem_start; }
 
+  /// Radii outside the rounding where underside or top bend by more than 0.2 rad, ascending [m].
+  std::vector<double> corner_radii() const;
+
   /// Points of the underside no higher than @p height [m]: of the lowest part.
   std::vector<SectionVertex> points_below(double height) const;
 

@@ -44,6 +44,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Motion/End time", "2" },
     { "Motion/Euler step", "0.001" },
     { "Glass/Shape", "foot" },
+    { "Glass/Profile file", "" },
     { "Glass/Rim waviness", "" },
     { "Glass/Contact radius", "0.03" },
     { "Glass/Foot radius", "0.034" },
