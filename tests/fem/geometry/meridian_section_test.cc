@@ -125,7 +125,7 @@ TEST(MeridianSection, LeavesOutPointsThatSayNothing)
       const double share = j / 12000.;
       dense.push_back({ (1 - share) * corners[i - 1].radius + share * corners[i].radius,
                         (1 - share) * corners[i - 1].height + share * corners[i].height + 1e-8 * (j % 3),
-                        i });
+                        2 });
     }
   dense.push_back(corners.back());
   dense[dense.size() - 12001].height = corners.back().height;

@@ -16,10 +16,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Lengths in a picture are in mm.
-std::string mm(double length)
+/// Pictures are in mm; what would begin with zeros there is said in µm.
+std::string length_text(double length)
 {
-  return fmt::format(FMT_STRING("{:.4g} mm"), 1000 * length);
+  return length < 1e-4 ? fmt::format(FMT_STRING("{:.3g} µm"), 1e6 * length)
+                       : fmt::format(FMT_STRING("{:.4g} mm"), 1000 * length);
 }
 
 /// One polygon a block, as gnuplot's filledcurves takes them, with heights raised by @p lift(radius).
@@ -135,10 +136,11 @@ Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengt
             thin_line(0, -2.4 * row, 0, top + row, "(12,4,2,4)") + thin_line(r, 0, r, -1.1 * row, "1") +
             thin_line(edge, 0, edge, -2.1 * row, "1") + thin_line(stem, top, 1.14 * edge, top, "(2,4)");
   script +=
-    dimension(0, -row, r, -row, "R = " + mm(lengths.contact_radius), r / 2, -0.62 * row, "center") +
-    dimension(0, -2 * row, edge, -2 * row, "foot " + mm(lengths.outer_radius), r / 2, -1.62 * row, "center") +
-    dimension(1.12 * edge, 0, 1.12 * edge, top, mm(lengths.height), 1.135 * edge, top / 2, "left") +
-    dimension(r, 0, r, thickness, mm(lengths.thickness_at_rim), r, thickness + 0.5 * row, "center");
+    dimension(0, -row, r, -row, "R = " + length_text(lengths.contact_radius), r / 2, -0.62 * row, "center") +
+    dimension(0, -2 * row, edge, -2 * row, "foot " + length_text(lengths.outer_radius), r / 2, -1.62 * row,
+              "center") +
+    dimension(1.12 * edge, 0, 1.12 * edge, top, length_text(lengths.height), 1.135 * edge, top / 2, "left") +
+    dimension(r, 0, r, thickness, length_text(lengths.thickness_at_rim), r, thickness + 0.5 * row, "center");
   script += fmt::format(FMT_STRING("set label \"cut, held\" at {:.5g},{:.5g} left front font \",13\"\n"),
                         0.03 * edge, top + 0.55 * row);
   script += fmt::format(FMT_STRING("set arrow from 0,{0:.5g} to {1:.5g},{0:.5g} nohead front lw 3 lc rgb "
@@ -148,8 +150,8 @@ Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengt
                         -0.5 * row);
   if (lengths.crown_radius > 0)
     script += fmt::format(FMT_STRING("set label \"crown {}\" at {:.5g},{:.5g} left font \",13\"\n"),
-                          mm(lengths.crown_radius), edge + 0.4 * row, -1.9 * row);
-  const std::string caption = "Section of the foot with its cells.";
+                          length_text(lengths.crown_radius), edge + 0.4 * row, -1.9 * row);
+  const std::string caption = "Section of the foot with its cells, whose edges are drawn straight.";
   return { "section",
            caption,
            script + glass_style,
@@ -163,7 +165,7 @@ Plot rim_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &
   const double radius = lengths.contact_radius;
   // Three times the loaded band, to both sides of it.
   const double reach =
-    3 * std::max({ radius - lengths.load_inner_radius, lengths.load_outer_radius - radius, 1e-3 * radius });
+    3 * std::max({ radius - lengths.load_inner_radius, lengths.load_outer_radius - radius, 3e-4 * radius });
   std::vector<fem::SectionPolygon> near;
   for (const fem::SectionPolygon &cell : cells)
     if (const Extent r = extent_of(cell, 0); r.least < radius + reach && r.most > radius - reach)
@@ -184,8 +186,8 @@ Plot rim_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &
     thin_line(r - width, 0, r + width, 0, "1") + thin_line(r, -0.2 * width, r, 0.65 * width, "(12,4,2,4)");
   script += fmt::format(
     FMT_STRING("set arrow from {:.6g},0 to {:.6g},0 nohead front lw 4 lc rgb \"#d55e00\"\n"), inner, outer);
-  script += dimension(inner, -0.16 * width, outer, -0.16 * width, "under load " + mm((outer - inner) / 1000),
-                      r, -0.28 * width, "center");
+  script += dimension(inner, -0.16 * width, outer, -0.16 * width,
+                      "under load " + length_text((outer - inner) / 1000), r, -0.28 * width, "center");
   script += fmt::format(FMT_STRING("set label \"table\" at {:.6g},{:.6g} left font \",13\"\n"),
                         r - 0.98 * width, -0.07 * width);
   return { "rim", caption, script + glass_style, polygons(caption, near, crown), 540, 297 };
@@ -257,10 +259,11 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
   script += fmt::format(FMT_STRING("set arrow from 0,0 to {:.5g},0 front lw 2 lc rgb \"#333333\"\n"
                                    "set label \"v\" at {:.5g},0 left front\n"),
                         0.45 * r, 0.48 * r);
-  script += fmt::format(FMT_STRING("set arrow from 0,0 to 0,{:.5g} front lw 1 dt (6,4) lc rgb \"#333333\"\n"
-                                   "set label \"to the orbit's centre,\\n{} from here\" at 0,{:.5g} center "
-                                   "front font \",13\"\n"),
-                        side * 0.36 * r, mm(motion.orbit_radius), side * (side > 0 ? 0.54 : 0.44) * r);
+  script +=
+    fmt::format(FMT_STRING("set arrow from 0,0 to 0,{:.5g} front lw 1 dt (6,4) lc rgb \"#333333\"\n"
+                           "set label \"to the orbit's centre,\\n{} from here\" at 0,{:.5g} center "
+                           "front font \",13\"\n"),
+                side * 0.36 * r, length_text(motion.orbit_radius), side * (side > 0 ? 0.54 : 0.44) * r);
   script += has_cells ? "splot data using 1:2:3 with pm3d\n"
                       : "splot data using 1:2:3 with points pt 5 ps 0.5 lc palette\n";
   return { "foot_from_below", caption, script, data, 540, 430 };

@@ -34,7 +34,7 @@ Study study_of(const std::string &points,
 }
 
 /// The sentence with which a file is refused, nothing where it is not.
-std::string refusal_of(const std::string &points,
+std::string profile_refusal(const std::string &points,
                        const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
   try
@@ -96,7 +96,7 @@ TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
     { "", "has no points" },
     { millimetres + "# nothing\n", "has no points" },
     { "r,z\n" + plain_foot,
-      "line 3: r = 20 m, z = 2 m is larger than any glass; these look like millimetres" },
+      "line 2: r = 0 m, z = 2 m is larger than any glass; these look like millimetres" },
     { millimetres + plain_foot.substr(0, plain_foot.size() - 6), "is open: it ends at line 10" },
     { millimetres + "0, -2\n20, -2\n28, 0\n32, 0\n34, -1\n34, -3\n16, -4\n6, -8\n4, -16\n0, -16\n",
       "upside down" },
@@ -111,14 +111,14 @@ TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
   };
   for (const auto &[points, words] : bad)
   {
-    const std::string sentence = refusal_of(points);
+    const std::string sentence = profile_refusal(points);
     EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     EXPECT_EQ(sentence.back(), '.') << sentence;
     EXPECT_LT(sentence.size(), 500u) << sentence;
   }
-  EXPECT_NE(refusal_of(millimetres + plain_foot, {}).find("no circle fits"), std::string::npos);
-  EXPECT_NE(refusal_of(millimetres + plain_foot, { "Glass/Crown radius=0", "Glass/Land width=0.002" })
+  EXPECT_NE(profile_refusal(millimetres + plain_foot, {}).find("no circle fits"), std::string::npos);
+  EXPECT_NE(profile_refusal(millimetres + plain_foot, { "Glass/Crown radius=0", "Glass/Land width=0.002" })
               .find("stands on the table at r = 0.028 m (line 4), outside its land"),
             std::string::npos);
   EXPECT_THROW(read_study("", { "Glass/Shape=profile" }), BadInput);
