@@ -27,6 +27,8 @@ std::vector<std::string> words_of(std::string line, const std::string &separator
   return words;
 }
 
+constexpr char contact_radius_entry[] = "Glass/Contact radius", crown_radius_entry[] = "Glass/Crown radius";
+
 /// The length in m of the unit in the words of a header; nothing for a line that is none.
 std::optional<double> unit_of(const std::string &line)
 {
@@ -92,8 +94,8 @@ double lowest_radius(const std::vector<fem::SectionVertex> &points)
 void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
 {
   fem::GlassProfile &profile = study.glass.profile;
-  const bool has_radius = study.given_entries.count("Glass/Contact radius") > 0;
-  const bool has_crown = study.given_entries.count("Glass/Crown radius") > 0;
+  const bool has_radius = study.given_entries.count(contact_radius_entry) > 0;
+  const bool has_crown = study.given_entries.count(crown_radius_entry) > 0;
   if (has_radius && has_crown)
     return;
   const auto circle = fem::fit_rim_circle(points, profile.land_width);
@@ -150,6 +152,11 @@ std::vector<fem::SectionVertex> read_profile_file(const std::string &file)
           entry_of(file) + " has no points; write one point (r, z) of the section's outline a line.");
   require_metres(file, points);
   return points;
+}
+
+bool follows_from_profile(const std::string &path)
+{
+  return path == contact_radius_entry || path == crown_radius_entry;
 }
 
 void attach_profile(Study &study)

@@ -14,6 +14,9 @@ namespace stemware::pipeline
 /// are skipped. Throws BadInput with one sentence that names the line.
 std::vector<fem::SectionVertex> read_profile_file(const std::string &file);
 
+/// Whether the entry at @p path, if it is not given, follows from the points of a drawn section.
+bool follows_from_profile(const std::string &path);
+
 /// Gives a glass whose Glass/Shape is profile its section, from Glass/Profile file, and those of contact
 /// radius and crown radius that the study was not given, from the points of the land
 /// (GlassSection::rim_circle); other glasses lose their section. Throws BadInput with one sentence.

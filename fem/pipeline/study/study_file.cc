@@ -78,7 +78,8 @@ void apply(const std::string &override_text, const std::vector<StudyEntry> &entr
 }
 
 /// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
-/// that differ from their defaults.
+/// that differ from their defaults. What a drawn section would be asked for stays given: a study is run again
+/// with the values that it was run with.
 void forget_stated_defaults(Study &study)
 {
   Study defaults, copy = study;
@@ -86,7 +87,8 @@ void forget_stated_defaults(Study &study)
   if (study.given_entries.size() < own.size())
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].text() == standard[i].text())
+    if (own[i].text() == standard[i].text() &&
+        !(study.glass.profile.shape == fem::GlassShape::profile && follows_from_profile(own[i].path())))
       study.given_entries.erase(own[i].path());
 }
 

@@ -23,19 +23,23 @@ const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n
 const std::string millimetres = "r (mm), z (mm)\n";
 
 /// The study of a drawn foot whose crown is given.
-Study study_of(const std::string &points,
-               const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
+Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
 {
-  const ScratchFolder scratch;
   std::vector<std::string> overrides = { "Glass/Shape=profile",
                                          "Glass/Profile file=" + scratch.write("my_foot.csv", points) };
   overrides.insert(overrides.end(), more.begin(), more.end());
   return read_study("", overrides);
 }
 
+Study study_of(const std::string &points,
+               const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
+{
+  return study_of(ScratchFolder(), points, more);
+}
+
 /// The sentence with which a file is refused, nothing where it is not.
 std::string profile_refusal(const std::string &points,
-                       const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
+                            const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
 {
   try
   {
@@ -133,6 +137,15 @@ TEST(ProfileFile, EntriesOfOtherShapesAreIdle)
   EXPECT_EQ(idle_entries(study), (std::vector<std::string>{ "Glass/Foot radius", "Glass/Fillet radius" }));
   EXPECT_EQ(idle_entries(read_study("", { "Glass/Profile file=missing.csv" })),
             std::vector<std::string>{ "Glass/Profile file" });
+}
+
+/// Folders of results state every entry: those of the rim are then given, at their defaults too.
+TEST(ProfileFile, StudyIsRunAgainAsItWas)
+{
+  const ScratchFolder scratch;
+  const Study study = study_of(scratch, millimetres + plain_foot, { "Glass/Crown radius=0.003" });
+  const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
+  EXPECT_EQ(study_as_prm(again), study_as_prm(study));
 }
 
 /// The path starts at the study file, in the echo of the study at the folder of the results.
