@@ -131,7 +131,7 @@ Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengt
   std::string script = no_axes;
   script += fmt::format(FMT_STRING("set size ratio -1\nset xrange [{:.5g}:{:.5g}]; set yrange "
                                    "[{:.5g}:{:.5g}]\n"),
-                        -0.06 * edge, 1.27 * edge, -2.6 * row, top + 1.3 * row);
+                        -0.06 * edge, 1.34 * edge, -2.6 * row, top + 1.3 * row);
   script += thin_line(-0.05 * edge, 0, 1.1 * edge, 0, "1") +
             thin_line(0, -2.4 * row, 0, top + row, "(12,4,2,4)") + thin_line(r, 0, r, -1.1 * row, "1") +
             thin_line(edge, 0, edge, -2.1 * row, "1") + thin_line(stem, top, 1.14 * edge, top, "(2,4)");
@@ -156,8 +156,8 @@ Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengt
            caption,
            script + glass_style,
            polygons(caption, cells, [](double) { return 0.; }),
-           640,
-           640 * (top + 3.9 * row) / (1.33 * edge) };
+           540,
+           540 * (top + 3.9 * row) / (1.4 * edge) };
 }
 
 Plot rim_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &lengths)
