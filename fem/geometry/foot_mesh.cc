@@ -183,7 +183,7 @@ Plan make_plan(const GlassProfile &profile, const FootResolution &resolution)
   for (unsigned int i = 1; i <= resolution.radial_cells; ++i)
     radii.push_back(profile.land_inner_radius() + i * land_cell);
   const std::vector<double> edge =
-    graded_radii(profile.land_outer_radius(), profile.foot_radius, 2 * land_cell, limit);
+    graded_radii(profile.land_outer_radius(), profile.outer_radius(), 2 * land_cell, limit);
   radii.insert(radii.end(), edge.begin() + 1, edge.end());
 
   const bool tripled = resolution.azimuthal_cells % 12 == 0 && resolution.azimuthal_cells >= 24;
@@ -237,8 +237,8 @@ std::vector<Slab> step_slabs(const GlassProfile &profile, const FootResolution &
 std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &resolution)
 {
   std::vector<Slab> slabs;
-  stack(0, 1, resolution.foot_layers, 0, profile.foot_radius, slabs);
-  const double layer = profile.foot_thickness / resolution.foot_layers;
+  stack(0, 1, resolution.foot_layers, 0, profile.outer_radius(), slabs);
+  const double layer = profile.thickness() / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
   const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
   if (fillet_top > 1 + 1e-9) // else it is a sharp corner, but for rounding

@@ -1,7 +1,10 @@
 #include "fem/geometry/glass_profile.h"
 
+#include "fem/geometry/meridian_section.h"
+
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -54,12 +57,33 @@ double GlassProfile::foot_top() const
   return (shape == GlassShape::step ? land_height : underside(stem_radius)) + foot_thickness;
 }
 
+double GlassProfile::height() const
+{
+  return shape == GlassShape::profile ? section->height() : foot_top() + stem_height;
+}
+
+double GlassProfile::outer_radius() const
+{
+  return shape == GlassShape::profile ? section->outer_radius() : foot_radius;
+}
+
+double GlassProfile::thickness() const
+{
+  return shape == GlassShape::profile ? section->thickness() : foot_thickness;
+}
+
 double GlassProfile::underside(double radius) const
 {
   const double inner = land_inner_radius();
   const double outer = land_outer_radius();
   if (radius >= inner && radius <= outer)
     return 0;
+  if (shape == GlassShape::profile)
+  {
+    const double border = radius < inner ? inner : outer;
+    const double share = 1 - std::abs(radius - border) / (land_width / 2);
+    return std::max(0., section->underside(radius) - std::max(0., share) * section->underside(border));
+  }
   if (shape == GlassShape::step)
     return land_height;
   return radius < inner ? underside_rise * square(1 - square(radius / inner))
@@ -79,6 +103,16 @@ double GlassProfile::cone(double radius) const
 Fillet GlassProfile::fillet() const
 {
   Fillet fillet;
+  if (shape == GlassShape::profile)
+  {
+    fillet.centre_radius = fillet.middle_radius = section->middle_radius();
+    fillet.middle_height = section->middle_height();
+    fillet.centre_height = section->stem_begin();
+    // Cells of the land begin at its border.
+    const double end = section->fillet_end_radius();
+    fillet.end_radius = end < 0.9 * land_inner_radius() ? end : fillet.middle_radius;
+    return fillet;
+  }
   if (shape == GlassShape::step || fillet_radius == 0)
   {
     fillet.centre_radius = fillet.middle_radius = fillet.end_radius = stem_radius;
@@ -101,6 +135,8 @@ Fillet GlassProfile::fillet() const
 
 double GlassProfile::topside(double radius) const
 {
+  if (shape == GlassShape::profile)
+    return radius < section->middle_radius() ? height() : section->topside(radius);
   if (radius < stem_radius)
     return height();
   if (shape == GlassShape::step)
@@ -113,6 +149,8 @@ double GlassProfile::topside(double radius) const
 
 double GlassProfile::stem_surface(double height) const
 {
+  if (shape == GlassShape::profile)
+    return section->stem_surface(height);
   const Fillet arc = fillet();
   if (height >= arc.centre_height)
     return stem_radius;
@@ -129,18 +167,41 @@ double GlassProfile::gap(double radius) const
 void GlassProfile::validate() const
 {
   require_positive("Contact radius", contact_radius);
+  require_positive("Land width", land_width);
+  require_not_negative("Crown radius", crown_radius, "a flat land");
+  if (shape == GlassShape::profile)
+    return validate_section();
   require_positive("Foot radius", foot_radius);
   require_positive("Foot thickness", foot_thickness);
-  require_positive("Land width", land_width);
   require_positive("Land height", land_height);
   require_positive("Stem radius", stem_radius);
   require_positive("Stem height", stem_height);
-  require_not_negative("Crown radius", crown_radius, "a flat land");
   require_less("Glass/Stem radius", stem_radius, "inner radius of the land", land_inner_radius());
   require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
                land_outer_radius(), "Glass/Foot radius", foot_radius);
   if (shape == GlassShape::foot)
     validate_foot();
+}
+
+void GlassProfile::validate_section() const
+{
+  if (!section)
+    throw std::invalid_argument("Glass/Shape = profile needs a section; name its points in Glass/Profile "
+                                "file.");
+  require_less("Radius of the stem where it meets the foot", section->middle_radius(),
+               "inner radius of the land", land_inner_radius());
+  require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
+               land_outer_radius(), "largest radius of the profile", section->outer_radius());
+  const double tolerance = 1e-6 * section->outer_radius();
+  for (const SectionVertex &vertex : section->points_below(tolerance))
+    if (std::abs(vertex.radius - contact_radius) > 1.05 * land_width / 2)
+    {
+      std::ostringstream message;
+      message << "The profile stands on the table at r = " << vertex.radius << " m (line " << vertex.line
+              << "), outside its land from " << land_inner_radius() << " m to " << land_outer_radius()
+              << " m; change Glass/Contact radius or Glass/Land width.";
+      throw std::invalid_argument(message.str());
+    }
 }
 
 void GlassProfile::validate_foot() const

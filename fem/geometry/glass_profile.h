@@ -1,13 +1,18 @@
 #pragma once
 
+#include <memory>
+
 namespace stemware::fem
 {
+
+class MeridianSection;
 
 /// Kind of section that a GlassProfile describes.
 enum class GlassShape
 {
-  step, ///< three cylinders: land, foot, stem; every corner is sharp
-  foot  ///< the foot of a wine glass: concave below, tapering to its edge, rounded into the stem
+  step,   ///< three cylinders: land, foot, stem; every corner is sharp
+  foot,   ///< the foot of a wine glass: concave below, tapering to its edge, rounded into the stem
+  profile ///< drawn by its user: GlassProfile::section
 };
 
 /// Rounding between the top of a foot and its stem: an arc of the fillet's radius whose centre lies outside
@@ -36,6 +41,11 @@ struct Fillet
 /// stem_radius to edge_thickness above it at r = foot_radius, rounded into the stem with fillet_radius.
 ///
 /// In both the stem ends stem_height above the top of the foot, at the stem cut.
+///
+/// GlassShape::profile: the underside, the top and the stem are those of section, which also says where the
+/// foot and the stem end; of the lengths only contact_radius, land_width and crown_radius are read. On the
+/// land the underside is flat at z = 0 as in the other shapes; beside it what it was lowered by fades out
+/// over half a land width.
 struct GlassProfile
 {
   GlassShape shape = GlassShape::step;
@@ -52,22 +62,29 @@ struct GlassProfile
   double edge_thickness = 0.0015; ///< of a foot: thickness at the outer edge
   double fillet_radius = 0.005;   ///< of a foot: rounding between its top and the stem; 0: a sharp corner
 
+  std::shared_ptr<const MeridianSection> section = {}; ///< of a profile
+
   /// Inner border of the land [m].
   double land_inner_radius() const { return contact_radius - land_width / 2; }
   /// Outer border of the land [m].
   double land_outer_radius() const { return contact_radius + land_width / 2; }
-  /// Height of the foot's top at the stem's surface, before rounding [m].
+  /// Height of the foot's top at the stem's surface, before rounding [m]; not of a profile.
   double foot_top() const;
   /// Height of the stem cut above the land [m].
-  double height() const { return foot_top() + stem_height; }
+  double height() const;
+  /// Radius of the foot's edge [m].
+  double outer_radius() const;
+  /// Thickness of the foot near the stem [m], which cells are measured by.
+  double thickness() const;
 
-  /// Height of the lower surface at @p radius <= foot_radius [m]. A step jumps at the borders of the land,
+  /// Height of the lower surface at @p radius <= outer_radius() [m]. A step jumps at the borders of the land,
   /// which count as land.
   double underside(double radius) const;
-  /// Height of the upper surface at @p radius <= foot_radius [m]; above the stem (r < stem_radius) the stem
-  /// cut's.
+  /// Height of the upper surface at @p radius <= outer_radius() [m]; above the stem (r < stem_radius) the
+  /// stem cut's.
   double topside(double radius) const;
-  /// Where a foot is rounded into the stem; a point (the corner) where fillet_radius is 0 and in a step.
+  /// Where a foot is rounded into the stem; a point (the corner) where fillet_radius is 0 and in a step. In a
+  /// profile the parts near 45 degrees of what joins foot and stem, which need not be an arc (radius 0).
   Fillet fillet() const;
   /// Radius of the stem at @p height [m], from the middle of the fillet up to the cut.
   double stem_surface(double height) const;
@@ -80,13 +97,15 @@ struct GlassProfile
   /// Throws std::invalid_argument with one sentence, which calls lengths by their entries in a study file,
   /// when a length is not positive and finite (crown, rise and fillet may be 0) or when the parts do not fit:
   /// stem_radius < land_inner_radius(), land_outer_radius() < foot_radius; in a foot also a fillet that ends
-  /// between stem and land and below the cut, and glass between underside and top everywhere.
+  /// between stem and land and below the cut, and glass between underside and top everywhere;
+  /// in a profile a lowest part that lies on the land.
   void validate() const;
 
 private:
   double cone_slope() const;
   double cone(double radius) const;
   void validate_foot() const;
+  void validate_section() const;
 };
 
 } // namespace stemware::fem

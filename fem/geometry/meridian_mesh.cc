@@ -1,6 +1,7 @@
 #include "fem/geometry/meridian_mesh.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/meridian_section.h"
 #include "fem/geometry/profile_manifold.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -204,7 +205,7 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
 /// through the thickness carry it.
 double largest_cell(const GlassProfile &profile)
 {
-  return 1.25 * profile.foot_thickness;
+  return 1.25 * profile.thickness();
 }
 
 /// Appends the cells between the land and what lies within it, those of the land, and those outside it.
@@ -216,7 +217,37 @@ void append_foot(const GlassProfile &profile, const ContactCells &contact, GridL
   if (profile.land_inner_radius() > radii.back())
     append_shrinking(radii, profile.land_inner_radius(), growth);
   radii.insert(radii.end(), contact.coarse.begin() + 1, contact.coarse.end());
-  append_growing(radii, profile.foot_radius, growth);
+  append_growing(radii, profile.outer_radius(), growth);
+}
+
+/// Puts grid lines on the corners of a drawn section outside the rounding at the stem and the land: the line
+/// nearby moves there, else a new one comes in, unless the cells would be too narrow.
+void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
+{
+  if (!profile.section)
+    return;
+  const double end = profile.fillet().end_radius, tolerance = 1e-6 * size;
+  std::vector<double> met = { 0, profile.fillet().middle_radius, end, profile.outer_radius() };
+  const auto is_fixed = [&](double line)
+  {
+    return line <= end + tolerance || std::find(met.begin(), met.end(), line) != met.end() ||
+           (line > profile.land_inner_radius() - tolerance && line < profile.land_outer_radius() + tolerance);
+  };
+  for (const double corner : profile.section->corner_radii())
+  {
+    const auto next = std::lower_bound(radii.begin() + 1, radii.end() - 1, corner);
+    const auto nearest = corner - *(next - 1) < *next - corner ? next - 1 : next;
+    const double distance = std::abs(*nearest - corner);
+    if (is_fixed(corner) || distance < tolerance)
+      continue;
+    if (!is_fixed(*nearest) && distance < 0.4 * (*next - *(next - 1)))
+      *nearest = corner;
+    else if (distance > 0.05 * (*next - *(next - 1)))
+      radii.insert(next, corner);
+    else
+      continue;
+    met.push_back(corner);
+  }
 }
 
 /// Rows of cells between the land and @p end, the height of the lowest row where there is no focus, in the
@@ -257,6 +288,7 @@ void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangu
   append_sized(radii, fillet.middle_radius, size);
   append_sized(radii, fillet.end_radius, size);
   append_foot(profile, contact, radii);
+  meet_corners(profile, size, radii);
 
   const double stem_length = profile.height() - fillet.middle_height;
   GridLines levels = { 0 };

@@ -17,7 +17,7 @@ ProfileChart::ProfileChart(const GlassProfile &profile)
 
 bool ProfileChart::within_stem(double radius) const
 {
-  // The tolerance is for what rounding does to points on the stem's surface.
+  // The tolerance as in pull_back().
   return radius <= fillet.middle_radius * (1 + 1e-9);
 }
 
@@ -39,8 +39,9 @@ SectionPoint ProfileChart::push_forward(const StraightPoint &point) const
 
 StraightPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
-  // A top that rises outwards may be higher than the fillet's middle.
-  if (point.height <= fillet.middle_height || !within_stem(point.radius))
+  // A top that rises outwards may be higher than the fillet's middle. The tolerance is for what rounding does
+  // to points on the stem's surface.
+  if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
   {
     const double bottom = profile.underside(point.radius);
     return { point.radius, (point.height - bottom) / (top(point.radius) - bottom) };

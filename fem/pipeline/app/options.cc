@@ -3,6 +3,7 @@
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/study/idle_entries.h"
 #include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
@@ -110,6 +111,8 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
+  if (const std::string note = profile_note(study); !note.empty())
+    console() << wrapped(note, "Profile   ") << std::endl;
   note_strange_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;

@@ -2,7 +2,9 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/ranks.h"
 
 namespace stemware::pipeline
 {
@@ -29,6 +31,8 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   report.footprint = foot.body().pressure_map(at_rest);
   // The fields are those of the state solved last.
   report.fields = foot.body().fields(foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest);
+  if (is_first_rank())
+    report.section = foot_section(study);
   return report;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/foot.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/ring_stack.h"
 
@@ -38,8 +39,9 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  fem::PressureMap footprint;              ///< at rest
-  std::vector<fem::FieldFile> fields = {}; ///< of the state at rest; this rank's
+  fem::PressureMap footprint;                    ///< at rest
+  std::vector<fem::FieldFile> fields = {};       ///< of the state at rest; this rank's
+  std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
 };
 
 /// How a load in balance with friction at every spin has been found.

@@ -6,6 +6,8 @@
 #include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 
+#include <deal.II/grid/tria.h>
+
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -75,6 +77,25 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     throw BadInput(error.what());
   }
   throw std::logic_error("a body without a foot");
+}
+
+std::vector<fem::SectionPolygon> foot_section(const Study &study)
+{
+  if (abilities(study.contact.body).is_of_revolution)
+  {
+    const fem::RevolutionSetup setup = revolution_setup(study);
+    dealii::Triangulation<2> mesh;
+    fem::make_meridian_mesh(setup.profile, setup.resolution, mesh);
+    return fem::section_cells(mesh);
+  }
+  // Between two sectors of any usual mesh.
+  constexpr double azimuth = 0.02;
+  dealii::Triangulation<3> mesh;
+  if (study.contact.mesh_file.empty())
+    fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
+  else
+    read_mesh_file(study.contact.mesh_file, mesh);
+  return fem::section_cells(mesh, azimuth);
 }
 
 } // namespace stemware::pipeline

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/foot.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/study/study.h"
 
 #include <memory>
@@ -17,5 +18,8 @@ namespace stemware::pipeline
 /// @p cache. MPI must have been started, and all ranks call this together, for a solid foot. Throws BadInput
 /// for a mesh file or a setup that cannot be used.
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache);
+
+/// The section of that foot with its cells, of one rank alone. Throws as make_foot().
+std::vector<fem::SectionPolygon> foot_section(const Study &study);
 
 } // namespace stemware::pipeline

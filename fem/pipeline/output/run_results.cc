@@ -4,6 +4,7 @@
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
+#include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace stemware::pipeline
 {
@@ -250,6 +252,19 @@ ReportSection truncation_section(const SpinStudy &spin)
            { shown_truncation_table(spin) } };
 }
 
+/// The foot in pictures: its section, its rim, and where it presses on the table.
+ReportSection foot_section(const Study &study, const FootReport &foot)
+{
+  FootLengths lengths = measured(foot.section, study.glass.profile.contact_radius);
+  if (study.contact.mesh_file.empty())
+    lengths.crown_radius = study.glass.profile.crown_radius;
+  std::tie(lengths.load_inner_radius, lengths.load_outer_radius) = loaded_band(foot.footprint);
+  return { "The foot",
+           "",
+           { section_plot(foot.section, lengths), rim_plot(foot.section, lengths),
+             view_from_below_plot(foot.footprint, lengths, study.motion.orbit) } };
+}
+
 ReportSection contact_section(const Study &study, const FootReport &foot)
 {
   Table numbers = contact_table(foot).with(
@@ -309,6 +324,8 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
     report.sections.push_back(truncation_section(spin));
   if (is_one_way(study))
     say_one_way(report);
+  if (contact.foot && !contact.foot->section.empty())
+    report.sections.push_back(foot_section(study, *contact.foot));
   if (contact.foot)
     report.sections.push_back(contact_section(study, *contact.foot));
   if (!bands.empty())

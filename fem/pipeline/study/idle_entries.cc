@@ -40,11 +40,14 @@ std::vector<Condition> conditions_of_motion(const Study &study)
 std::vector<Condition> conditions_of_shape(const Study &study)
 {
   const bool is_generated = study.contact.mesh_file.empty();
-  return { { is_generated,
+  const fem::GlassShape shape = study.glass.profile.shape;
+  const bool is_drawn = shape == fem::GlassShape::profile;
+  return { { is_generated, "Glass", { "Shape", "Land width" } },
+           { is_generated && is_drawn, "Glass", { "Profile file" } },
+           { is_generated && !is_drawn,
              "Glass",
-             { "Shape", "Foot radius", "Foot thickness", "Land width", "Land height", "Stem radius",
-               "Stem height" } },
-           { is_generated && study.glass.profile.shape == fem::GlassShape::foot,
+             { "Foot radius", "Foot thickness", "Land height", "Stem radius", "Stem height" } },
+           { is_generated && shape == fem::GlassShape::foot,
              "Glass",
              { "Underside rise", "Edge thickness", "Fillet radius" } } };
 }

@@ -36,6 +36,9 @@ struct GlassSection
   GlassSection() { profile.shape = fem::GlassShape::foot; }
 
   fem::GlassProfile profile;
+  std::string profile_file;          ///< points of the section, for the shape profile
+  unsigned int n_profile_points = 0; ///< that it has
+  unsigned int n_rim_points = 0; ///< of the land, to which a circle was fitted for contact or crown radius
   fem::ElasticMaterial material;
   Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 };

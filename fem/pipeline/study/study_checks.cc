@@ -44,9 +44,11 @@ void require_alike_lengths(const Study &study)
   constexpr double small = 1e-5, large = 300;
   std::vector<Length> lengths = { { "Motion/Orbit radius", study.motion.orbit.orbit_radius, 0.01, 1e5 } };
   if (study.load.is_from_contact() && study.contact.mesh_file.empty())
+    lengths.push_back({ "Glass/Land width", profile.land_width, small, large });
+  if (study.load.is_from_contact() && study.contact.mesh_file.empty() &&
+      profile.shape != fem::GlassShape::profile)
     lengths.insert(lengths.end(), { { "Glass/Foot radius", profile.foot_radius, small, large },
                                     { "Glass/Foot thickness", profile.foot_thickness, small, large },
-                                    { "Glass/Land width", profile.land_width, small, large },
                                     { "Glass/Land height", profile.land_height, small, large },
                                     { "Glass/Stem radius", profile.stem_radius, small, large },
                                     { "Glass/Stem height", profile.stem_height, small, large } });

@@ -1,6 +1,7 @@
 #include "fem/pipeline/study/study_file.h"
 
 #include "fem/pipeline/study/prm_file.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
@@ -126,7 +127,8 @@ void apply(const std::string &override_text, const std::vector<StudyEntry> &entr
 }
 
 /// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
-/// that differ from their defaults.
+/// that differ from their defaults. What a drawn section would be asked for stays given: a study is run again
+/// with the values that it was run with.
 void forget_stated_defaults(Study &study)
 {
   Study defaults, copy = study;
@@ -134,14 +136,15 @@ void forget_stated_defaults(Study &study)
   if (study.given_entries.size() < own.size())
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
-    if (own[i].text() == standard[i].text())
+    if (own[i].text() == standard[i].text() &&
+        !(study.glass.profile.shape == fem::GlassShape::profile && follows_from_profile(own[i].path())))
       study.given_entries.erase(own[i].path());
 }
 
 /// The entries that name files.
 std::vector<std::string *> paths_of(Study &study)
 {
-  return { &study.contact.mesh_file, &study.load.file };
+  return { &study.glass.profile_file, &study.contact.mesh_file, &study.load.file };
 }
 
 } // namespace
@@ -166,6 +169,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
       *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   for (const std::string &override_text : overrides)
     apply(override_text, entries);
+  attach_profile(study);
   check_study(study);
   return study;
 }
@@ -176,6 +180,7 @@ Study with_values(Study study, const std::string &option,
   const std::vector<StudyEntry> entries = study_entries(study);
   for (const auto &[path, value] : values)
     assign(entries, option + ": ", path, value);
+  attach_profile(study);
   check_study(study);
   return study;
 }

@@ -51,6 +51,15 @@ const EntryValues solid = { { "Contact/Body", "solid" },
                             { "Contact/Radial cells", "2" },
                             { "Contact/Foot layers", "1" } };
 
+/// All of @p values, on a drawn foot.
+EntryValues drawn(EntryValues values)
+{
+  values.insert(values.end(), { { "Glass/Shape", "profile" },
+                                { "Glass/Profile file", "thick.csv" },
+                                { "Glass/Crown radius", "0.003" } });
+  return values;
+}
+
 /// All of @p values, and one more.
 EntryValues with(EntryValues values, const std::string &entry, const std::string &value)
 {
@@ -80,6 +89,8 @@ const std::vector<Effect> effects = {
   { "Motion/Euler step", "0.01", "/spin_up.dat", {}, "/ring/omega_terminal" },
   { "Motion/Step limit", "1e7", nothing, {}, "/ring/omega_terminal" },
   { "Glass/Shape", "foot", second_harmonic },
+  { "Glass/Profile file", "thin.csv", second_harmonic, drawn({}) },
+  { "Glass/Profile file", "thin.csv", second_harmonic, drawn(solid) },
   { "Glass/Contact radius", "0.031", "/load/ring_radius" },
   { "Glass/Foot radius", "0.036", second_harmonic },
   { "Glass/Foot radius", "0.036", second_harmonic, foot },
@@ -184,7 +195,7 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   if (with_value)
     values.emplace_back(effect.entry, effect.value);
   for (auto &[entry, value] : values)
-    if (entry == "Load/File")
+    if (entry == "Load/File" || entry == "Glass/Profile file")
       value = scratch / value;
   return with_values(Study(), "the list of effects", values);
 }
@@ -198,6 +209,9 @@ TEST_P(EntryEffects, ChangeWhatTheyAreFor)
   const test::ScratchFolder scratch;
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
+  const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
+  scratch.write("thick.csv", plate + "0.034,0.006\n0.006,0.006\n0.006,0.02\n0,0.02\n");
+  scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
   const Json before = results_of(study_of(GetParam(), false, scratch), scratch);
   const Json after = results_of(study_of(GetParam(), true, scratch), scratch);
   // Of a number: more than what the solvers leave, 1e-9, and less than what Stem height does, 8e-6.

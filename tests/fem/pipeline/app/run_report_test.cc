@@ -89,9 +89,10 @@ std::string per_cent(double change)
   return text;
 }
 
-const std::vector<std::string> figures = { "waterfall",        "effects",  "harmonic_torque", "load",
-                                           "higher_harmonics", "spectrum", "torque",          "spin_up",
-                                           "truncation",       "footprint" };
+const std::vector<std::string> figures = {
+  "waterfall", "effects",    "harmonic_torque", "load", "higher_harmonics", "spectrum", "torque",
+  "spin_up",   "truncation", "section",         "rim",  "foot_from_below",  "footprint"
+};
 
 TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
 {

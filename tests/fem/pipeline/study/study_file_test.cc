@@ -45,6 +45,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Motion/Euler step", "0.001" },
     { "Motion/Step limit", "1e6" },
     { "Glass/Shape", "foot" },
+    { "Glass/Profile file", "" },
     { "Glass/Rim waviness", "" },
     { "Glass/Contact radius", "0.03" },
     { "Glass/Foot radius", "0.034" },

@@ -1,0 +1,277 @@
+#include "fem/geometry/meridian_section.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/register/linestring.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+BOOST_GEOMETRY_REGISTER_POINT_2D(stemware::fem::SectionVertex, double, boost::geometry::cs::cartesian, radius,
+                                 height)
+BOOST_GEOMETRY_REGISTER_LINESTRING(std::vector<stemware::fem::SectionVertex>)
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+using Polyline = std::vector<SectionVertex>;
+
+/// Share of the largest radius that counts as rounding of the numbers in a file.
+constexpr double file_rounding = 1e-6;
+
+/// "line 14 (r = 0.03 m, z = 0 m)".
+std::string place(const SectionVertex &vertex)
+{
+  std::ostringstream text;
+  text << "line " << vertex.line << " (r = " << vertex.radius << " m, z = " << vertex.height << " m)";
+  return text.str();
+}
+
+[[noreturn]] void refuse(const std::string &sentence)
+{
+  throw std::invalid_argument(sentence);
+}
+
+double largest_radius(const Polyline &polyline)
+{
+  double largest = 0;
+  for (const SectionVertex &vertex : polyline)
+    largest = std::max(largest, vertex.radius);
+  return largest;
+}
+
+bool is_lower(const SectionVertex &one, const SectionVertex &other)
+{
+  return one.height < other.height;
+}
+
+/// Both ends on the axis, the lower one first, no point twice in a row, heights from the lowest point, and
+/// the last two points at one height.
+Polyline ordered(Polyline polyline)
+{
+  if (polyline.size() < 6)
+  {
+    std::ostringstream message;
+    message
+      << "a profile of " << polyline.size()
+      << " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge "
+         "to the axis in the stem's cut.";
+    refuse(message.str());
+  }
+  const double tolerance = file_rounding * largest_radius(polyline);
+  const auto coincide = [=](const SectionVertex &one, const SectionVertex &other)
+  { return std::hypot(one.radius - other.radius, one.height - other.height) <= tolerance; };
+  for (const SectionVertex &vertex : polyline)
+    if (vertex.radius < -tolerance)
+      refuse(place(vertex) + " lies beyond the axis; give one half of the section, r from 0 outwards.");
+  if (coincide(polyline.front(), polyline.back()))
+    polyline.pop_back(); // the axis drawn along
+  polyline.erase(std::unique(polyline.begin(), polyline.end(), coincide), polyline.end());
+  for (SectionVertex *end : { &polyline.front(), &polyline.back() })
+  {
+    if (end->radius > tolerance)
+      refuse("the profile is open: it ends at " + place(*end) +
+             ", not on the axis; begin with the point r = 0 of the underside and end with the point r = 0 of "
+             "the stem's cut.");
+    end->radius = 0;
+  }
+  if (is_lower(polyline.back(), polyline.front()))
+    std::reverse(polyline.begin(), polyline.end());
+
+  Polyline simple;
+  boost::geometry::simplify(polyline, simple, 1e-5 * largest_radius(polyline));
+  const double lowest = std::min_element(simple.begin(), simple.end(), is_lower)->height;
+  if (simple.front().height <= lowest + tolerance)
+    refuse("the profile is lowest on the axis, at " + place(simple.front()) +
+           ", where a foot does not stand on its rim; if it is drawn upside down, let z grow from the table "
+           "to the stem.");
+  const SectionVertex &highest = *std::max_element(simple.begin(), simple.end(), is_lower);
+  SectionVertex &corner = simple[simple.size() - 2];
+  if (highest.height > simple.back().height + tolerance || corner.height < simple.back().height - tolerance)
+    refuse("the profile does not end with the stem's cut: the last segment, from " + place(corner) + " to " +
+           place(simple.back()) + ", has to be horizontal and the highest of all.");
+  corner.height = simple.back().height;
+  for (SectionVertex &vertex : simple)
+    vertex.height -= lowest;
+  return simple;
+}
+
+/// Angle between the curve and its x axis [rad], in [0, pi/2], of the segment that begins at point @p i.
+double steepness(const PiecewiseLinear &curve, std::size_t i)
+{
+  return std::atan2(std::abs(curve.y[i + 1] - curve.y[i]), curve.x[i + 1] - curve.x[i]);
+}
+
+} // namespace
+
+double PiecewiseLinear::operator()(double at) const
+{
+  const auto next = std::upper_bound(x.begin(), x.end(), at);
+  if (next == x.begin())
+    return y.front();
+  if (next == x.end())
+    return y.back();
+  const auto i = static_cast<std::size_t>(next - x.begin());
+  const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
+  return (1 - share) * y[i - 1] + share * y[i];
+}
+
+MeridianSection::MeridianSection(std::vector<SectionVertex> polyline)
+{
+  split(ordered(std::move(polyline)));
+  require_glass_everywhere();
+  cut_edge();
+  find_rounding();
+}
+
+void MeridianSection::split(const std::vector<SectionVertex> &polyline)
+{
+  const double outermost = largest_radius(polyline);
+  const auto is_outermost = [=](const SectionVertex &vertex) { return vertex.radius == outermost; };
+  const auto first = std::find_if(polyline.begin(), polyline.end(), is_outermost);
+  const auto last = std::find_if(polyline.rbegin(), polyline.rend(), is_outermost).base() - 1;
+  const auto cut = polyline.end() - 2; // at the stem's surface
+
+  for (auto vertex = polyline.begin(); vertex <= first; ++vertex)
+  {
+    if (vertex != polyline.begin() && vertex->radius <= (vertex - 1)->radius)
+      refuse(
+        "the underside turns back or stands upright at " + place(*vertex) +
+        ": from the axis to the edge of the foot r has to grow from point to point (a steep wall may, by "
+        "a little).");
+    lower.x.push_back(vertex->radius);
+    lower.y.push_back(vertex->height);
+    lower_lines.push_back(vertex->line);
+  }
+  // From the edge inwards as far as r falls; from the cut downwards as far as z falls; where both do, the
+  // meeting point lies below what is steeper than 45 degrees.
+  auto inner = last;
+  while (inner != cut && (inner + 1)->radius < inner->radius)
+    ++inner;
+  auto meeting = cut;
+  while (
+    meeting != last && (meeting - 1)->height < meeting->height &&
+    (meeting > inner || meeting->height - (meeting - 1)->height > (meeting - 1)->radius - meeting->radius))
+    --meeting;
+  if (meeting > inner)
+    refuse("the outside turns back at " + place(*(inner + 1)) +
+           ": from the edge the top of the foot has to run inwards, and then the stem upwards to its cut.");
+  if (meeting == cut || meeting == last)
+    refuse("the profile has no " + std::string(meeting == cut ? "stem below" : "top of the foot outside") +
+           " " + place(*meeting) +
+           "; draw a foot whose top runs from its edge inwards to a stem, and the stem up to its cut.");
+  for (auto vertex = meeting; vertex >= last; --vertex)
+  {
+    upper.x.push_back(vertex->radius);
+    upper.y.push_back(vertex->height);
+    upper_lines.push_back(vertex->line);
+  }
+  for (auto vertex = meeting; vertex <= cut; ++vertex)
+  {
+    stem.x.push_back(vertex->height);
+    stem.y.push_back(vertex->radius);
+    stem_lines.push_back(vertex->line);
+  }
+}
+
+void MeridianSection::require_glass_everywhere() const
+{
+  const auto refuse_crossing = [](double radius, unsigned int line, const std::string &other)
+  {
+    std::ostringstream message;
+    message << "the profile crosses itself: at r = " << radius << " m (line " << line << ") " << other
+            << "; draw the outline of one piece of glass.";
+    refuse(message.str());
+  };
+  constexpr char above[] = "its underside lies above its top";
+  for (std::size_t i = 0; i < lower.x.size(); ++i)
+    if (lower.x[i] < upper.x.back() && !(lower.y[i] < upper(lower.x[i])))
+      refuse_crossing(lower.x[i], lower_lines[i], above);
+  for (std::size_t i = 0; i < upper.x.size(); ++i)
+    if (upper.x[i] < lower.x.back() && !(lower(upper.x[i]) < upper.y[i]))
+      refuse_crossing(upper.x[i], upper_lines[i], above);
+  for (std::size_t i = 1; i < upper.x.size(); ++i)
+    if (upper.y[i] > middle_height() && upper.x[i] <= stem(upper.y[i]))
+      refuse_crossing(upper.x[i], upper_lines[i], "the top of the foot lies inside the stem");
+  for (std::size_t i = 1; i < stem.x.size(); ++i)
+  {
+    if (!(stem.y[i] > 0))
+      refuse("line " + std::to_string(stem_lines[i]) + " ends the stem on the axis before its cut.");
+    if (stem.y[i] > middle_radius() && stem.y[i] < upper.x.back() && stem.x[i] <= upper(stem.y[i]))
+      refuse_crossing(stem.y[i], stem_lines[i], "the stem lies inside the foot");
+  }
+}
+
+void MeridianSection::cut_edge()
+{
+  const auto thickness_at = [&](double radius) { return upper(radius) - lower(radius); };
+  const auto lowest = std::min_element(lower.y.begin(), lower.y.end()) - lower.y.begin();
+  const double least = 0.05 * thickness_at(lower.x[static_cast<std::size_t>(lowest)]);
+  edge = upper.x.back();
+  if (thickness_at(edge) >= least)
+    return;
+  // The thickness is straight between the points of both curves.
+  std::vector<double> radii = upper.x;
+  for (const double radius : lower.x)
+    if (radius > middle_radius())
+      radii.push_back(radius);
+  std::sort(radii.begin(), radii.end());
+  while (radii.size() > 1 && thickness_at(radii.back()) < least)
+  {
+    edge = radii.back();
+    radii.pop_back();
+  }
+  const double inside = thickness_at(radii.back()), outside = thickness_at(edge);
+  edge = radii.back() + (edge - radii.back()) * (inside - least) / (inside - outside);
+}
+
+void MeridianSection::find_rounding()
+{
+  // The rounding ends where a segment is nearer to the mean slope of the foot, or to the direction of the
+  // stem, than to 45 degrees by far.
+  constexpr double half_right = 0.78539816339744831;
+  const double mean =
+    std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());
+  const double foot_limit = mean + 0.15 * (half_right - mean);
+  std::size_t i = 0;
+  while (i + 1 < upper.x.size() && upper.x[i] < edge && steepness(upper, i) > foot_limit)
+    ++i;
+  fillet_end = i + 1 < upper.x.size() && upper.x[i] < edge ? upper.x[i] : middle_radius();
+  std::size_t j = 0;
+  while (j + 1 < stem.x.size() && steepness(stem, j) > 0.15 * half_right)
+    ++j;
+  stem_start = j + 1 < stem.x.size() ? stem.x[j] : middle_height();
+}
+
+std::vector<double> MeridianSection::corner_radii() const
+{
+  constexpr double smallest_bend = 0.2;
+  std::vector<double> radii;
+  for (const PiecewiseLinear *curve : { &lower, &upper })
+    for (std::size_t i = 1; i + 1 < curve->x.size(); ++i)
+    {
+      const auto direction = [&](std::size_t j)
+      { return std::atan2(curve->y[j + 1] - curve->y[j], curve->x[j + 1] - curve->x[j]); };
+      if (curve->x[i] > fillet_end && curve->x[i] < edge &&
+          std::abs(direction(i) - direction(i - 1)) > smallest_bend)
+        radii.push_back(curve->x[i]);
+    }
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+std::vector<SectionVertex> MeridianSection::points_below(double height) const
+{
+  std::vector<SectionVertex> points;
+  for (std::size_t i = 0; i < lower.x.size(); ++i)
+    if (lower.y[i] <= height)
+      points.push_back({ lower.x[i], lower.y[i], lower_lines[i] });
+  return points;
+}
+
+} // namespace stemware::fem

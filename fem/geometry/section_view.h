@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
+namespace stemware::fem
+{
+
+/// Corners (r, z) of a piece of a section [m], in turn.
+using SectionPolygon = std::vector<std::array<double, 2>>;
+
+/// The cells of a meridional mesh, edges straight.
+std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
+
+/// What the half-plane at @p azimuth [rad] through the axis cuts out of the cells of a foot, edges straight.
+/// A mesh that is spread over ranks is cut whole on each of them.
+std::vector<SectionPolygon> section_cells(const dealii::Triangulation<3, 3> &triangulation, double azimuth);
+
+} // namespace stemware::fem

@@ -1,0 +1,246 @@
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/meridian_section.h"
+#include "fem/geometry/section_view.h"
+#include "tests/fem/geometry/profile_oracle.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace stemware::revolution_tests;
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+using Polyline = std::vector<SectionVertex>;
+
+/// Points (r, z) in mm, the first on line 2 of a file.
+Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
+{
+  Polyline polyline;
+  for (const auto &[radius, height] : points)
+    polyline.push_back({ radius / 1000, height / 1000, static_cast<unsigned int>(polyline.size()) + 2 });
+  return polyline;
+}
+
+/// A plain foot on a flat land from 28 to 32 mm whose corners bend by more than 0.2 rad; from its axis to its
+/// cut.
+const std::vector<std::pair<double, double>> plain_foot = { { 0, 2 },  { 20, 2 }, { 28, 0 }, { 32, 0 },
+                                                            { 34, 1 }, { 34, 3 }, { 16, 4 }, { 6, 8 },
+                                                            { 4, 16 }, { 0, 16 } };
+
+/// Area between the polyline and the axis, and the volume of the glass: sums over trapezia and frusta.
+std::pair<double, double> area_and_volume(const Polyline &polyline)
+{
+  double area = 0, volume = 0;
+  for (std::size_t i = 1; i < polyline.size(); ++i)
+  {
+    const double a = polyline[i - 1].radius, b = polyline[i].radius;
+    const double rise = polyline[i].height - polyline[i - 1].height;
+    area += rise * (a + b) / 2;
+    volume += rise * M_PI * (a * a + a * b + b * b) / 3;
+  }
+  return { area, volume };
+}
+
+GlassProfile drawn(const Polyline &polyline)
+{
+  GlassProfile profile;
+  profile.shape = GlassShape::profile;
+  profile.section = std::make_shared<MeridianSection>(polyline);
+  return profile;
+}
+
+/// Why a polyline is refused; nothing if it is not.
+std::string refusal_of(const std::vector<std::pair<double, double>> &points)
+{
+  try
+  {
+    MeridianSection section(in_millimetres(points));
+  }
+  catch (const std::invalid_argument &error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+/// plain_foot with one point changed.
+std::string refusal_with(std::size_t index, double radius, double height)
+{
+  std::vector<std::pair<double, double>> points = plain_foot;
+  points[index] = { radius, height };
+  return refusal_of(points);
+}
+
+} // namespace
+
+TEST(MeridianSection, IsTheUndersideTheTopAndTheStem)
+{
+  std::vector<std::pair<double, double>> lifted = plain_foot; // heights count from the lowest point
+  for (auto &point : lifted)
+    point.second += 7;
+  for (const bool reversed : { false, true })
+  {
+    Polyline polyline = in_millimetres(lifted);
+    if (reversed)
+      std::reverse(polyline.begin(), polyline.end());
+    const MeridianSection section(polyline);
+    EXPECT_NEAR(section.underside(0.010), 0.002, 1e-15);
+    EXPECT_NEAR(section.underside(0.024), 0.001, 1e-15);
+    EXPECT_NEAR(section.underside(0.030), 0, 1e-15);
+    EXPECT_NEAR(section.topside(0.025), 0.0035, 1e-15);
+    EXPECT_NEAR(section.topside(0.011), 0.006, 1e-15);
+    EXPECT_NEAR(section.stem_surface(0.012), 0.005, 1e-15);
+    EXPECT_NEAR(section.middle_radius(), 0.006, 1e-15);
+    EXPECT_NEAR(section.middle_height(), 0.008, 1e-15);
+    EXPECT_NEAR(section.outer_radius(), 0.034, 1e-15);
+    EXPECT_NEAR(section.height(), 0.016, 1e-15);
+  }
+}
+
+TEST(MeridianSection, CutsASharpEdgeOffWhereItIsThin)
+{
+  // The edge is a wedge from a thickness of 3.2 mm at r = 32 mm to none at 36 mm; above the lowest point, at
+  // 30 mm, the foot is 4 mm thick.
+  const MeridianSection section(in_millimetres(
+    { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
+  EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, 1e-15);
+  EXPECT_NEAR(section.outer_radius(), 0.036 - 0.004 * 0.2 / 3.2, 1e-12);
+}
+
+TEST(MeridianSection, LeavesOutPointsThatSayNothing)
+{
+  Polyline dense;
+  const Polyline corners = in_millimetres(plain_foot);
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    for (unsigned int j = 0; j < 12000; ++j)
+    {
+      const double share = j / 12000.;
+      dense.push_back({ (1 - share) * corners[i - 1].radius + share * corners[i].radius,
+                        (1 - share) * corners[i - 1].height + share * corners[i].height + 1e-8 * (j % 3),
+                        2 });
+    }
+  dense.push_back(corners.back());
+  dense[dense.size() - 12001].height = corners.back().height;
+  const MeridianSection section(dense), plain(corners);
+  for (const double radius : { 0.001, 0.013, 0.027, 0.031, 0.033 })
+    EXPECT_NEAR(section.underside(radius), plain.underside(radius), 4e-7) << radius;
+  for (const double radius : { 0.007, 0.02, 0.033 })
+    EXPECT_NEAR(section.topside(radius), plain.topside(radius), 4e-7) << radius;
+}
+
+TEST(MeridianSection, RefusesWhatIsNoFootAndNamesTheLine)
+{
+  EXPECT_EQ(refusal_of(plain_foot), "");
+  std::vector<std::pair<double, double>> points(plain_foot.begin(), plain_foot.end() - 1);
+  EXPECT_NE(refusal_of(points).find("open: it ends at line 10"), std::string::npos) << refusal_of(points);
+  points.assign(plain_foot.begin() + 1, plain_foot.end());
+  EXPECT_NE(refusal_of(points).find("open: it ends at line 2"), std::string::npos) << refusal_of(points);
+  points = plain_foot;
+  for (auto &point : points)
+    point.second = -point.second;
+  EXPECT_NE(refusal_of(points).find("lowest on the axis, at line 11"), std::string::npos)
+    << refusal_of(points);
+  points.assign(plain_foot.begin(), plain_foot.begin() + 3);
+  EXPECT_NE(refusal_of(points).find("3 points is no foot"), std::string::npos) << refusal_of(points);
+
+  EXPECT_NE(refusal_with(1, 29, 2).find("underside turns back or stands upright at line 4"),
+            std::string::npos);
+  EXPECT_NE(refusal_with(1, 20, 6).find("crosses itself: at r = 0.02 m (line 3)"), std::string::npos);
+  EXPECT_NE(refusal_with(6, 40, 4).find("turns back"), std::string::npos) << refusal_with(6, 40, 4);
+  EXPECT_NE(refusal_with(7, 18, 3.5).find("outside turns back at line 9"), std::string::npos);
+  EXPECT_NE(refusal_with(8, 4, 15).find("has to be horizontal and the highest"), std::string::npos);
+  EXPECT_NE(refusal_with(1, -20, 2).find("line 3 (r = -0.02 m, z = 0.002 m) lies beyond the axis"),
+            std::string::npos);
+}
+
+TEST(RimCircle, IsTheOneThroughItsPoints)
+{
+  Polyline polyline = { { 0, 0.503, 1 } };
+  for (const double angle : { -0.5, -0.2, -0.05, 0.1, 0.3, 0.5 })
+    polyline.push_back({ 0.03123 + 0.0021 * std::sin(angle), 0.5 + 0.0021 * (1 - std::cos(angle)), 2 });
+  polyline.push_back({ 0.036, 0.502, 3 });
+  const auto circle = fit_rim_circle(polyline, 0.004);
+  ASSERT_TRUE(circle);
+  EXPECT_NEAR(circle->contact_radius, 0.03123, 1e-12);
+  EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
+  EXPECT_EQ(circle->n_points, 6u);
+
+  EXPECT_FALSE(
+    fit_rim_circle(in_millimetres({ { 0, 2 }, { 28, 0 }, { 29, 0 }, { 30, 0 }, { 36, 1 } }), 0.004));
+  EXPECT_FALSE(fit_rim_circle(in_millimetres({ { 0, 2 }, { 28, 0 }, { 29, 0.1 }, { 36, 1 } }), 0.004));
+}
+
+TEST(DrawnProfile, MeshFillsThePolygon)
+{
+  const Polyline polyline = in_millimetres(plain_foot);
+  const GlassProfile profile = drawn(polyline);
+  const auto [area, volume] = area_and_volume(polyline);
+  for (const double size : { 0., 1e-4 })
+  {
+    MeridianResolution resolution;
+    resolution.focus_size = size;
+    dealii::Triangulation<2> section;
+    make_meridian_mesh(profile, resolution, section);
+    EXPECT_NEAR(dealii::GridTools::volume(section) / area, 1, 1e-12);
+    double drawn_area = 0;
+    for (const SectionPolygon &cell : section_cells(section))
+      for (std::size_t i = 0; i < cell.size(); ++i)
+      {
+        const auto &a = cell[i], &b = cell[(i + 1) % cell.size()];
+        drawn_area += (a[0] * b[1] - b[0] * a[1]) / 2;
+      }
+    EXPECT_NEAR(drawn_area / area, 1, 1e-12);
+  }
+  dealii::Triangulation<3> solid;
+  make_foot_mesh(profile, { 48, 8, 4 }, solid);
+  // Its cells do not meet the polygon's corners.
+  EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
+}
+
+/// The half-plane cuts an area out of the solid mesh; without walls of the cells' own the areas add up.
+TEST(DrawnProfile, SectionOfASolidMeshIsWhole)
+{
+  GlassProfile step;
+  dealii::Triangulation<3> solid;
+  make_foot_mesh(step, { 48, 4, 2 }, solid);
+  double area = 0;
+  for (const SectionPolygon &cell : section_cells(solid, 0.02))
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      const auto &a = cell[i], &b = cell[(i + 1) % cell.size()];
+      area += (a[0] * b[1] - b[0] * a[1]) / 2;
+    }
+  // Edges are chords of 7.5 degrees: radii are shorter by up to 0.2 %.
+  EXPECT_NEAR(area, 0.004 * 0.001 + 0.034 * 0.004 + 0.005 * 0.010, 3e-3 * area);
+}
+
+TEST(DrawnProfile, LandIsFlatAndWhatWasLoweredFadesOut)
+{
+  // A round rim of 3 mm about 30 mm, risen by 0.0417 mm at the borders of a land of 1 mm.
+  std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
+  for (int i = -10; i <= 10; ++i)
+    points.emplace_back(30 + 0.2 * i, 3 - std::sqrt(9 - 0.04 * i * i));
+  points.insert(points.end(), { { 34, 2 }, { 34, 4 }, { 6, 8 }, { 5, 16 }, { 0, 16 } });
+  GlassProfile profile = drawn(in_millimetres(points));
+  profile.land_width = 0.001;
+  profile.validate();
+  const double risen = profile.section->underside(0.0305);
+  EXPECT_GT(risen, 4e-5);
+  EXPECT_EQ(profile.underside(0.0295), 0);
+  EXPECT_EQ(profile.underside(0.0305), 0);
+  EXPECT_NEAR(profile.underside(0.03075), profile.section->underside(0.03075) - risen / 2, 1e-15);
+  EXPECT_NEAR(profile.underside(0.031), profile.section->underside(0.031), 1e-15);
+  EXPECT_NEAR(profile.underside(0.025), profile.section->underside(0.025), 1e-15);
+
+  // The lowest point has to lie on the land.
+  profile.contact_radius = 0.0306;
+  EXPECT_THROW(profile.validate(), std::invalid_argument);
+}

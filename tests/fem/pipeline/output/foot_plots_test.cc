@@ -1,0 +1,123 @@
+// The pictures of the foot: what they are drawn from, and that gnuplot draws them without a complaint.
+#include "fem/pipeline/output/plots/foot_plots.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::ScratchFolder;
+
+/// A plate of 2 mm to r = 34 mm under a stem of 5 mm to z = 12 mm, in four cells.
+const std::vector<fem::SectionPolygon> plate = {
+  { { 0, 0 }, { 0.005, 0 }, { 0.005, 0.002 }, { 0, 0.002 } },
+  { { 0.005, 0 }, { 0.020, 0 }, { 0.020, 0.002 }, { 0.005, 0.002 } },
+  { { 0.020, 0 }, { 0.034, 0 }, { 0.034, 0.002 }, { 0.020, 0.002 } },
+  { { 0, 0.002 }, { 0.005, 0.002 }, { 0.005, 0.012 }, { 0, 0.012 } },
+};
+
+/// Under pressure where cos(theta) > 0, 0.1 mm to both sides of r = 30 mm.
+fem::PressureMap half_loaded(bool is_grid)
+{
+  fem::PressureMap map;
+  map.is_grid = is_grid;
+  for (unsigned int i = 0; i < 8; ++i)
+  {
+    map.cuts.emplace_back();
+    for (const double offset : { -2e-4, -1e-4, 1e-4, 2e-4 })
+      map.cuts.back().push_back(
+        { 0.030 + offset, i * M_PI / 4,
+          std::abs(offset) < 1.5e-4 ? 2e3 * std::max(0., std::cos(i * M_PI / 4)) : 0 });
+  }
+  return map;
+}
+
+/// What gnuplot and the report complain about.
+std::string complaint(const Plot &plot, const ScratchFolder &scratch)
+{
+  testing::internal::CaptureStderr();
+  write_report({ "A plot", "", { { "The plot", "", { plot } } } }, scratch.path());
+  return testing::internal::GetCapturedStderr();
+}
+
+bool svg_says(const Plot &plot, const ScratchFolder &scratch, const std::string &words)
+{
+  return test::read_text(scratch / ("figures/" + plot.name + ".svg")).find(words) != std::string::npos;
+}
+
+TEST(FootPlots, LengthsAreThoseOfTheSection)
+{
+  const FootLengths lengths = measured(plate, 0.030);
+  EXPECT_EQ(lengths.outer_radius, 0.034);
+  EXPECT_EQ(lengths.height, 0.012);
+  EXPECT_NEAR(lengths.thickness_at_rim, 0.002, 1e-15);
+  const auto [inner, outer] = loaded_band(half_loaded(true));
+  EXPECT_NEAR(inner, 0.0299, 1e-15);
+  EXPECT_NEAR(outer, 0.0301, 1e-15);
+}
+
+TEST(FootPlots, SectionShowsItsLengths)
+{
+  const ScratchFolder scratch;
+  FootLengths lengths = measured(plate, 0.030);
+  lengths.crown_radius = 0.0025;
+  const Plot plot = section_plot(plate, lengths);
+  EXPECT_EQ(complaint(plot, scratch), "");
+  for (const char *words : { "R = 30 mm", "foot 34 mm", "12 mm", "2 mm", "crown 2.5 mm", "cut, held" })
+    EXPECT_TRUE(svg_says(plot, scratch, words)) << words;
+  const auto columns = test::read_columns(scratch / "figures/section.dat");
+  EXPECT_EQ(columns[0].size(), 4u * 5); // closed polygons
+  EXPECT_EQ(columns[0][6], 20);         // mm
+}
+
+TEST(FootPlots, RimIsLiftedByItsCrown)
+{
+  const ScratchFolder scratch;
+  FootLengths lengths = measured(plate, 0.030);
+  lengths.crown_radius = 0.0025;
+  lengths.load_inner_radius = 0.0299;
+  lengths.load_outer_radius = 0.0301;
+  const Plot plot = rim_plot(plate, lengths);
+  EXPECT_EQ(complaint(plot, scratch), "");
+  EXPECT_TRUE(svg_says(plot, scratch, "under load 0.2 mm"));
+  const auto columns = test::read_columns(scratch / "figures/rim.dat");
+  ASSERT_EQ(columns[0].size(), 5u); // the other cells are out of sight
+  EXPECT_NEAR(columns[1][1], 1000 * 0.004 * 0.004 / 2 / 0.0025, 1e-9);
+}
+
+TEST(FootPlots, FromBelowTheOrbitsCentreIsBelowWhereTheOrbitIsCounterClockwise)
+{
+  const ScratchFolder scratch;
+  ring::Motion motion;
+  for (const bool is_grid : { true, false })
+  {
+    const Plot plot = view_from_below_plot(half_loaded(is_grid), measured(plate, 0.030), motion);
+    EXPECT_EQ(complaint(plot, scratch), "");
+    EXPECT_TRUE(svg_says(plot, scratch, "150 mm from here"));
+    EXPECT_NE(plot.caption.find("35 times larger"), std::string::npos) << plot.caption;
+    const auto columns = test::read_columns(scratch / "figures/foot_from_below.dat");
+    ASSERT_EQ(columns[0].size(), (is_grid ? 9u : 8u) * 4);
+    // The second cut lies at 45 degrees, to the left of the motion: downwards, as seen from below.
+    const double drawn = (30 + 35 * 0.1) / std::sqrt(2.);
+    EXPECT_NEAR(columns[0][6], drawn, 1e-3);
+    EXPECT_NEAR(columns[1][6], -drawn, 1e-3);
+    EXPECT_NEAR(columns[2][6], 2 / std::sqrt(2.), 1e-4); // kPa
+    EXPECT_TRUE(std::isnan(columns[2][4 * 4 + 1]));
+  }
+  const auto side = [&]
+  {
+    const std::string script = view_from_below_plot(half_loaded(true), measured(plate, 0.030), motion).script;
+    return script.find("from 0,0 to 0,-") != std::string::npos;
+  };
+  EXPECT_TRUE(side());
+  motion.orbit_sense = ring::OrbitSense::clockwise;
+  EXPECT_FALSE(side());
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,166 @@
+// Sections of a glass that are read from a file of points, and the files that are refused: one sentence each.
+#include "fem/pipeline/study/idle_entries.h"
+#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::ScratchFolder;
+
+/// The points of a plain foot on a land from 28 to 32 mm, in mm.
+const std::string plain_foot = "0, 2\n20, 2\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n";
+const std::string millimetres = "r (mm), z (mm)\n";
+
+/// The study of a drawn foot whose crown is given.
+Study study_of(const ScratchFolder &scratch, const std::string &points, const std::vector<std::string> &more)
+{
+  std::vector<std::string> overrides = { "Glass/Shape=profile",
+                                         "Glass/Profile file=" + scratch.write("my_foot.csv", points) };
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return read_study("", overrides);
+}
+
+Study study_of(const std::string &points,
+               const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
+{
+  return study_of(ScratchFolder(), points, more);
+}
+
+/// The sentence with which a file is refused, nothing where it is not.
+std::string profile_refusal(const std::string &points,
+                            const std::vector<std::string> &more = { "Glass/Crown radius=0.003" })
+{
+  try
+  {
+    study_of(points, more);
+  }
+  catch (const BadInput &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ProfileFile, MayBeWrittenInManyWays)
+{
+  const double thickness = 0.0035; // of the plain foot at 25 mm, less its underside
+  std::string semicolons = plain_foot, blanks = plain_foot, metres;
+  boost::replace_all(semicolons, ",", " ;");
+  boost::replace_all(blanks, ", ", "\t");
+  std::istringstream rows(plain_foot);
+  for (std::string r, z; rows >> r >> z;)
+    metres += fmt::format("{}, {}\n", std::stod(r) / 1000, std::stod(z) / 1000);
+  for (const std::string &text : { millimetres + plain_foot, "radius [mm]; height [mm]\r\n" + semicolons,
+                                   "r mm, z mm\n" + blanks, "\xEF\xBB\xBFr,z\n# in m\n\n" + metres, metres })
+  {
+    const Study study = study_of(text);
+    EXPECT_NEAR(study.glass.profile.topside(0.025), thickness, 1e-12) << text;
+    EXPECT_EQ(study.glass.n_profile_points, 10u);
+    EXPECT_NEAR(study.glass.profile.contact_radius, 0.030, 1e-12); // the middle of what is lowest
+  }
+}
+
+TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)
+{
+  std::string points = "0,3\n20,3\n";
+  for (int i = -5; i <= 5; ++i)
+    points += fmt::format("{},{}\n", 29.5 + 0.2 * i, 2.5 - std::sqrt(2.5 * 2.5 - 0.04 * i * i));
+  points = millimetres + points + "34,2\n34,4\n6,8\n5,16\n0,16\n";
+  const std::string land = "Glass/Land width=0.0021";
+  const Study fitted = study_of(points, { land });
+  EXPECT_NEAR(fitted.glass.profile.contact_radius, 0.0295, 1e-12);
+  EXPECT_NEAR(fitted.glass.profile.crown_radius, 0.0025, 1e-9);
+  EXPECT_EQ(fitted.glass.n_rim_points, 11u);
+  EXPECT_NE(profile_note(fitted).find("18 points; contact radius 0.0295 m, crown radius 0.0025 m"),
+            std::string::npos)
+    << profile_note(fitted);
+  EXPECT_NE(profile_note(fitted).find("through 11 points"), std::string::npos);
+
+  const Study given = study_of(points, { land, "Glass/Contact radius=0.0296", "Glass/Crown radius=0.004" });
+  EXPECT_EQ(given.glass.profile.contact_radius, 0.0296);
+  EXPECT_EQ(given.glass.profile.crown_radius, 0.004);
+  EXPECT_EQ(profile_note(given).find("circle"), std::string::npos);
+  EXPECT_EQ(profile_note(Study()), "");
+}
+
+TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
+{
+  const std::vector<std::pair<std::string, std::string>> bad = {
+    { "", "has no points" },
+    { millimetres + "# nothing\n", "has no points" },
+    { "r,z\n" + plain_foot,
+      "line 2: r = 0 m, z = 2 m is larger than any glass; these look like millimetres" },
+    { millimetres + plain_foot.substr(0, plain_foot.size() - 6), "is open: it ends at line 10" },
+    { millimetres + "0, -2\n20, -2\n28, 0\n32, 0\n34, -1\n34, -3\n16, -4\n6, -8\n4, -16\n0, -16\n",
+      "upside down" },
+    { millimetres + "0, 2\n20, 2\n19, 1\n28, 0\n32, 0\n34, 3\n6, 8\n4, 16\n0, 16\n", "turns back" },
+    { millimetres + "0, 2\n20, 6\n28, 0\n32, 0\n34, 1\n34, 3\n16, 4\n6, 8\n4, 16\n0, 16\n",
+      "crosses itself: at r = 0.02 m (line 3)" },
+    { millimetres + "0, 2\n20, two\n", "line 3: \"20, two\" is not a point" },
+    { millimetres + "0, 2, 1\n", "line 2: \"0, 2, 1\" is not a point" },
+    { "r (inch), z (inch)\n0, 2\n", "line 1: \"r (inch), z (inch)\" is not a point" },
+    { millimetres + "0, 2\n" + millimetres, "line 3" },
+    { millimetres + "0, 2\n0.1, nan\n", "line 3" },
+  };
+  for (const auto &[points, words] : bad)
+  {
+    const std::string sentence = profile_refusal(points);
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+    EXPECT_LT(sentence.size(), 500u) << sentence;
+  }
+  EXPECT_NE(profile_refusal(millimetres + plain_foot, {}).find("no circle fits"), std::string::npos);
+  EXPECT_NE(profile_refusal(millimetres + plain_foot, { "Glass/Crown radius=0", "Glass/Land width=0.002" })
+              .find("stands on the table at r = 0.028 m (line 4), outside its land"),
+            std::string::npos);
+  EXPECT_THROW(read_study("", { "Glass/Shape=profile" }), BadInput);
+  EXPECT_THROW(read_study("", { "Glass/Shape=profile", "Glass/Profile file=missing.csv" }), BadInput);
+}
+
+TEST(ProfileFile, EntriesOfOtherShapesAreIdle)
+{
+  const Study study =
+    study_of(millimetres + plain_foot,
+             { "Glass/Crown radius=0.003", "Glass/Foot radius=0.05", "Glass/Fillet radius=0.002" });
+  EXPECT_EQ(idle_entries(study), (std::vector<std::string>{ "Glass/Foot radius", "Glass/Fillet radius" }));
+  EXPECT_EQ(idle_entries(read_study("", { "Glass/Profile file=missing.csv" })),
+            std::vector<std::string>{ "Glass/Profile file" });
+}
+
+/// Folders of results state every entry: those of the rim are then given, at their defaults too.
+TEST(ProfileFile, StudyIsRunAgainAsItWas)
+{
+  const ScratchFolder scratch;
+  const Study study = study_of(scratch, millimetres + plain_foot, { "Glass/Crown radius=0.003" });
+  const Study again = read_study(scratch.write("again.prm", study_as_prm(study)), {});
+  EXPECT_EQ(study_as_prm(again), study_as_prm(study));
+}
+
+/// The path starts at the study file, in the echo of the study at the folder of the results.
+TEST(ProfileFile, PathStartsAtTheStudyFile)
+{
+  const ScratchFolder scratch;
+  scratch.write("my_foot.csv", millimetres + plain_foot);
+  const std::string file =
+    scratch.write("study.prm", "subsection Glass\nset Shape = profile\nset Profile file = "
+                               "my_foot.csv\nset Crown radius = 0\nend\n");
+  const Study study = read_study(file, {});
+  EXPECT_EQ(study.glass.profile_file, (scratch / "my_foot.csv").string());
+  EXPECT_EQ(files_of(study), std::vector<std::string>{ (scratch / "my_foot.csv").string() });
+  EXPECT_EQ(with_paths_from(scratch / "results", study).glass.profile_file, "../my_foot.csv");
+}
+
+} // namespace
+} // namespace stemware::pipeline
