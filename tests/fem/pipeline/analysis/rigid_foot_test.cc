@@ -80,7 +80,6 @@ TEST(RigidFoot, TendsToTheRingOfZeroWidthLikeItsWidthSquared)
     for (const double modulus : { 1e10, 1e11, 1e12 })
     {
       Study study = with_moment(rigid_foot_study(modulus), moment_ratio);
-      study.contact.refinements = 3; // the contact is narrower than the usual cells
       const SolvedStudy solved(study);
       const ring::UnilateralFoundation torus(study.glass.profile.contact_radius, 1.5, 4096);
       const ring::RingStack line =

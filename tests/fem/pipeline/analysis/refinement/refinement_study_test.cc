@@ -54,6 +54,7 @@ TEST(RefinementAxes, KeepToWhatIsAllowed)
   study.contact.refinements = 6;
   study.contact.harmonics = 20;
   study.contact.azimuth_lines = 64;
+  study.contact.memory_limit = 1e15;
   const std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   ASSERT_EQ(axes.size(), 3u); // the mesh cannot be halved a seventh time
   EXPECT_EQ(sizes(axes[0]), (Sizes{ 3, 4 }));
