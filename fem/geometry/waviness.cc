@@ -24,6 +24,15 @@ double RimImperfection::gap(double radius_ratio, double theta, const FootOrienta
   return sum(glass, radius_ratio, theta - phase.glass) + sum(table, radius_ratio, theta - phase.table);
 }
 
+double RimImperfection::largest_amplitude() const
+{
+  double sum = 0;
+  for (const auto &harmonics : { glass, table })
+    for (const WavinessHarmonic &harmonic : harmonics)
+      sum += std::abs(harmonic.amplitude);
+  return sum;
+}
+
 void RimImperfection::validate() const
 {
   for (const auto *harmonics : { &glass, &table })

@@ -37,6 +37,8 @@ struct RimImperfection
   /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
   /// frame [m].
   double gap(double radius_ratio, double theta, const FootOrientation &phase) const;
+  /// Bound of gap() at the contact radius [m].
+  double largest_amplitude() const;
   /// Throws std::invalid_argument unless all amplitudes and azimuths are finite.
   void validate() const;
 };

@@ -215,9 +215,11 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
   const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
   const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
-  const double depth = setup.profile.crown_radius > 0
-                         ? half_width * half_width / (2 * setup.profile.crown_radius)
-                         : 1e-3 * half_width;
+  // Beyond the waviness, so that the rim carries all round.
+  const double depth =
+    (setup.profile.crown_radius > 0 ? half_width * half_width / (2 * setup.profile.crown_radius)
+                                    : 1e-3 * half_width) +
+    2 * setup.imperfection.largest_amplitude();
   const double pressure = setup.line_load(setup.normal_force) / (2 * half_width);
   double softness = std::max(1., interface->stiffness_at(pressure) * depth / pressure);
   std::shared_ptr<const InterfaceLaw> soft = interface->softened(softness);
