@@ -390,6 +390,8 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
   else
     make_foot(profile, resolution, triangulation);
   mark_boundaries(profile, triangulation);
+  if (resolution.refinements > 0)
+    triangulation.refine_global(static_cast<int>(resolution.refinements));
 }
 
 } // namespace stemware::fem

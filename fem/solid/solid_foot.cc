@@ -1,5 +1,7 @@
 #include "fem/solid/solid_foot.h"
 
+#include "fem/solid/nested_contact.h"
+
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
@@ -26,13 +28,13 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
-std::unique_ptr<TableLaw> law_of(const SolidSetup &setup, const SolidBody &body)
+MakeTableLaw law_maker(const SolidSetup &setup)
 {
   if (setup.table.substrate)
     throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
                                 "foot as a body of revolution.");
-  return setup.table.interface->make(body.contact_surface(),
-                                     setup.material.young_modulus / body.contact_cell_size());
+  return [interface = setup.table.interface, modulus = setup.material.young_modulus](const SolidBody &body)
+  { return interface->make(body.contact_surface(), modulus / body.contact_cell_size()); };
 }
 
 } // namespace
@@ -55,7 +57,8 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     : contact_radius(setup.profile.contact_radius)
     , mesh(mesh)
     , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
-    , law(law_of(setup, body))
+    , make_law(law_maker(setup))
+    , law(make_law(body))
 {
 }
 
@@ -89,6 +92,8 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
     if (progress)
       progress(iteration);
   };
+  if (!before)
+    before = start_from_coarser_mesh(body, make_law, demand, contact_radius);
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
                                  control, before ? &*before : nullptr);
   before = { state.solution.motion, state.solution.normal_displacement };

@@ -59,6 +59,7 @@ private:
   const double contact_radius;
   const SolidMesh mesh;
   SolidBody body;
+  const std::function<std::unique_ptr<TableLaw>(const SolidBody &)> make_law;
   const std::unique_ptr<TableLaw> law;
   std::optional<ContactStart> before; ///< of the table under the solution before
 };
