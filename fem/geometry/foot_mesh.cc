@@ -391,7 +391,7 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
     make_foot(profile, resolution, triangulation);
   mark_boundaries(profile, triangulation);
   if (resolution.refinements > 0)
-    triangulation.refine_global(static_cast<int>(resolution.refinements));
+    triangulation.refine_global(resolution.refinements);
 }
 
 } // namespace stemware::fem

@@ -69,12 +69,16 @@ SolidBody::SolidBody(std::unique_ptr<SolidSystem> equations, Gap gap)
 
 SolidBody::~SolidBody() = default;
 
+bool SolidBody::has_hierarchy() const
+{
+  return dynamic_cast<const MultigridSystem *>(system.get()) != nullptr;
+}
+
 std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
-  const auto *multigrid = dynamic_cast<const MultigridSystem *>(system.get());
-  if (!multigrid)
+  if (!has_hierarchy())
     return nullptr;
-  std::unique_ptr<SolidSystem> coarse = multigrid->coarser(gap);
+  std::unique_ptr<SolidSystem> coarse = dynamic_cast<const MultigridSystem &>(*system).coarser(gap);
   return coarse ? std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap)) : nullptr;
 }
 

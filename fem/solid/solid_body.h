@@ -76,6 +76,8 @@ public:
   /// SolidOptions::linear_tolerance from now on; without effect on other linear solvers.
   void set_linear_tolerance(double tolerance);
 
+  /// Whether it works on the meshes that its own was refined from, which coarser() gives.
+  bool has_hierarchy() const;
   /// The same foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
   /// cheap to find. Nothing for the coarsest mesh, and for bodies without a hierarchy.
   std::unique_ptr<SolidBody> coarser() const;

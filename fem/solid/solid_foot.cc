@@ -1,5 +1,6 @@
 #include "fem/solid/solid_foot.h"
 
+#include "fem/contact/winkler_interface.h"
 #include "fem/solid/nested_contact.h"
 
 #include <deal.II/distributed/tria.h>
@@ -28,13 +29,29 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
+/// How much more a foot yields than the spring that stands for a hard interface, integrated along lines, on a
+/// mesh that can be refined; that of the body of revolution.
+constexpr double hardness = 1000;
+
+WinklerInterface hard_spring(const SolidSetup &setup, const SolidBody &body)
+{
+  const double nu = setup.material.poisson_ratio;
+  const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
+  return WinklerInterface(hardness * setup.material.young_modulus / ((1 - nu * nu) * width));
+}
+
 MakeTableLaw law_maker(const SolidSetup &setup)
 {
   if (setup.table.substrate)
     throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
                                 "foot as a body of revolution.");
-  return [interface = setup.table.interface, modulus = setup.material.young_modulus](const SolidBody &body)
-  { return interface->make(body.contact_surface(), modulus / body.contact_cell_size()); };
+  return [setup](const SolidBody &body) -> std::unique_ptr<TableLaw>
+  {
+    const double penalty = setup.material.young_modulus / body.contact_cell_size();
+    if (setup.table.interface->is_hard() && body.has_hierarchy())
+      return hard_spring(setup, body).make(body.contact_surface(), penalty);
+    return setup.table.interface->make(body.contact_surface(), penalty);
+  };
 }
 
 } // namespace
@@ -46,10 +63,11 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
   return { mesh, std::nullopt };
 }
 
-SolidMesh read_solid_mesh(const std::string &file)
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
   const MeshReport report = read_foot_mesh(file, *mesh);
+  mesh->refine_global(refinements);
   return { mesh, report };
 }
 
