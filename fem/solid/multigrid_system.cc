@@ -163,8 +163,6 @@ MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned
 
 std::unique_ptr<MultigridSystem> MultigridSystem::coarser(const SolidBody::Gap &gap) const
 {
-  if (level == hierarchy->coarsest_mesh())
-    return nullptr;
   return std::make_unique<MultigridSystem>(hierarchy, level - 1, material, gap, linear_tolerance);
 }
 

@@ -31,7 +31,8 @@ public:
   void set_linear_tolerance(double tolerance) override { linear_tolerance = tolerance; }
   dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const override;
 
-  /// The same foot on the next coarser mesh of the hierarchy; nothing below the coarsest.
+  bool is_coarsest() const { return level == hierarchy->coarsest_mesh(); }
+  /// The same foot on the next coarser mesh of the hierarchy; not to be asked of the coarsest.
   std::unique_ptr<MultigridSystem> coarser(const SolidBody::Gap &gap) const;
   /// Takes over the displacement of coarser().
   void start_from(const MultigridSystem &coarse);

@@ -74,12 +74,17 @@ bool SolidBody::has_hierarchy() const
   return dynamic_cast<const MultigridSystem *>(system.get()) != nullptr;
 }
 
+bool SolidBody::is_coarsest() const
+{
+  return !has_hierarchy() || dynamic_cast<const MultigridSystem &>(*system).is_coarsest();
+}
+
 std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
-  if (!has_hierarchy())
+  if (is_coarsest())
     return nullptr;
   std::unique_ptr<SolidSystem> coarse = dynamic_cast<const MultigridSystem &>(*system).coarser(gap);
-  return coarse ? std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap)) : nullptr;
+  return std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap));
 }
 
 void SolidBody::start_from(const SolidBody &coarse)

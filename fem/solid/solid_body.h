@@ -78,6 +78,8 @@ public:
 
   /// Whether it works on the meshes that its own was refined from, which coarser() gives.
   bool has_hierarchy() const;
+  /// Whether coarser() gives nothing.
+  bool is_coarsest() const;
   /// The same foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
   /// cheap to find. Nothing for the coarsest mesh, and for bodies without a hierarchy.
   std::unique_ptr<SolidBody> coarser() const;

@@ -33,25 +33,25 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
 /// mesh that can be refined; that of the body of revolution.
 constexpr double hardness = 1000;
 
-WinklerInterface hard_spring(const SolidSetup &setup, const SolidBody &body)
+/// How much softer it is on each coarser mesh.
+constexpr double softening = 8;
+
+bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
-  const double nu = setup.material.poisson_ratio;
-  const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
-  return WinklerInterface(hardness * setup.material.young_modulus / ((1 - nu * nu) * width));
+  return setup.table.interface->is_hard() && body.has_hierarchy();
 }
 
-MakeTableLaw law_maker(const SolidSetup &setup)
+std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const SolidBody &body)
 {
   if (setup.table.substrate)
     throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
                                 "foot as a body of revolution.");
-  return [setup](const SolidBody &body) -> std::unique_ptr<TableLaw>
-  {
-    const double penalty = setup.material.young_modulus / body.contact_cell_size();
-    if (setup.table.interface->is_hard() && body.has_hierarchy())
-      return hard_spring(setup, body).make(body.contact_surface(), penalty);
-    return setup.table.interface->make(body.contact_surface(), penalty);
-  };
+  if (!is_spring(setup, body))
+    return setup.table.interface;
+  const double nu = setup.material.poisson_ratio;
+  const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
+  return std::make_shared<WinklerInterface>(hardness * setup.material.young_modulus /
+                                            ((1 - nu * nu) * width));
 }
 
 } // namespace
@@ -75,8 +75,9 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     : contact_radius(setup.profile.contact_radius)
     , mesh(mesh)
     , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
-    , make_law(law_maker(setup))
-    , law(make_law(body))
+    , interface(interface_of(setup, body))
+    , softening_of_coarser(is_spring(setup, body) ? softening : 1)
+    , law(interface->make(body.contact_surface(), setup.material.young_modulus / body.contact_cell_size()))
 {
 }
 
@@ -111,7 +112,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
       progress(iteration);
   };
   if (!before)
-    before = start_from_coarser_mesh(body, make_law, demand, contact_radius);
+    before = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, contact_radius);
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
                                  control, before ? &*before : nullptr);
   before = { state.solution.motion, state.solution.normal_displacement };

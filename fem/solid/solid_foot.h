@@ -60,7 +60,8 @@ private:
   const double contact_radius;
   const SolidMesh mesh;
   SolidBody body;
-  const std::function<std::unique_ptr<TableLaw>(const SolidBody &)> make_law;
+  const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy
+  const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
   std::optional<ContactStart> before; ///< of the table under the solution before
 };

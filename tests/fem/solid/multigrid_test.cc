@@ -32,11 +32,10 @@ SolidOptions solved_by(LinearSolver solver, unsigned int degree, double toleranc
 /// The contact found on coarser meshes first.
 ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
 {
-  const MakeTableLaw make_law = [&](const SolidBody &body)
-  { return interface.make(body.contact_surface(), 1e14); };
-  const std::optional<ContactStart> start = start_from_coarser_mesh(*foot.body, make_law, load, foot.radius);
+  const std::optional<ContactStart> start =
+    start_from_coarser_mesh(*foot.body, interface, 1, load, foot.radius);
   EXPECT_TRUE(start);
-  const auto law = make_law(*foot.body);
+  const auto law = make_law(interface, foot.body->contact_surface());
   return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
 }
 
