@@ -24,7 +24,7 @@ constexpr double unbalanced_share = 2e-10;
 
 /// How well W has to solve its equations where it only helps to precondition, and where the conditions on the
 /// forces are closed with it.
-constexpr double loose_border = 0.1;
+constexpr double loose_border = 0.02;
 constexpr double tight_border = 1e-3;
 
 /// W is left out where the V-cycle sees at least this share of what the table's motions change.

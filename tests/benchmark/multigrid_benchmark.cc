@@ -78,11 +78,20 @@ Case read_case(int argc, char **argv)
   return study;
 }
 
+/// Prints on the first rank.
+template <typename... Arguments>
+void say(const char *format, const Arguments &...arguments)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    fmt::print(fmt::runtime(format), arguments...);
+}
+
+/// Of all ranks.
 double peak_bytes()
 {
   dealii::Utilities::System::MemoryStats memory;
   dealii::Utilities::System::get_memory_stats(memory);
-  return 1024. * static_cast<double>(memory.VmHWM);
+  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
 template <typename Number>
@@ -111,13 +120,13 @@ void run(const Case &study)
   dealii::Timer timer;
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
   make_foot_mesh(study.profile, study.resolution, mesh);
-  fmt::print("{} cells, {:.2f} s for the mesh\n", mesh.n_global_active_cells(), timer.wall_time());
+  say("{} cells, {:.2f} s for the mesh\n", mesh.n_global_active_cells(), timer.wall_time());
   timer.restart();
   const auto gap = [&](double x, double y) { return study.profile.gap(std::hypot(x, y)); };
   SolidBody body(mesh, glass, gap, study.options);
   const double n = body.n_unknowns();
-  fmt::print("{} unknowns, {} contact nodes, {} lanes, {:.2f} s for the set-up\n", body.n_unknowns(),
-             body.contact_surface().n_nodes(), n_simd_lanes(), timer.wall_time());
+  say("{} unknowns, {} contact nodes, {} lanes, {:.2f} s for the set-up\n", body.n_unknowns(),
+      body.contact_surface().n_nodes(), n_simd_lanes(), timer.wall_time());
 
   timer.restart();
   const std::optional<ContactStart> start =
@@ -127,20 +136,19 @@ void run(const Case &study)
   ContactControl control;
   control.progress = [](const ContactIteration &step)
   {
-    fmt::print("  step {}: {} loaded, {} changed, residual {:.1e}, length {:.2f}, {} iterations\n",
-               step.number, step.n_loaded, step.n_changed, step.residual, step.step_length,
-               step.linear_iterations);
+    say("  step {}: {} loaded, {} changed, residual {:.1e}, length {:.2f}, {} iterations\n", step.number,
+        step.n_loaded, step.n_changed, step.residual, step.step_length, step.linear_iterations);
   };
   const ContactSolution solution =
     solve_contact(body, *law, study.load, radius, control, start ? &*start : nullptr);
   const double contact_seconds = timer.wall_time();
   const LoadHarmonics load = extract_load(*law, solution, 8);
-  fmt::print("a_n / a_0:");
+  say("a_n / a_0:");
   for (unsigned int h = 1; h <= 8; ++h)
-    fmt::print(" {:.7f}", load.a[0][h] / load.a[0][0]);
-  fmt::print("\n{} steps, {} iterations, residuals {:.1e} {:.1e} {:.1e}\n", solution.n_iterations,
-             solution.n_linear_iterations, solution.force_residual, solution.moment_residual,
-             solution.equilibrium_residual);
+    say(" {:.7f}", load.a[0][h] / load.a[0][0]);
+  say("\n{} steps, {} iterations, residuals {:.1e} {:.1e} {:.1e}\n", solution.n_iterations,
+      solution.n_linear_iterations, solution.force_residual, solution.moment_residual,
+      solution.equilibrium_residual);
   const double contact_peak = peak_bytes();
 
   ContactForces contact;
@@ -152,18 +160,17 @@ void run(const Case &study)
   const NewtonIncrement linear = body.solve(contact.tangent, solution.forces, conditions, { 0, 0, 0 });
   const double linear_seconds = timer.wall_time();
 
-  fmt::print("linear solve to 1e-8: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n",
-             linear.linear_iterations, linear_seconds, n / linear_seconds / 1e6);
+  say("linear solve to 1e-8: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n", linear.linear_iterations,
+      linear_seconds, n / linear_seconds / 1e6);
   fmt::print(
     "contact: {:.2f} s ({:.2f} s on coarser meshes), {:.2f} linear solves, {:.3f} million unknowns/s\n",
     contact_seconds, coarse_seconds, contact_seconds / linear_seconds, n / contact_seconds / 1e6);
-  fmt::print("peak memory {:.2f} GB, {:.0f} bytes per unknown\n", contact_peak / 1e9, contact_peak / n);
+  say("peak memory {:.2f} GB, {:.0f} bytes per unknown\n", contact_peak / 1e9, contact_peak / n);
 
   const auto alias = std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {});
   const SolidLevel level(alias, study.options.degree, study.options.degree);
-  fmt::print("operator: {:.1f} million unknowns/s in double, ",
-             n / operator_seconds<double>(level, glass) / 1e6);
-  fmt::print("{:.1f} in float\n", n / operator_seconds<float>(level, glass) / 1e6);
+  say("operator: {:.1f} million unknowns/s in double, ", n / operator_seconds<double>(level, glass) / 1e6);
+  say("{:.1f} in float\n", n / operator_seconds<float>(level, glass) / 1e6);
 }
 
 } // namespace
