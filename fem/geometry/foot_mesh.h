@@ -19,6 +19,7 @@ struct FootResolution
   unsigned int radial_cells = 4;     ///< across the land; even, so that r = contact_radius is a mesh line
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
+  unsigned int land_refinements = 0; ///< further ones of the cells that touch the land, with hanging nodes
 
   /// Throws std::invalid_argument for counts that no mesh has.
   void validate() const;

@@ -31,7 +31,7 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
   locally_owned = dof_handler.locally_owned_dofs();
   constraints = clamp_stem_cut(dof_handler);
   assemble();
-  zone = describe_contact_zone(geometry, dof_handler, gap);
+  zone = describe_contact_zone(geometry, dof_handler, constraints, gap);
   solver = std::make_unique<BorderedSolver>(preconditioner_maker(options.linear_solver));
 }
 
@@ -168,6 +168,7 @@ LinearAlgebra::distributed::Vector<double> AssembledSystem::displacement_for_out
   LinearAlgebra::distributed::Vector<double> result(locally_owned, relevant, communicator);
   for (const auto i : locally_owned)
     result(i) = displacement(i);
+  constraints.distribute(result);
   result.update_ghost_values();
   return result;
 }

@@ -23,57 +23,99 @@ namespace
 
 constexpr auto contact_zone_id = static_cast<types::boundary_id>(FootBoundary::contact_zone);
 
-/// The shapes of a cell that have support on its contact face: their index in the cell and their contact
-/// node.
-using FaceShapes = std::vector<std::pair<unsigned int, unsigned int>>;
-
-template <typename Visit>
-void for_each_contact_face(const DoFHandler<3> &dof_handler, const std::vector<global_dof_index> &node_dofs,
-                           const Visit &visit)
+/// Which contact nodes a cell's shapes belong to, with which weights: one each, unless the shape's own node
+/// hangs on others.
+struct NodeShare
 {
-  const FiniteElement<3> &element = dof_handler.get_fe();
-  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
-  for (const auto &cell : dof_handler.active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
+  unsigned int shape;
+  unsigned int node;
+  double weight;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int)
+  {
+    archive &shape &node &weight;
+  }
+};
+using NodeShares = std::vector<NodeShare>;
+
+class NodeIndex
+{
+public:
+  NodeIndex(const ContactElements &elements)
+      : elements(elements)
+      , nodes(contact_dofs(elements.dof_handler, elements.constraints))
+  {
+  }
+
+  std::size_t size() const { return nodes.size(); }
+
+  /// Calls @p visit(cell id, shares) for this rank's cells that have contact nodes, of faces, edges or
+  /// corners.
+  template <typename Visit>
+  void for_each_cell(const Visit &visit) const
+  {
+    const FiniteElement<3> &element = elements.dof_handler.get_fe();
+    std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
+    for (const auto &cell : elements.dof_handler.active_cell_iterators())
     {
-      if (!cell->is_locally_owned() || !cell->face(f)->at_boundary() ||
-          cell->face(f)->boundary_id() != contact_zone_id)
+      if (!cell->is_locally_owned())
         continue;
       cell->get_dof_indices(cell_dofs);
-      FaceShapes shapes;
+      NodeShares shares;
       for (unsigned int i = 0; i < cell_dofs.size(); ++i)
-        if (element.system_to_component_index(i).first == 2 && element.has_support_on_face(i, f))
-          shapes.emplace_back(i, std::lower_bound(node_dofs.begin(), node_dofs.end(), cell_dofs[i]) -
-                                   node_dofs.begin());
-      visit(cell->id(), shapes);
+        if (element.system_to_component_index(i).first == 2)
+          add_shares(i, cell_dofs[i], shares);
+      if (!shares.empty())
+        visit(cell->id(), shares);
     }
-}
+  }
 
-std::map<CellId, FaceShapes> all_contact_faces(const DoFHandler<3> &dof_handler,
-                                               const std::vector<global_dof_index> &node_dofs)
-{
-  std::vector<std::pair<CellId::binary_type, FaceShapes>> local;
-  for_each_contact_face(dof_handler, node_dofs,
-                        [&](const CellId &id, const FaceShapes &shapes)
-                        { local.emplace_back(id.to_binary<3>(), shapes); });
-  std::map<CellId, FaceShapes> faces;
-  for (const auto &part : Utilities::MPI::all_gather(dof_handler.get_communicator(), local))
-    for (const auto &[id, shapes] : part)
-      faces.emplace(CellId(id), shapes);
-  return faces;
-}
+  bool is_hanging(unsigned int shape, const NodeShares &shares) const
+  {
+    return std::count_if(shares.begin(), shares.end(),
+                         [shape](const NodeShare &share) { return share.shape == shape; }) > 1;
+  }
+
+private:
+  void add_shares(unsigned int shape, global_dof_index dof, NodeShares &shares) const
+  {
+    if (!elements.constraints.is_constrained(dof))
+      add_share(shape, dof, 1, shares);
+    else
+      for (const auto &[other, weight] : *elements.constraints.get_constraint_entries(dof))
+        add_share(shape, other, weight, shares);
+  }
+
+  void add_share(unsigned int shape, global_dof_index dof, double weight, NodeShares &shares) const
+  {
+    const auto place = std::lower_bound(nodes.begin(), nodes.end(), dof);
+    if (place != nodes.end() && *place == dof)
+      shares.push_back({ shape, static_cast<unsigned int>(place - nodes.begin()), weight });
+  }
+
+  const ContactElements elements;
+  const std::vector<global_dof_index> nodes;
+};
 
 /// A row of the interpolation, as it travels between ranks.
 using Entry = std::array<double, 3>;
 
 } // namespace
 
-std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler)
+std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
+                                           const AffineConstraints<double> &constraints)
 {
   ComponentMask vertical(3, false);
   vertical.set(2, true);
   const IndexSet on_zone = DoFTools::extract_boundary_dofs(dof_handler, vertical, { contact_zone_id });
-  const std::vector<global_dof_index> local(on_zone.begin(), on_zone.end());
+  std::vector<global_dof_index> local;
+  for (const auto dof : on_zone)
+    if (!constraints.is_constrained(dof))
+      local.push_back(dof);
+    else
+      for (const auto &entry : *constraints.get_constraint_entries(dof))
+        local.push_back(entry.first);
   std::vector<global_dof_index> all;
   for (const auto &part : Utilities::MPI::all_gather(dof_handler.get_communicator(), local))
     all.insert(all.end(), part.begin(), part.end());
@@ -82,9 +124,10 @@ std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler)
   return all;
 }
 
-ContactStiffness::ContactStiffness(const DoFHandler<3> &dof_handler)
+ContactStiffness::ContactStiffness(const DoFHandler<3> &dof_handler,
+                                   const AffineConstraints<double> &constraints)
     : communicator(dof_handler.get_communicator())
-    , node_dofs(contact_dofs(dof_handler))
+    , node_dofs(contact_dofs(dof_handler, constraints))
     , stiffness(n_nodes(), n_nodes())
 {
   const IndexSet &owned = dof_handler.locally_owned_dofs();
@@ -145,41 +188,54 @@ void ContactStiffness::scatter_add(const Eigen::VectorXd &nodal,
     vector.local_element(i) += nodal(node);
 }
 
-Eigen::SparseMatrix<double> interpolation_between(const DoFHandler<3> &coarse, const DoFHandler<3> &fine)
+Eigen::SparseMatrix<double> interpolation_between(const ContactElements &coarse, const ContactElements &fine)
 {
-  const std::vector<global_dof_index> coarse_nodes = contact_dofs(coarse);
-  const std::vector<global_dof_index> fine_nodes = contact_dofs(fine);
-  const std::map<CellId, FaceShapes> coarse_faces = all_contact_faces(coarse, coarse_nodes);
-  const std::vector<Point<3>> &points = fine.get_fe().get_unit_support_points();
+  const NodeIndex coarse_nodes(coarse), fine_nodes(fine);
+  std::vector<std::pair<CellId::binary_type, NodeShares>> local_cells;
+  coarse_nodes.for_each_cell([&](const CellId &id, const NodeShares &shares)
+                             { local_cells.emplace_back(id.to_binary<3>(), shares); });
+  std::map<CellId, NodeShares> coarse_cells;
+  const MPI_Comm &communicator = fine.dof_handler.get_communicator();
+  for (const auto &part : Utilities::MPI::all_gather(communicator, local_cells))
+    for (const auto &[id, shares] : part)
+      coarse_cells.emplace(CellId(id), shares);
+
+  const std::vector<Point<3>> &points = fine.dof_handler.get_fe().get_unit_support_points();
   std::vector<Entry> local;
-  for_each_contact_face(fine, fine_nodes,
-                        [&](const CellId &id, const FaceShapes &shapes)
-                        {
-                          auto face = coarse_faces.find(id);
-                          unsigned int child = numbers::invalid_unsigned_int;
-                          if (face == coarse_faces.end())
-                          {
-                            const auto children = id.get_child_indices();
-                            std::vector<std::uint8_t> ancestors(children.begin(), children.end());
-                            child = ancestors.back();
-                            ancestors.pop_back();
-                            face = coarse_faces.find(CellId(id.get_coarse_cell_id(), ancestors));
-                            if (face == coarse_faces.end())
-                              throw std::logic_error("a contact face of the finer mesh without a parent");
-                          }
-                          for (const auto &[i, row] : shapes)
-                          {
-                            const Point<3> point =
-                              child == numbers::invalid_unsigned_int
-                                ? points[i]
-                                : GeometryInfo<3>::child_to_cell_coordinates(points[i], child);
-                            for (const auto &[j, column] : face->second)
-                              local.push_back({ double(row), double(column),
-                                                coarse.get_fe().shape_value_component(j, point, 2) });
-                          }
-                        });
+  fine_nodes.for_each_cell(
+    [&](const CellId &id, const NodeShares &shares)
+    {
+      auto cell = coarse_cells.find(id);
+      unsigned int child = numbers::invalid_unsigned_int;
+      if (cell == coarse_cells.end())
+      {
+        const auto children = id.get_child_indices();
+        if (children.size() == 0)
+          return;
+        std::vector<std::uint8_t> ancestors(children.begin(), children.end());
+        child = ancestors.back();
+        ancestors.pop_back();
+        cell = coarse_cells.find(CellId(id.get_coarse_cell_id(), ancestors));
+        if (cell == coarse_cells.end()) // the cell only touches the zone, and has a neighbour in it
+          return;
+      }
+      for (const NodeShare &row : shares)
+      {
+        if (row.weight != 1 || fine_nodes.is_hanging(row.shape, shares))
+          continue;
+        const Point<3> point = child == numbers::invalid_unsigned_int
+                                 ? points[row.shape]
+                                 : GeometryInfo<3>::child_to_cell_coordinates(points[row.shape], child);
+        std::map<unsigned int, double> values;
+        for (const NodeShare &column : cell->second)
+          values[column.node] +=
+            column.weight * coarse.dof_handler.get_fe().shape_value_component(column.shape, point, 2);
+        for (const auto &[node, value] : values)
+          local.push_back({ double(row.node), double(node), value });
+      }
+    });
   std::vector<Eigen::Triplet<double>> entries;
-  for (const auto &part : Utilities::MPI::all_gather(fine.get_communicator(), local))
+  for (const auto &part : Utilities::MPI::all_gather(communicator, local))
     for (const Entry &entry : part)
       if (std::abs(entry[2]) > 1e-12)
         entries.emplace_back(static_cast<Eigen::Index>(entry[0]), static_cast<Eigen::Index>(entry[1]),

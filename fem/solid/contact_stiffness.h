@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/SparseCore>
@@ -11,8 +12,9 @@ namespace stemware::fem
 {
 
 /// Dofs of the vertical displacement on the faces with FootBoundary::contact_zone, of all ranks, ascending:
-/// the order of the contact nodes.
-std::vector<dealii::types::global_dof_index> contact_dofs(const dealii::DoFHandler<3> &dof_handler);
+/// the order of the contact nodes. Hanging nodes are replaced by those that they hang on.
+std::vector<dealii::types::global_dof_index>
+contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
 
 /// The contact nodes of a mesh among its dofs, and the table's share B' T B of the tangent stiffness.
 class ContactStiffness
@@ -20,7 +22,8 @@ class ContactStiffness
 public:
   using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  explicit ContactStiffness(const dealii::DoFHandler<3> &dof_handler);
+  ContactStiffness(const dealii::DoFHandler<3> &dof_handler,
+                   const dealii::AffineConstraints<double> &constraints);
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_dofs.size()); }
   const std::vector<dealii::types::global_dof_index> &dofs() const { return node_dofs; }
@@ -54,9 +57,15 @@ private:
   RowMatrix stiffness;
 };
 
+/// A mesh's finite elements, as far as its contact nodes are concerned.
+struct ContactElements
+{
+  const dealii::DoFHandler<3> &dof_handler;
+  const dealii::AffineConstraints<double> &constraints;
+};
+
 /// Values at the contact nodes of @p fine of functions given at those of @p coarse, shape [n fine, n coarse].
 /// The cells of the two are the same or parent and child; elements and ranks may differ.
-Eigen::SparseMatrix<double> interpolation_between(const dealii::DoFHandler<3> &coarse,
-                                                  const dealii::DoFHandler<3> &fine);
+Eigen::SparseMatrix<double> interpolation_between(const ContactElements &coarse, const ContactElements &fine);
 
 } // namespace stemware::fem

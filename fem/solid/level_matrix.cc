@@ -16,7 +16,7 @@ using namespace dealii;
 void LevelMatrix::reinit(const SolidLevel &level, const ElasticMaterial &material)
 {
   elastic = make_elastic_operator<float>(level.mapping, level.dof_handler, level.constraints, material);
-  contact = std::make_unique<ContactStiffness>(level.dof_handler);
+  contact = std::make_unique<ContactStiffness>(level.dof_handler, level.constraints);
   n_rows = level.dof_handler.n_dofs();
   elastic->compute_diagonal(elastic_diagonal);
   inverse_diagonal = std::make_shared<DiagonalMatrix<FloatVector>>();
@@ -49,7 +49,7 @@ float LevelMatrix::el(size_type, size_type) const
 CoarseSolver::CoarseSolver(const SolidLevel &level, const ElasticMaterial &material)
     : communicator(level.dof_handler.get_communicator())
     , owned(level.dof_handler.locally_owned_dofs())
-    , contact_nodes(contact_dofs(level.dof_handler))
+    , contact_nodes(contact_dofs(level.dof_handler, level.constraints))
 {
   IndexSet relevant;
   DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);

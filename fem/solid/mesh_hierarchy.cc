@@ -98,7 +98,8 @@ struct MeshHierarchy::Cycle
         transfers[l].reinit_polynomial_transfer(fine, coarse, constraints[l], constraints[l - 1]);
       else
         transfers[l].reinit_geometric_transfer(fine, coarse, constraints[l], constraints[l - 1]);
-      interpolations[l] = interpolation_between(coarse, fine);
+      interpolations[l] =
+        interpolation_between({ coarse, levels[l - 1]->constraints }, { fine, levels[l]->constraints });
     }
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
@@ -200,6 +201,7 @@ void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vecto
   from.copy_locally_owned_data_from(coarse);
   cycle->transfer->prolongate(l, to, from);
   fine.copy_locally_owned_data_from(to);
+  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes follow from the others
 }
 
 template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;

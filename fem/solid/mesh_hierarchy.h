@@ -59,7 +59,7 @@ public:
   void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
 
   /// @p fine, a vector of level @p l, becomes the function that @p coarse is on the level below, to single
-  /// precision.
+  /// precision; constrained unknowns are 0.
   template <typename Number>
   void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,
                   const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;

@@ -152,9 +152,9 @@ MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned
     , elastic(make_elastic_operator<double>(hierarchy->level(level).mapping,
                                             hierarchy->level(level).dof_handler,
                                             hierarchy->level(level).constraints, material))
-    , contact(hierarchy->level(level).dof_handler)
+    , contact(hierarchy->level(level).dof_handler, hierarchy->level(level).constraints)
 {
-  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, gap);
+  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints, gap);
   for (Vector *vector : { &displacement, &elastic_forces, &increment, &increment_forces })
     elastic->initialize_dof_vector(*vector);
   for (FloatVector &column : eliminated_border)
@@ -328,6 +328,7 @@ LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_out
   DoFTools::extract_locally_relevant_dofs(mesh().dof_handler, relevant);
   Vector result(mesh().dof_handler.locally_owned_dofs(), relevant, mesh().dof_handler.get_communicator());
   result.copy_locally_owned_data_from(displacement);
+  mesh().constraints.distribute(result);
   result.update_ghost_values();
   return result;
 }

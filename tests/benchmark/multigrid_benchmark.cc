@@ -38,10 +38,11 @@ struct Case
 
 Case read_case(int argc, char **argv)
 {
-  std::map<std::string, std::string> values = { { "cells", "48,2,2" }, { "refinements", "2" },
-                                                { "degree", "2" },     { "crown", "0.003" },
-                                                { "shape", "step" },   { "table", "winkler" },
-                                                { "modulus", "1e11" }, { "moment", "1.3" } };
+  std::map<std::string, std::string> values = { { "cells", "48,2,2" },  { "refinements", "2" },
+                                                { "land", "0" },        { "degree", "2" },
+                                                { "crown", "0.003" },   { "shape", "step" },
+                                                { "table", "winkler" }, { "modulus", "1e11" },
+                                                { "moment", "1.3" } };
   for (int i = 1; i < argc; ++i)
   {
     const std::string argument = argv[i];
@@ -56,7 +57,8 @@ Case read_case(int argc, char **argv)
     dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
   study.resolution = { static_cast<unsigned int>(cells.at(0)), static_cast<unsigned int>(cells.at(1)),
                        static_cast<unsigned int>(cells.at(2)),
-                       static_cast<unsigned int>(number("refinements")) };
+                       static_cast<unsigned int>(number("refinements")),
+                       static_cast<unsigned int>(number("land")) };
   if (values["shape"] == "foot")
     study.profile.shape = GlassShape::foot;
   study.profile.crown_radius = number("crown");

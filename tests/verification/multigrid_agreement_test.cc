@@ -56,6 +56,23 @@ TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
   }
 }
 
+TEST(MultigridAgreement, HangingNodesInTheContact)
+{
+  // Finer cells on the land end in it and round it. The foot has a fillet, so that no corner hides an error.
+  GlassProfile profile;
+  profile.shape = GlassShape::foot;
+  MeridianOptions options;
+  options.n_harmonics = 32;
+  RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
+  const LoadHarmonics expected = revolution.solve_on_winkler(1e11, load_at(1.2));
+  const double uniform =
+    largest_difference(solid_load(profile, { 24, 2, 1, 1 }, 1e11, load_at(1.2)), expected);
+  const double finer =
+    largest_difference(solid_load(profile, { 24, 2, 1, 1, 1 }, 1e11, load_at(1.2)), expected);
+  EXPECT_LT(finer, uniform);
+  EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
+}
+
 TEST(MultigridAgreement, HardFlatLandLiesAmongThreeEngines)
 {
   // Scatter of three finite-element programs with nodal contact on this foot, m = 1.3: a_4 ... a_8 over a_0.
