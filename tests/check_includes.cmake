@@ -6,6 +6,7 @@ set(order
     ring_model
     fem/geometry
     fem/elasticity
+    fem/matrix_free
     fem/contact
     fem/revolution
     fem/solid

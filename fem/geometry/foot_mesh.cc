@@ -363,6 +363,23 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
+/// Halves the cells with a vertex in the land, up to its height.
+void refine_land(const GlassProfile &profile, Triangulation<3> &triangulation)
+{
+  const double tolerance = 1e-6 * profile.land_width;
+  const auto is_in_land = [&](const Point<3> &vertex)
+  {
+    const double radius = std::hypot(vertex[0], vertex[1]);
+    return vertex[2] < profile.land_height + tolerance && radius > profile.land_inner_radius() - tolerance &&
+           radius < profile.land_outer_radius() + tolerance;
+  };
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (cell->is_locally_owned() && is_in_land(cell->vertex(v)))
+        cell->set_refine_flag();
+  triangulation.execute_coarsening_and_refinement();
+}
+
 } // namespace
 
 void FootResolution::validate() const
@@ -390,6 +407,10 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
   else
     make_foot(profile, resolution, triangulation);
   mark_boundaries(profile, triangulation);
+  if (resolution.refinements > 0)
+    triangulation.refine_global(resolution.refinements);
+  for (unsigned int i = 0; i < resolution.land_refinements; ++i)
+    refine_land(profile, triangulation);
 }
 
 } // namespace stemware::fem

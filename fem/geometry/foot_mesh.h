@@ -18,6 +18,8 @@ struct FootResolution
   unsigned int azimuthal_cells = 48; ///< round the rim; a multiple of 4, at least 8
   unsigned int radial_cells = 4;     ///< across the land; even, so that r = contact_radius is a mesh line
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
+  unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
+  unsigned int land_refinements = 0; ///< further ones of the cells that touch the land, with hanging nodes
 
   /// Throws std::invalid_argument for counts that no mesh has.
   void validate() const;
@@ -25,7 +27,8 @@ struct FootResolution
 
 /// Hexahedral mesh of @p profile: O-grid core under the stem, rings outside it, the land below, the stem
 /// above. A multiple of 12 sectors lets the core have a third of them (one ring passes from 1 to 3 cells).
-/// Cylindrical manifold outside the core's square, boundary ids as in FootBoundary. @p triangulation must be
+/// Halved cells keep the shape of those they come from, and the triangulation the meshes between. Cylindrical
+/// manifold outside the core's square, boundary ids as in FootBoundary. @p triangulation must be
 /// empty.
 void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolution,
                     dealii::Triangulation<3, 3> &triangulation);

@@ -58,10 +58,10 @@ private:
   mutable TrilinosWrappers::SolverDirect solver; // solve() is not const in deal.II, though it changes nothing
 };
 
-class Multigrid : public TangentPreconditioner
+class AlgebraicMultigrid : public TangentPreconditioner
 {
 public:
-  Multigrid(const MatrixType &matrix, const RigidBodyModes &modes, bool quadratic)
+  AlgebraicMultigrid(const MatrixType &matrix, const RigidBodyModes &modes, bool quadratic)
   {
     TrilinosWrappers::PreconditionAMG::AdditionalData options;
     options.elliptic = true;
@@ -230,7 +230,7 @@ std::unique_ptr<TangentPreconditioner> factorize(const MatrixType &matrix)
 std::unique_ptr<TangentPreconditioner> make_multigrid(const MatrixType &matrix, const RigidBodyModes &modes,
                                                       bool quadratic)
 {
-  return std::make_unique<Multigrid>(matrix, modes, quadratic);
+  return std::make_unique<AlgebraicMultigrid>(matrix, modes, quadratic);
 }
 
 unsigned int BorderedSolver::solve_body(const MatrixType &matrix, const VectorType &rhs, double reduction,

@@ -19,10 +19,14 @@ namespace stemware::fem
 /// How the linear systems of a SolidBody are preconditioned. The outer method is always conjugate gradients.
 enum class LinearSolver
 {
-  automatic, ///< direct up to 150 000 unknowns, multigrid above
+  automatic, ///< direct up to largest_direct_system unknowns, multigrid above
   direct,    ///< factorisation (MUMPS) of a recent tangent
-  multigrid  ///< algebraic multigrid (ML) that knows the six rigid-body modes
+  multigrid  ///< geometric on a mesh that was refined from a coarser one (MeshHierarchy), else algebraic (ML)
 };
+
+/// Above this number of unknowns a factorisation costs more time and memory than multigrid does
+/// (docs/method.md, "Linear solves").
+constexpr unsigned int largest_direct_system = 150000;
 
 /// Numerical parameters of a SolidBody.
 struct SolidOptions
@@ -30,7 +34,12 @@ struct SolidOptions
   unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
   LinearSolver linear_solver = LinearSolver::automatic;
   bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
+  /// Reduction of the residual by one linear solve of geometric multigrid; 0: as far as Newton's next step
+  /// can use it.
+  double linear_tolerance = 0;
 };
+
+class SolidSystem;
 
 /// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks.
 class SolidBody : public ElasticBody
@@ -40,7 +49,7 @@ public:
   /// says [m].
   using Gap = std::function<double(double x, double y)>;
 
-  /// Sets up dofs, clamps FootBoundary::stem_cut, assembles K and describes the contact zone. The
+  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone. The
   /// triangulation must be one that deal.II distributes over its communicator or a serial one, and must
   /// outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no contact zone.
   SolidBody(dealii::Triangulation<3, 3> &triangulation, const ElasticMaterial &material, const Gap &gap,
@@ -64,9 +73,24 @@ public:
   /// pressure [Pa] of @p nodal_pressure.
   std::string vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
+  /// SolidOptions::linear_tolerance from now on; without effect on other linear solvers.
+  void set_linear_tolerance(double tolerance);
+
+  /// Whether it works on the meshes that its own was refined from, which coarser() gives.
+  bool has_hierarchy() const;
+  /// Whether coarser() gives nothing.
+  bool is_coarsest() const;
+  /// The same foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
+  /// cheap to find. Nothing for the coarsest mesh, and for bodies without a hierarchy.
+  std::unique_ptr<SolidBody> coarser() const;
+  /// Takes over the displacement of coarser().
+  void start_from(const SolidBody &coarse);
+
 private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation;
+  SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
+
+  std::unique_ptr<SolidSystem> system;
+  Gap gap;
 };
 
 } // namespace stemware::fem

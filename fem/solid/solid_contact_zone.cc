@@ -29,6 +29,18 @@ struct SampledFace
   std::vector<Eigen::Matrix3d> shapes;              ///< per dof, values at the samples [s, t]
   std::array<std::array<Point<3>, 3>, 3> positions; ///< at the samples [s][t]
 
+  void add(global_dof_index dof, const Eigen::Matrix3d &values)
+  {
+    const auto place = std::find(dofs.begin(), dofs.end(), dof);
+    if (place != dofs.end())
+    {
+      shapes[static_cast<std::size_t>(place - dofs.begin())] += values;
+      return;
+    }
+    dofs.push_back(dof);
+    shapes.push_back(values);
+  }
+
   Tensor<1, 3> edge_direction(unsigned int direction) const
   {
     return direction == 0 ? positions[2][1] - positions[0][1] : positions[1][2] - positions[1][0];
@@ -63,7 +75,8 @@ Quadrature<2> biquadratic_samples()
   return Quadrature<2>(points);
 }
 
-std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
+std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
+                                      const AffineConstraints<double> &constraints)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
   FEFaceValues<3> fe_values(mapping, element, biquadratic_samples(),
@@ -86,8 +99,11 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
         Eigen::Matrix3d values;
         for (unsigned int q = 0; q < 9; ++q)
           values(q % 3, q / 3) = fe_values.shape_value(i, q);
-        face.dofs.push_back(cell_dofs[i]);
-        face.shapes.push_back(values);
+        if (!constraints.is_constrained(cell_dofs[i]))
+          face.add(cell_dofs[i], values);
+        else
+          for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
+            face.add(dof, weight * values);
       }
       for (unsigned int q = 0; q < 9; ++q)
         face.positions[q % 3][q / 3] = fe_values.quadrature_point(q);
@@ -220,7 +236,8 @@ void describe_nodes(const std::vector<SampledFace> &faces, const std::vector<glo
     {
       Eigen::Index s = 0;
       Eigen::Index t = 0;
-      face.shapes[i].maxCoeff(&s, &t);
+      if (face.shapes[i].maxCoeff(&s, &t) < 1 - 1e-9)
+        continue; // the node lies on another face
       const unsigned int node = index_of(node_dofs, face.dofs[i]);
       const Point<3> &position = face.positions[static_cast<unsigned int>(s)][static_cast<unsigned int>(t)];
       owners[node] = 1;
@@ -271,10 +288,11 @@ double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &comm
 } // namespace
 
 SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
+                                       const AffineConstraints<double> &constraints,
                                        const SolidBody::Gap &gap)
 {
   const MPI_Comm &communicator = dof_handler.get_communicator();
-  const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler);
+  const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler, constraints);
   SolidContactZone zone;
   zone.node_dofs = gather_node_dofs(faces, communicator);
   if (zone.node_dofs.empty())

@@ -4,6 +4,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/lac/affine_constraints.h>
 
 namespace stemware::fem
 {
@@ -17,9 +18,11 @@ struct SolidContactZone
 };
 
 /// Describes the faces with FootBoundary::contact_zone of all ranks. Every face carries lines at Gauss points
-/// of its more azimuthal direction; the gap of a point is its own z plus @p gap(x, y). Throws
-/// std::invalid_argument when there is no such face.
+/// of its more azimuthal direction; nodes that hang on others are replaced by these; the gap of a point is
+/// its own z plus @p gap(x, y). Throws std::invalid_argument when there is no such face.
 SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
-                                       const dealii::DoFHandler<3> &dof_handler, const SolidBody::Gap &gap);
+                                       const dealii::DoFHandler<3> &dof_handler,
+                                       const dealii::AffineConstraints<double> &constraints,
+                                       const SolidBody::Gap &gap);
 
 } // namespace stemware::fem

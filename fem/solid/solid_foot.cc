@@ -1,5 +1,8 @@
 #include "fem/solid/solid_foot.h"
 
+#include "fem/contact/winkler_interface.h"
+#include "fem/solid/nested_contact.h"
+
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>
@@ -26,13 +29,29 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
-std::unique_ptr<TableLaw> law_of(const SolidSetup &setup, const SolidBody &body)
+/// How much more a foot yields than the spring that stands for a hard interface, integrated along lines, on a
+/// mesh that can be refined; that of the body of revolution.
+constexpr double hardness = 1000;
+
+/// How much softer it is on each coarser mesh.
+constexpr double softening = 8;
+
+bool is_spring(const SolidSetup &setup, const SolidBody &body)
+{
+  return setup.table.interface->is_hard() && body.has_hierarchy();
+}
+
+std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const SolidBody &body)
 {
   if (setup.table.substrate)
     throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
                                 "foot as a body of revolution.");
-  return setup.table.interface->make(body.contact_surface(),
-                                     setup.material.young_modulus / body.contact_cell_size());
+  if (!is_spring(setup, body))
+    return setup.table.interface;
+  const double nu = setup.material.poisson_ratio;
+  const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
+  return std::make_shared<WinklerInterface>(hardness * setup.material.young_modulus /
+                                            ((1 - nu * nu) * width));
 }
 
 } // namespace
@@ -44,10 +63,11 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
   return { mesh, std::nullopt };
 }
 
-SolidMesh read_solid_mesh(const std::string &file)
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
   const MeshReport report = read_foot_mesh(file, *mesh);
+  mesh->refine_global(refinements);
   return { mesh, report };
 }
 
@@ -55,7 +75,9 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     : contact_radius(setup.profile.contact_radius)
     , mesh(mesh)
     , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
-    , law(law_of(setup, body))
+    , interface(interface_of(setup, body))
+    , softening_of_coarser(is_spring(setup, body) ? softening : 1)
+    , law(interface->make(body.contact_surface(), setup.material.young_modulus / body.contact_cell_size()))
 {
 }
 
@@ -89,6 +111,8 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
     if (progress)
       progress(iteration);
   };
+  if (!before)
+    before = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, contact_radius);
   state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
                                  control, before ? &*before : nullptr);
   before = { state.solution.motion, state.solution.normal_displacement };

@@ -24,8 +24,9 @@ struct SolidMesh
 /// The mesh that make_foot_mesh() generates: a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 
-/// The mesh of a file, which says all about its rim itself. Throws as read_foot_mesh().
-SolidMesh read_solid_mesh(const std::string &file);
+/// The mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
+/// Throws as read_foot_mesh().
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0);
 
 /// Glass, table and numerical parameters of a solid foot.
 struct SolidSetup
@@ -59,6 +60,8 @@ private:
   const double contact_radius;
   const SolidMesh mesh;
   SolidBody body;
+  const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy
+  const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
   std::optional<ContactStart> before; ///< of the table under the solution before
 };

@@ -1,5 +1,5 @@
 // Fields of a solid foot for ParaView.
-#include "fem/solid/solid_body_implementation.h"
+#include "fem/solid/solid_system.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/numerics/data_out.h>
@@ -116,26 +116,30 @@ std::string gathered_vtu(const DataOut<3> &data_out, const DataOutBase::VtkFlags
 
 std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const
 {
-  const Implementation &body = *implementation;
-  TrilinosWrappers::MPI::Vector displacement(body.locally_owned, body.locally_relevant, body.communicator);
-  displacement = body.displacement;
-  TrilinosWrappers::MPI::Vector pressure(body.locally_owned, body.locally_relevant, body.communicator);
-  pressure = body.scatter(nodal_pressure);
+  const DoFHandler<3> &dof_handler = system->dofs();
+  const LinearAlgebra::distributed::Vector<double> displacement = system->displacement_for_output();
+  LinearAlgebra::distributed::Vector<double> pressure;
+  pressure.reinit(displacement);
+  const std::vector<types::global_dof_index> &node_dofs = system->contact_zone().node_dofs;
+  for (std::size_t i = 0; i < node_dofs.size(); ++i)
+    if (pressure.in_local_range(node_dofs[i]))
+      pressure(node_dofs[i]) = nodal_pressure(static_cast<Eigen::Index>(i));
+  pressure.update_ghost_values();
 
   const RestoredMotion restored(motion);
-  const Stress stress(body.material);
+  const Stress stress(system->glass());
   const ContactPressure contact_pressure;
   DataOut<3> data_out;
   DataOutBase::VtkFlags flags;
-  flags.write_higher_order_cells = body.element.degree > 1;
+  flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;
   flags.print_date_and_time = false; // equal runs give equal files
   data_out.set_flags(flags);
-  data_out.add_data_vector(body.dof_handler, displacement, restored);
-  data_out.add_data_vector(body.dof_handler, displacement, stress);
-  data_out.add_data_vector(body.dof_handler, pressure, contact_pressure);
-  data_out.build_patches(body.mapping, body.element.degree, DataOut<3>::curved_inner_cells);
-  return gathered_vtu(data_out, flags, body.communicator);
+  data_out.add_data_vector(dof_handler, displacement, restored);
+  data_out.add_data_vector(dof_handler, displacement, stress);
+  data_out.add_data_vector(dof_handler, pressure, contact_pressure);
+  data_out.build_patches(system->mapping(), dof_handler.get_fe().degree, DataOut<3>::curved_inner_cells);
+  return gathered_vtu(data_out, flags, dof_handler.get_communicator());
 }
 
 } // namespace stemware::fem

@@ -42,9 +42,13 @@ fem::RevolutionSetup revolution_setup(const Study &study)
 fem::SolidMesh solid_mesh(const Study &study)
 {
   if (study.contact.mesh_file.empty())
-    return fem::generate_solid_mesh(study.glass.profile, study.contact.resolution);
+  {
+    fem::FootResolution resolution = study.contact.resolution;
+    resolution.refinements = study.contact.refinements;
+    return fem::generate_solid_mesh(study.glass.profile, resolution);
+  }
   require_usable_mesh(study);
-  return fem::read_solid_mesh(study.contact.mesh_file);
+  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements);
 }
 
 fem::SolidSetup solid_setup(const Study &study)

@@ -109,7 +109,7 @@ struct ContactSection
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
-  unsigned int refinements = 0; ///< halvings of every cell of a body of revolution
+  unsigned int refinements = 0; ///< halvings of every cell
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
   unsigned int harmonics = 16;  ///< of a body of revolution
   unsigned int azimuth_lines = 256; ///< on which a body of revolution meets the table

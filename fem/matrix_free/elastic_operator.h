@@ -1,0 +1,56 @@
+#pragma once
+
+#include "fem/elasticity/elastic_material.h"
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+
+namespace dealii
+{
+template <int dim, int spacedim>
+class DoFHandler;
+template <int dim, int spacedim>
+class Mapping;
+template <typename number>
+class AffineConstraints;
+}
+
+namespace stemware::fem
+{
+
+/// The stiffness K of assemble_stiffness() without a matrix: cell by cell, several cells at a time in the
+/// lanes of a SIMD unit. @p Number is double or float.
+template <typename Number>
+class ElasticOperator
+{
+public:
+  using Vector = dealii::LinearAlgebra::distributed::Vector<Number>;
+
+  virtual ~ElasticOperator() = default;
+
+  /// @p dst = K @p src. Constrained unknowns are cut off: their rows and columns are those of the unit
+  /// matrix.
+  virtual void vmult(Vector &dst, const Vector &src) const = 0;
+
+  /// The diagonal of K [N/m], 1 for constrained unknowns.
+  virtual void compute_diagonal(Vector &diagonal) const = 0;
+
+  /// Gives @p vector the partition, ghosts included, that vmult() works on, and zeros.
+  virtual void initialize_dof_vector(Vector &vector) const = 0;
+
+  /// Bytes on this rank.
+  virtual std::size_t memory_consumption() const = 0;
+};
+
+/// K of a DoFHandler whose element is an FESystem of three FE_Q of degree 1 or 2. All arguments but the
+/// material must outlive it. Throws std::invalid_argument for another degree.
+template <typename Number>
+std::unique_ptr<ElasticOperator<Number>>
+make_elastic_operator(const dealii::Mapping<3, 3> &mapping, const dealii::DoFHandler<3, 3> &dof_handler,
+                      const dealii::AffineConstraints<double> &constraints, const ElasticMaterial &material);
+
+/// How many double-precision numbers the operators of this build work on at a time.
+unsigned int n_simd_lanes();
+
+} // namespace stemware::fem

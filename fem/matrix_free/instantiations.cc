@@ -1,0 +1,11 @@
+// What libdeal.II holds for one lane only. In a file of its own: two of deal.II 9.4.1's factory headers share
+// one include guard.
+#include <deal.II/matrix_free/evaluation_template_factory.templates.h>
+#include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
+
+namespace dealii::internal
+{
+template struct FEEvaluationFactory<3, VectorizedArray<double>>;
+template struct FEEvaluationHangingNodesFactory<3, double, VectorizedArray<double>>;
+template struct FEEvaluationHangingNodesFactory<3, float, VectorizedArray<float>>;
+}

@@ -1,0 +1,176 @@
+#include "fem/solid/assembled_system.h"
+
+#include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/mesh_hierarchy.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+/// Reduction of the residual by one linear solve; Newton's next step takes care of the rest.
+constexpr double linear_reduction = 1e-9;
+} // namespace
+
+AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const ElasticMaterial &material,
+                                 const SolidBody::Gap &gap, const SolidOptions &options)
+    : SolidSystem(material)
+    , communicator(triangulation.get_communicator())
+    , geometry(options.straight_edges ? 1 : options.degree)
+    , element(FE_Q<3>(options.degree), 3)
+    , dof_handler(triangulation)
+{
+  dof_handler.distribute_dofs(element);
+  locally_owned = dof_handler.locally_owned_dofs();
+  constraints = clamp_stem_cut(dof_handler);
+  assemble();
+  zone = describe_contact_zone(geometry, dof_handler, constraints, gap);
+  solver = std::make_unique<BorderedSolver>(preconditioner_maker(options.linear_solver));
+}
+
+void AssembledSystem::assemble()
+{
+  IndexSet locally_relevant;
+  DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+  TrilinosWrappers::SparsityPattern sparsity(locally_owned, locally_owned, locally_relevant, communicator);
+  DoFTools::make_sparsity_pattern(dof_handler, sparsity, constraints, false,
+                                  Utilities::MPI::this_mpi_process(communicator));
+  sparsity.compress();
+  stiffness.reinit(sparsity);
+  assemble_stiffness(geometry, dof_handler, material, constraints, stiffness);
+  tangent.copy_from(stiffness);
+  displacement.reinit(locally_owned, communicator);
+}
+
+BorderedSolver::MakePreconditioner AssembledSystem::preconditioner_maker(LinearSolver kind) const
+{
+  const bool direct = kind == LinearSolver::direct ||
+                      (kind == LinearSolver::automatic && dof_handler.n_dofs() <= largest_direct_system);
+  if (direct)
+    return factorize;
+  return [this](const TrilinosWrappers::SparseMatrix &matrix)
+  {
+    const RigidBodyModes modes(geometry, dof_handler, constraints);
+    return make_multigrid(matrix, modes, element.degree > 1);
+  };
+}
+
+AssembledSystem::Vector AssembledSystem::scatter(const Eigen::VectorXd &nodal) const
+{
+  Vector vector(locally_owned, communicator);
+  for (unsigned int i = 0; i < zone.node_dofs.size(); ++i)
+    if (locally_owned.is_element(zone.node_dofs[i]))
+      vector(zone.node_dofs[i]) = nodal(i);
+  vector.compress(VectorOperation::insert);
+  return vector;
+}
+
+Eigen::VectorXd AssembledSystem::restrict(const Vector &vector) const
+{
+  std::vector<double> nodal(zone.node_dofs.size(), 0);
+  for (unsigned int i = 0; i < zone.node_dofs.size(); ++i)
+    if (locally_owned.is_element(zone.node_dofs[i]))
+      nodal[i] = vector(zone.node_dofs[i]);
+  Utilities::MPI::sum(nodal, communicator, nodal);
+  return Eigen::Map<const Eigen::VectorXd>(nodal.data(), static_cast<Eigen::Index>(nodal.size()));
+}
+
+void AssembledSystem::set_tangent(const Eigen::SparseMatrix<double> &contact_tangent)
+{
+  tangent.copy_from(stiffness);
+  for (Eigen::Index column = 0; column < contact_tangent.outerSize(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(contact_tangent, column); entry; ++entry)
+    {
+      const auto row_dof = zone.node_dofs[static_cast<std::size_t>(entry.row())];
+      if (locally_owned.is_element(row_dof))
+        tangent.add(row_dof, zone.node_dofs[static_cast<std::size_t>(entry.col())], entry.value());
+    }
+  tangent.compress(VectorOperation::add);
+}
+
+AssembledSystem::Vector AssembledSystem::residual(const Eigen::VectorXd &forces) const
+{
+  Vector elastic(locally_owned, communicator);
+  stiffness.vmult(elastic, displacement);
+  Vector result = scatter(forces);
+  result -= elastic;
+  return result;
+}
+
+Eigen::VectorXd AssembledSystem::contact_displacement() const
+{
+  return restrict(displacement);
+}
+
+NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contact_tangent,
+                                       const Eigen::VectorXd &forces, const LinearConditions &conditions,
+                                       const Eigen::Vector3d &motion)
+{
+  set_tangent(contact_tangent);
+  const auto scatter_columns = [&](const Eigen::MatrixX3d &nodal) {
+    return std::array<Vector, 3>{ scatter(nodal.col(0)), scatter(nodal.col(1)), scatter(nodal.col(2)) };
+  };
+  const ScaledMotions motions(zone.surface);
+  BorderedSystem system{ tangent, {}, {}, {} };
+  const Eigen::MatrixX3d stiffened = contact_tangent * motions.modes;
+  system.border = scatter_columns(stiffened);
+  if (conditions.are_resultants())
+    system.corner = motions.modes.transpose() * stiffened;
+  else
+  {
+    const Eigen::MatrixX3d weights = conditions.weights() * motions.scale.asDiagonal();
+    system.condition_border = scatter_columns(contact_tangent * weights);
+    system.corner = weights.transpose() * stiffened -
+                    motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
+  }
+  const BorderedVector rhs{ residual(forces),
+                            motions.scale.asDiagonal() * conditions.residual(forces, motion) };
+  BorderedVector solution;
+  NewtonIncrement step;
+  step.linear_iterations = solver->solve(system, rhs, linear_reduction, solution);
+
+  increment = solution.body;
+  step.displacement = restrict(increment);
+  step.motion = motions.scale.asDiagonal() * solution.motion;
+  Vector image(locally_owned, communicator);
+  stiffness.vmult(image, increment);
+  step.energy_curvature = image * increment;
+  step.energy_slope = image * displacement;
+  return step;
+}
+
+void AssembledSystem::update(double step_length)
+{
+  displacement.add(step_length, increment);
+}
+
+void AssembledSystem::reset()
+{
+  displacement = 0;
+}
+
+double AssembledSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
+{
+  return residual(forces).l2_norm() / forces.norm();
+}
+
+LinearAlgebra::distributed::Vector<double> AssembledSystem::displacement_for_output() const
+{
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  LinearAlgebra::distributed::Vector<double> result(locally_owned, relevant, communicator);
+  for (const auto i : locally_owned)
+    result(i) = displacement(i);
+  constraints.distribute(result);
+  result.update_ghost_values();
+  return result;
+}
+
+} // namespace stemware::fem

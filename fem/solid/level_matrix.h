@@ -1,0 +1,64 @@
+#pragma once
+
+#include "fem/solid/mesh_hierarchy.h"
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/multigrid/mg_base.h>
+
+#include <Eigen/SparseCholesky>
+
+namespace stemware::fem
+{
+
+using FloatVector = dealii::LinearAlgebra::distributed::Vector<float>;
+
+/// K + B' T B on one level, in single precision, with what deal.II's smoothers ask of a matrix.
+class LevelMatrix : public dealii::Subscriptor
+{
+public:
+  using value_type = float;
+  using size_type = dealii::types::global_dof_index;
+
+  void reinit(const SolidLevel &level, const ElasticMaterial &material);
+  /// @p tangent T between the contact nodes.
+  void set_contact(const Eigen::SparseMatrix<double> &tangent);
+
+  void vmult(FloatVector &dst, const FloatVector &src) const;
+  void Tvmult(FloatVector &dst, const FloatVector &src) const { vmult(dst, src); }
+  size_type m() const { return n_rows; }
+  size_type n() const { return n_rows; }
+  /// Not to be called: there are no entries.
+  float el(size_type, size_type) const;
+
+  void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }
+  /// The inverse of a diagonal for Jacobi's method; set_contact() changes it.
+  const std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> &jacobi() const { return inverse_diagonal; }
+
+private:
+  std::unique_ptr<ElasticOperator<float>> elastic;
+  std::unique_ptr<ContactStiffness> contact;
+  size_type n_rows = 0;
+  FloatVector elastic_diagonal;
+  std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> inverse_diagonal;
+};
+
+/// K + B' T B on the coarsest level, factorised on every rank.
+class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
+{
+public:
+  CoarseSolver(const SolidLevel &level, const ElasticMaterial &material);
+
+  /// @p tangent T between the contact nodes, which operator() then knows. Throws std::runtime_error when the
+  /// sum is not positive definite.
+  void set_contact(const Eigen::SparseMatrix<double> &tangent);
+  void operator()(unsigned int level, FloatVector &dst, const FloatVector &src) const override;
+
+private:
+  const MPI_Comm communicator;
+  const dealii::IndexSet owned;
+  const std::vector<dealii::types::global_dof_index> contact_nodes;
+  Eigen::SparseMatrix<double> stiffness;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
+};
+
+} // namespace stemware::fem

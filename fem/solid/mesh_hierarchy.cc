@@ -1,0 +1,210 @@
+#include "fem/solid/mesh_hierarchy.h"
+
+#include "fem/geometry/boundary_ids.h"
+#include "fem/solid/level_matrix.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/multigrid/mg_coarse.h>
+#include <deal.II/multigrid/mg_matrix.h>
+#include <deal.II/multigrid/mg_smoother.h>
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include <deal.II/multigrid/multigrid.h>
+
+#include <stdexcept>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
+
+/// Chebyshev smoothing: as good as any on this foot (docs/method/solid_at_scale.md).
+constexpr unsigned int smoother_degree = 5;
+constexpr double smoothing_range = 40;
+
+} // namespace
+
+AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
+{
+  const IndexSet clamped =
+    DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(3, true), { stem_cut_id });
+  if (Utilities::MPI::sum(clamped.n_elements(), dof_handler.get_communicator()) == 0)
+    throw std::invalid_argument(
+      "The mesh has no stem cut: no boundary face carries the id 1; mark the faces where the stem was cut.");
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  AffineConstraints<double> constraints(relevant);
+  DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  DoFTools::make_zero_boundary_constraints(dof_handler, stem_cut_id, constraints);
+  constraints.close();
+  return constraints;
+}
+
+SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned int degree,
+                       unsigned int mapping_degree)
+    : triangulation(std::move(mesh))
+    , mapping(mapping_degree)
+    , element(FE_Q<3>(degree), 3)
+    , dof_handler(*triangulation)
+{
+  dof_handler.distribute_dofs(element);
+  constraints = clamp_stem_cut(dof_handler);
+}
+
+/// deal.II's side of a MeshHierarchy.
+struct MeshHierarchy::Cycle
+{
+  using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
+  using Smoother = PreconditionChebyshev<LevelMatrix, FloatVector, DiagonalMatrix<FloatVector>>;
+
+  Cycle(const Triangulation<3> &triangulation, unsigned int degree, unsigned int mapping_degree,
+        const ElasticMaterial &material)
+  {
+    const auto meshes = MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation);
+    if (degree > 1)
+      levels.push_back(std::make_unique<SolidLevel>(meshes.front(), 1, mapping_degree));
+    for (const auto &mesh : meshes)
+      levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
+    const auto finest = static_cast<unsigned int>(levels.size() - 1);
+    cycles.resize(finest + 1);
+    matrices.resize(0, finest);
+    for (unsigned int l = 0; l <= finest; ++l)
+      matrices[l].reinit(*levels[l], material);
+    make_transfer(finest);
+    make_smoothers(finest);
+    coarse_solver = std::make_unique<CoarseSolver>(*levels[0], material);
+    matrix.initialize(matrices);
+  }
+
+  void make_transfer(unsigned int finest)
+  {
+    MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers(0, finest);
+    std::vector<AffineConstraints<float>> constraints(finest + 1);
+    for (unsigned int l = 0; l <= finest; ++l)
+      constraints[l].copy_from(levels[l]->constraints);
+    interpolations.resize(finest + 1);
+    for (unsigned int l = 1; l <= finest; ++l)
+    {
+      const DoFHandler<3> &fine = levels[l]->dof_handler;
+      const DoFHandler<3> &coarse = levels[l - 1]->dof_handler;
+      if (fine.get_fe().degree > coarse.get_fe().degree)
+        transfers[l].reinit_polynomial_transfer(fine, coarse, constraints[l], constraints[l - 1]);
+      else
+        transfers[l].reinit_geometric_transfer(fine, coarse, constraints[l], constraints[l - 1]);
+      interpolations[l] =
+        interpolation_between({ coarse, levels[l - 1]->constraints }, { fine, levels[l]->constraints });
+    }
+    transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
+                                          { matrices[l].initialize_dof_vector(vector); });
+  }
+
+  void make_smoothers(unsigned int finest)
+  {
+    MGLevelObject<Smoother::AdditionalData> data(0, finest);
+    for (unsigned int l = 0; l <= finest; ++l)
+    {
+      data[l].smoothing_range = smoothing_range;
+      data[l].degree = smoother_degree;
+      data[l].eig_cg_n_iterations = 15;
+      data[l].preconditioner = matrices[l].jacobi();
+    }
+    smoother.initialize(matrices, data);
+    for (unsigned int l = 1; l <= finest; ++l)
+    {
+      FloatVector vector;
+      matrices[l].initialize_dof_vector(vector);
+      smoother[l].estimate_eigenvalues(vector);
+    }
+  }
+
+  /// The V-cycle that starts on one level, with the vectors that it works on.
+  struct FromLevel
+  {
+    FromLevel(const Cycle &cycle, unsigned int l)
+        : multigrid(cycle.matrix, *cycle.coarse_solver, *cycle.transfer, cycle.smoother, cycle.smoother, 0, l)
+        , preconditioner(cycle.levels[l]->dof_handler, multigrid, *cycle.transfer)
+    {
+    }
+    Multigrid<FloatVector> multigrid;
+    PreconditionMG<3, FloatVector, Transfer> preconditioner;
+  };
+
+  std::vector<std::unique_ptr<SolidLevel>> levels;
+  std::vector<Eigen::SparseMatrix<double>> interpolations; ///< of contact nodes, from the level below
+  MGLevelObject<LevelMatrix> matrices;
+  std::unique_ptr<Transfer> transfer;
+  mg::SmootherRelaxation<Smoother, FloatVector> smoother;
+  std::unique_ptr<CoarseSolver> coarse_solver;
+  mg::Matrix<FloatVector> matrix;
+  std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for
+};
+
+MeshHierarchy::MeshHierarchy(const Triangulation<3> &triangulation, unsigned int degree,
+                             unsigned int mapping_degree, const ElasticMaterial &material)
+    : cycle(std::make_unique<Cycle>(triangulation, degree, mapping_degree, material))
+{
+}
+
+MeshHierarchy::~MeshHierarchy() = default;
+
+unsigned int MeshHierarchy::n_levels() const
+{
+  return static_cast<unsigned int>(cycle->levels.size());
+}
+
+unsigned int MeshHierarchy::coarsest_mesh() const
+{
+  return cycle->levels.front()->element.degree < cycle->levels.back()->element.degree ? 1 : 0;
+}
+
+const SolidLevel &MeshHierarchy::level(unsigned int l) const
+{
+  return *cycle->levels[l];
+}
+
+void MeshHierarchy::set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent)
+{
+  Eigen::SparseMatrix<double> on_level = tangent;
+  on_level.prune(0., 0.);
+  for (;; --l)
+  {
+    cycle->matrices[l].set_contact(on_level);
+    if (l == 0)
+      break;
+    on_level = (cycle->interpolations[l].transpose() * on_level * cycle->interpolations[l]).eval();
+  }
+  cycle->coarse_solver->set_contact(on_level);
+}
+
+void MeshHierarchy::v_cycle(unsigned int l, Vector &dst, const Vector &src) const
+{
+  std::unique_ptr<Cycle::FromLevel> &from = cycle->cycles[l];
+  if (!from)
+    from = std::make_unique<Cycle::FromLevel>(*cycle, l);
+  from->preconditioner.vmult(dst, src);
+}
+
+template <typename Number>
+void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vector<Number> &fine,
+                               const LinearAlgebra::distributed::Vector<Number> &coarse) const
+{
+  FloatVector from, to;
+  cycle->matrices[l - 1].initialize_dof_vector(from);
+  cycle->matrices[l].initialize_dof_vector(to);
+  from.copy_locally_owned_data_from(coarse);
+  cycle->transfer->prolongate(l, to, from);
+  fine.copy_locally_owned_data_from(to);
+  cycle->levels[l]->constraints.set_zero(fine); // hanging nodes follow from the others
+}
+
+template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;
+template void MeshHierarchy::prolongate(unsigned int, Vector &, const Vector &) const;
+
+} // namespace stemware::fem

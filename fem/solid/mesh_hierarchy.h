@@ -1,0 +1,72 @@
+#pragma once
+
+#include "fem/matrix_free/elastic_operator.h"
+#include "fem/solid/contact_stiffness.h"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// Clamps FootBoundary::stem_cut, and ties hanging nodes. Throws std::invalid_argument when the mesh has no
+/// stem cut.
+dealii::AffineConstraints<double> clamp_stem_cut(const dealii::DoFHandler<3> &dof_handler);
+
+/// A mesh with finite elements on it.
+struct SolidLevel
+{
+  SolidLevel(std::shared_ptr<const dealii::Triangulation<3>> triangulation, unsigned int degree,
+             unsigned int mapping_degree);
+
+  const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
+  const dealii::MappingQ<3> mapping;
+  const dealii::FESystem<3> element;
+  dealii::DoFHandler<3> dof_handler;
+  dealii::AffineConstraints<double> constraints;
+};
+
+/// Geometric multigrid for an elastic foot: V-cycles in single precision over the meshes that a triangulation
+/// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
+///
+/// Level 0 is the coarsest mesh with linear elements, factorised; for quadratic elements level 1 is the same
+/// mesh with those. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled operator
+/// smooth.
+class MeshHierarchy
+{
+public:
+  /// @p triangulation, of which the hierarchy keeps a reference, has been refined from a coarse mesh.
+  MeshHierarchy(const dealii::Triangulation<3> &triangulation, unsigned int degree,
+                unsigned int mapping_degree, const ElasticMaterial &material);
+  ~MeshHierarchy();
+
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  unsigned int n_levels() const;
+  /// The lowest level whose elements are those of the finest.
+  unsigned int coarsest_mesh() const;
+  const SolidLevel &level(unsigned int l) const;
+
+  /// Prepares V-cycles from level @p l down for K + B' T B, @p tangent T between that level's contact nodes.
+  void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
+
+  /// One V-cycle from level @p l down: @p dst is an approximate solution of (K + B' T B) dst = @p src.
+  void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
+
+  /// @p fine, a vector of level @p l, becomes the function that @p coarse is on the level below, to single
+  /// precision; constrained unknowns are 0.
+  template <typename Number>
+  void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,
+                  const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;
+
+private:
+  struct Cycle;
+  std::unique_ptr<Cycle> cycle;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,336 @@
+#include "fem/solid/multigrid_system.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <sstream>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+constexpr unsigned int max_cycles = 200;
+
+/// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
+constexpr double unbalanced_share = 2e-10;
+
+/// How well W has to solve its equations where it only helps to precondition, and where the conditions on the
+/// forces are closed with it.
+constexpr double loose_border = 0.02;
+constexpr double tight_border = 1e-3;
+
+/// W is left out where the V-cycle sees at least this share of what the table's motions change.
+constexpr double small_border = 0.2;
+
+struct TangentOperator
+{
+  const ElasticOperator<double> &elastic;
+  const ContactStiffness &contact;
+  void vmult(MeshHierarchy::Vector &dst, const MeshHierarchy::Vector &src) const
+  {
+    elastic.vmult(dst, src);
+    contact.vmult_add(dst, src);
+  }
+};
+
+struct CyclePreconditioner
+{
+  const MeshHierarchy &hierarchy;
+  const unsigned int level;
+  void vmult(MeshHierarchy::Vector &dst, const MeshHierarchy::Vector &src) const
+  {
+    hierarchy.v_cycle(level, dst, src);
+  }
+};
+
+/// Conjugate gradients to a residual of @p target; returns the number of iterations. Throws
+/// std::runtime_error when they do not converge.
+template <typename Operator, typename Preconditioner>
+unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
+                                 const MeshHierarchy::Vector &rhs, double target,
+                                 MeshHierarchy::Vector &solution)
+{
+  SolverControl control(max_cycles, target, false, false);
+  SolverCG<MeshHierarchy::Vector> solver(control);
+  try
+  {
+    solver.solve(matrix, solution, rhs, preconditioner);
+  }
+  catch (const SolverControl::NoConvergence &failure)
+  {
+    std::ostringstream message;
+    message << "conjugate gradients with geometric multigrid left a residual of " << failure.last_residual
+            << " N after " << failure.last_step << " iterations (wanted " << target
+            << " N); use a coarsest mesh with less distorted cells.";
+    throw std::runtime_error(message.str());
+  }
+  return control.last_step();
+}
+
+} // namespace
+
+/// What the table's motions add to the system of one Newton step.
+struct MultigridSystem::Border
+{
+  Eigen::MatrixX3d columns; ///< B G = T Q
+  Eigen::Matrix3d corner;   ///< C = Q' T Q
+  Eigen::Matrix3d inverse_corner;
+  Eigen::Matrix3d inverse_schur; ///< of C - G' W, in the form that is positive definite whatever W is
+};
+
+/// K + B' T B - G C^-1 G'.
+class MultigridSystem::ProjectedOperator
+{
+public:
+  ProjectedOperator(const MultigridSystem &system, const Border &border)
+      : system(system)
+      , border(border)
+  {
+  }
+
+  void vmult(Vector &dst, const Vector &src) const
+  {
+    system.elastic->vmult(dst, src);
+    const Eigen::VectorXd nodal = system.contact.gather(src);
+    const Eigen::Vector3d motion = border.inverse_corner * (border.columns.transpose() * nodal);
+    system.contact.scatter_add(system.contact.matrix() * nodal - border.columns * motion, dst);
+  }
+
+private:
+  const MultigridSystem &system;
+  const Border &border;
+};
+
+/// The V-cycle plus W S^-1 W'.
+class MultigridSystem::ProjectedPreconditioner
+{
+public:
+  ProjectedPreconditioner(const MultigridSystem &system, const Border &border)
+      : system(system)
+      , border(border)
+  {
+  }
+
+  void vmult(Vector &dst, const Vector &src) const
+  {
+    system.hierarchy->v_cycle(system.level, dst, src);
+    if (!system.border_matters)
+      return;
+    const auto &w = system.eliminated_border;
+    double products[3] = {};
+    for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
+      for (unsigned int k = 0; k < 3; ++k)
+        products[k] += double(w[k].local_element(i)) * src.local_element(i);
+    Utilities::MPI::sum(products, src.get_mpi_communicator(), products);
+    const Eigen::Vector3d motion =
+      border.inverse_schur * Eigen::Vector3d(products[0], products[1], products[2]);
+    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
+      for (unsigned int k = 0; k < 3; ++k)
+        dst.local_element(i) += motion(k) * double(w[k].local_element(i));
+  }
+
+private:
+  const MultigridSystem &system;
+  const Border &border;
+};
+
+MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned int level,
+                                 const ElasticMaterial &material, const SolidBody::Gap &gap,
+                                 double linear_tolerance)
+    : SolidSystem(material)
+    , hierarchy(std::move(meshes))
+    , level(level)
+    , linear_tolerance(linear_tolerance)
+    , elastic(make_elastic_operator<double>(hierarchy->level(level).mapping,
+                                            hierarchy->level(level).dof_handler,
+                                            hierarchy->level(level).constraints, material))
+    , contact(hierarchy->level(level).dof_handler, hierarchy->level(level).constraints)
+{
+  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints, gap);
+  for (Vector *vector : { &displacement, &elastic_forces, &increment, &increment_forces })
+    elastic->initialize_dof_vector(*vector);
+  for (FloatVector &column : eliminated_border)
+    column.reinit(displacement);
+}
+
+std::unique_ptr<MultigridSystem> MultigridSystem::coarser(const SolidBody::Gap &gap) const
+{
+  return std::make_unique<MultigridSystem>(hierarchy, level - 1, material, gap, linear_tolerance);
+}
+
+void MultigridSystem::start_from(const MultigridSystem &coarse)
+{
+  hierarchy->prolongate(level, displacement, coarse.displacement);
+  elastic->vmult(elastic_forces, displacement);
+  residual_before = 0;
+  border_matters = coarse.border_matters;
+  if (border_matters)
+    for (unsigned int i = 0; i < 3; ++i)
+      hierarchy->prolongate(level, eliminated_border[i], coarse.eliminated_border[i]);
+}
+
+Eigen::VectorXd MultigridSystem::contact_displacement() const
+{
+  return contact.gather(displacement);
+}
+
+MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &modes, double tolerance)
+{
+  Border border;
+  border.columns = contact.matrix() * modes;
+  border.corner = modes.transpose() * border.columns;
+  border.corner = ((border.corner + border.corner.transpose()) / 2).eval();
+  border.inverse_corner = border.corner.inverse();
+  if (!border_matters && tolerance >= loose_border)
+    return border;
+
+  const TangentOperator tangent{ *elastic, contact };
+  const CyclePreconditioner cycle{ *hierarchy, level };
+  Vector column, image, residual, correction;
+  for (Vector *vector : { &column, &image, &residual, &correction })
+    elastic->initialize_dof_vector(*vector);
+  std::array<FloatVector, 3> images; // A W
+  Eigen::Matrix3d overlap;           // W' G
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    column.copy_locally_owned_data_from(eliminated_border[i]);
+    tangent.vmult(image, column);
+    residual = 0;
+    contact.scatter_add(border.columns.col(i), residual);
+    const double target = tolerance * residual.l2_norm();
+    residual -= image;
+    if (residual.l2_norm() > target)
+    {
+      correction = 0;
+      conjugate_gradients(tangent, cycle, residual, target, correction);
+      column += correction;
+      eliminated_border[i].copy_locally_owned_data_from(column);
+      tangent.vmult(image, column);
+    }
+    images[i].reinit(image, true);
+    images[i].copy_locally_owned_data_from(image);
+    overlap.row(i) = contact.gather(column).transpose() * border.columns;
+  }
+  Eigen::Matrix3d schur = border.corner - overlap - overlap.transpose();
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      schur(i, j) += eliminated_border[i] * images[j];
+  schur = ((schur + schur.transpose()) / 2).eval();
+  border.inverse_schur = schur.inverse();
+  const double share =
+    Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(schur, border.corner).eigenvalues().minCoeff();
+  border_matters = share < small_border;
+  return border;
+}
+
+double MultigridSystem::target_residual(double residual, double force)
+{
+  if (linear_tolerance > 0)
+    return linear_tolerance * residual;
+  // As exact as the step before was good: what a Newton step cannot keep is not worth solving for.
+  const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
+  residual_before = residual;
+  return std::max(std::min(0.01, ratio * ratio) * residual, unbalanced_share * force);
+}
+
+NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangent,
+                                       const Eigen::VectorXd &forces, const LinearConditions &conditions,
+                                       const Eigen::Vector3d &motion)
+{
+  contact.set(tangent);
+  hierarchy->set_contact(level, tangent);
+  const ScaledMotions motions(zone.surface);
+  const bool symmetric = conditions.are_resultants();
+  const Border border = make_border(motions.modes, symmetric ? loose_border : tight_border);
+
+  const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
+  Vector rhs;
+  elastic->initialize_dof_vector(rhs);
+  contact.scatter_add(forces - border.columns * (border.inverse_corner * missing), rhs);
+  rhs -= elastic_forces;
+  NewtonIncrement step;
+  increment = 0;
+  const double residual = rhs.l2_norm();
+  if (residual > 0)
+    step.linear_iterations =
+      conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
+                          target_residual(residual, forces.norm()), increment);
+  step.displacement = contact.gather(increment);
+  Eigen::Vector3d scaled = border.inverse_corner * (missing - border.columns.transpose() * step.displacement);
+  if (!symmetric)
+    close_conditions(conditions, motions, missing, step.displacement, scaled);
+  step.motion = motions.scale.asDiagonal() * scaled;
+
+  elastic->vmult(increment_forces, increment);
+  step.energy_curvature = increment_forces * increment;
+  step.energy_slope = elastic_forces * increment;
+  return step;
+}
+
+void MultigridSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
+                                       const Eigen::Vector3d &missing, Eigen::VectorXd &nodal,
+                                       Eigen::Vector3d &scaled_motion)
+{
+  // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
+  Eigen::MatrixX3d response(motions.modes);
+  for (unsigned int i = 0; i < 3; ++i)
+    response.col(i) -= contact.gather(eliminated_border[i]);
+  const Eigen::MatrixX3d weights = conditions.weights() * motions.scale.asDiagonal();
+  const Eigen::Matrix3d leaning =
+    motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
+  const Eigen::Matrix3d matrix = weights.transpose() * (contact.matrix() * response) - leaning;
+  const Eigen::Vector3d left =
+    missing - weights.transpose() * (contact.matrix() * (nodal + motions.modes * scaled_motion)) +
+    leaning * scaled_motion;
+  const Eigen::FullPivLU<Eigen::Matrix3d> factors(matrix);
+  if (!factors.isInvertible())
+    throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
+  const Eigen::Vector3d further = factors.solve(left);
+  scaled_motion += further;
+  nodal += (response - motions.modes) * further;
+  for (unsigned int i = 0; i < increment.locally_owned_size(); ++i)
+    for (unsigned int k = 0; k < 3; ++k)
+      increment.local_element(i) -= further(k) * double(eliminated_border[k].local_element(i));
+}
+
+void MultigridSystem::update(double step_length)
+{
+  displacement.add(step_length, increment);
+  elastic_forces.add(step_length, increment_forces);
+}
+
+void MultigridSystem::reset()
+{
+  displacement = 0;
+  elastic_forces = 0;
+  residual_before = 0;
+}
+
+double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
+{
+  Vector residual(elastic_forces);
+  residual *= -1;
+  contact.scatter_add(forces, residual);
+  return residual.l2_norm() / forces.norm();
+}
+
+LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_output() const
+{
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(mesh().dof_handler, relevant);
+  Vector result(mesh().dof_handler.locally_owned_dofs(), relevant, mesh().dof_handler.get_communicator());
+  result.copy_locally_owned_data_from(displacement);
+  mesh().constraints.distribute(result);
+  result.update_ghost_values();
+  return result;
+}
+
+} // namespace stemware::fem

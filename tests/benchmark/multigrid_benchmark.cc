@@ -1,0 +1,192 @@
+// What the solid body costs: matrix-free operators, a linear solve by geometric multigrid, a whole contact.
+//
+//   multigrid_benchmark [name=value]...
+//
+// cells=48,2,2 (round the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
+// degree=2, crown=0.003 (0: a flat land of 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a
+// hard one), modulus=1e11, moment=1.3.
+#include "fem/contact/load_harmonics.h"
+#include "fem/contact/rough_interface.h"
+#include "fem/contact/winkler_interface.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/matrix_free/elastic_operator.h"
+#include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/nested_contact.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/distributed/tria.h>
+
+#include <fmt/format.h>
+#include <map>
+
+using namespace stemware::fem;
+
+namespace
+{
+
+struct Case
+{
+  GlassProfile profile;
+  FootResolution resolution = { 48, 2, 2, 2 };
+  SolidOptions options;
+  std::shared_ptr<const InterfaceLaw> interface;
+  double softening = 1; ///< see start_from_coarser_mesh()
+  Resultants load;
+};
+
+Case read_case(int argc, char **argv)
+{
+  std::map<std::string, std::string> values = { { "cells", "48,2,2" },  { "refinements", "2" },
+                                                { "land", "0" },        { "degree", "2" },
+                                                { "crown", "0.003" },   { "shape", "step" },
+                                                { "table", "winkler" }, { "modulus", "1e11" },
+                                                { "moment", "1.3" } };
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const std::size_t sign = argument.find('=');
+    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
+      throw std::invalid_argument("multigrid_benchmark does not know " + argument + ".");
+    values[argument.substr(0, sign)] = argument.substr(sign + 1);
+  }
+  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
+  Case study;
+  const std::vector<int> cells =
+    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
+  study.resolution = { static_cast<unsigned int>(cells.at(0)), static_cast<unsigned int>(cells.at(1)),
+                       static_cast<unsigned int>(cells.at(2)),
+                       static_cast<unsigned int>(number("refinements")),
+                       static_cast<unsigned int>(number("land")) };
+  if (values["shape"] == "foot")
+    study.profile.shape = GlassShape::foot;
+  study.profile.crown_radius = number("crown");
+  if (study.profile.crown_radius == 0)
+    study.profile.land_width = 0.002;
+  study.options.degree = static_cast<unsigned int>(number("degree"));
+  study.options.linear_solver = LinearSolver::multigrid;
+  if (values["table"] == "spring")
+  {
+    study.interface = std::make_shared<WinklerInterface>(number("modulus"));
+    study.softening = 8;
+  }
+  else if (values["table"] == "rough")
+    study.interface = std::make_shared<RoughInterface>(RoughInterface(1e6, 1e-6));
+  else
+    study.interface = std::make_shared<WinklerInterface>(number("modulus"));
+  const double weight = 0.3 * 9.81;
+  study.load = { weight, 0, -number("moment") * weight * study.profile.contact_radius / 2 };
+  return study;
+}
+
+/// Prints on the first rank.
+template <typename... Arguments>
+void say(const char *format, const Arguments &...arguments)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    fmt::print(fmt::runtime(format), arguments...);
+}
+
+/// Of all ranks.
+double peak_bytes()
+{
+  dealii::Utilities::System::MemoryStats memory;
+  dealii::Utilities::System::get_memory_stats(memory);
+  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
+}
+
+template <typename Number>
+double operator_seconds(const SolidLevel &level, const ElasticMaterial &glass)
+{
+  const auto stiffness =
+    make_elastic_operator<Number>(level.mapping, level.dof_handler, level.constraints, glass);
+  typename ElasticOperator<Number>::Vector from, to;
+  stiffness->initialize_dof_vector(from);
+  stiffness->initialize_dof_vector(to);
+  from = 1;
+  double fastest = 1e300;
+  for (unsigned int i = 0; i < 5; ++i)
+  {
+    dealii::Timer timer;
+    stiffness->vmult(to, from);
+    fastest = std::min(fastest, timer.wall_time());
+  }
+  return fastest;
+}
+
+void run(const Case &study)
+{
+  const ElasticMaterial glass;
+  const double radius = study.profile.contact_radius;
+  dealii::Timer timer;
+  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+  make_foot_mesh(study.profile, study.resolution, mesh);
+  say("{} cells, {:.2f} s for the mesh\n", mesh.n_global_active_cells(), timer.wall_time());
+  timer.restart();
+  const auto gap = [&](double x, double y) { return study.profile.gap(std::hypot(x, y)); };
+  SolidBody body(mesh, glass, gap, study.options);
+  const double n = body.n_unknowns();
+  say("{} unknowns, {} contact nodes, {} lanes, {:.2f} s for the set-up\n", body.n_unknowns(),
+      body.contact_surface().n_nodes(), n_simd_lanes(), timer.wall_time());
+
+  timer.restart();
+  const std::optional<ContactStart> start =
+    start_from_coarser_mesh(body, *study.interface, study.softening, study.load, radius);
+  const double coarse_seconds = timer.wall_time();
+  const auto law = study.interface->make(body.contact_surface(), 0);
+  ContactControl control;
+  control.progress = [](const ContactIteration &step)
+  {
+    say("  step {}: {} loaded, {} changed, residual {:.1e}, length {:.2f}, {} iterations\n", step.number,
+        step.n_loaded, step.n_changed, step.residual, step.step_length, step.linear_iterations);
+  };
+  const ContactSolution solution =
+    solve_contact(body, *law, study.load, radius, control, start ? &*start : nullptr);
+  const double contact_seconds = timer.wall_time();
+  const LoadHarmonics load = extract_load(*law, solution, 8);
+  say("a_n / a_0:");
+  for (unsigned int h = 1; h <= 8; ++h)
+    say(" {:.7f}", load.a[0][h] / load.a[0][0]);
+  say("\n{} steps, {} iterations, residuals {:.1e} {:.1e} {:.1e}\n", solution.n_iterations,
+      solution.n_linear_iterations, solution.force_residual, solution.moment_residual,
+      solution.equilibrium_residual);
+  const double contact_peak = peak_bytes();
+
+  ContactForces contact;
+  law->evaluate(solution.normal_displacement, contact);
+  body.reset();
+  body.set_linear_tolerance(1e-8);
+  timer.restart();
+  const LinearConditions conditions = prescribed_resultants(body.contact_surface(), study.load);
+  const NewtonIncrement linear = body.solve(contact.tangent, solution.forces, conditions, { 0, 0, 0 });
+  const double linear_seconds = timer.wall_time();
+
+  say("linear solve to 1e-8: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n", linear.linear_iterations,
+      linear_seconds, n / linear_seconds / 1e6);
+  fmt::print(
+    "contact: {:.2f} s ({:.2f} s on coarser meshes), {:.2f} linear solves, {:.3f} million unknowns/s\n",
+    contact_seconds, coarse_seconds, contact_seconds / linear_seconds, n / contact_seconds / 1e6);
+  say("peak memory {:.2f} GB, {:.0f} bytes per unknown\n", contact_peak / 1e9, contact_peak / n);
+
+  const auto alias = std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {});
+  const SolidLevel level(alias, study.options.degree, study.options.degree);
+  say("operator: {:.1f} million unknowns/s in double, ", n / operator_seconds<double>(level, glass) / 1e6);
+  say("{:.1f} in float\n", n / operator_seconds<float>(level, glass) / 1e6);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+  {
+    run(read_case(argc, argv));
+  }
+  catch (const std::exception &error)
+  {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,223 @@
+// Geometric multigrid without matrices against the assembled system, against deal.II's own transfer between
+// meshes, and against itself on finer meshes.
+#include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/nested_contact.h"
+#include "tests/fem/foot_case.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+FootResolution refined(unsigned int refinements)
+{
+  return { 24, 2, 1, refinements };
+}
+
+SolidOptions solved_by(LinearSolver solver, unsigned int degree, double tolerance = 0)
+{
+  SolidOptions options;
+  options.degree = degree;
+  options.linear_solver = solver;
+  options.linear_tolerance = tolerance;
+  return options;
+}
+
+/// The contact found on coarser meshes first.
+ContactSolution solve_nested(FootCase &foot, const InterfaceLaw &interface, const Resultants &load)
+{
+  const std::optional<ContactStart> start =
+    start_from_coarser_mesh(*foot.body, interface, 1, load, foot.radius);
+  EXPECT_TRUE(start);
+  const auto law = make_law(interface, foot.body->contact_surface());
+  return solve_contact(*foot.body, *law, load, foot.radius, {}, start ? &*start : nullptr);
+}
+
+/// One linear solve under the tangent of a contact that is solved already.
+NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, const ContactSolution &contact,
+                             const Resultants &load)
+{
+  ContactForces forces;
+  make_law(interface, foot.body->contact_surface())->evaluate(contact.normal_displacement, forces);
+  foot.body->reset();
+  return foot.body->solve(forces.tangent, forces.forces,
+                          prescribed_resultants(foot.body->contact_surface(), load), { 0, 0, 0 });
+}
+
+} // namespace
+
+template <typename Number>
+void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refinements, double tolerance)
+{
+  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+  make_foot_mesh(GlassProfile(), { 12, 2, 1, 1, land_refinements }, mesh);
+  const SolidLevel level(std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {}), degree,
+                         degree);
+  const dealii::IndexSet &owned = level.dof_handler.locally_owned_dofs();
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);
+  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, MPI_COMM_WORLD);
+  dealii::DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
+                                          dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  sparsity.compress();
+  dealii::TrilinosWrappers::SparseMatrix matrix(sparsity);
+  assemble_stiffness(level.mapping, level.dof_handler, ElasticMaterial(), level.constraints, matrix);
+
+  const auto stiffness =
+    make_elastic_operator<Number>(level.mapping, level.dof_handler, level.constraints, ElasticMaterial());
+  typename ElasticOperator<Number>::Vector from, to, diagonal;
+  stiffness->initialize_dof_vector(from);
+  stiffness->initialize_dof_vector(to);
+  dealii::TrilinosWrappers::MPI::Vector expected_from(owned, MPI_COMM_WORLD),
+    expected_to(owned, MPI_COMM_WORLD);
+  for (const auto i : owned)
+  {
+    const double value = level.constraints.is_constrained(i) ? 0 : std::sin(1.7 * static_cast<double>(i));
+    from(i) = static_cast<Number>(value);
+    expected_from(i) = value;
+  }
+  matrix.vmult(expected_to, expected_from);
+  stiffness->vmult(to, from);
+  stiffness->compute_diagonal(diagonal);
+  const double scale = expected_to.linfty_norm();
+  double error = 0, diagonal_error = 0;
+  for (const auto i : owned)
+    if (!level.constraints.is_constrained(i))
+    {
+      error = std::max(error, std::abs(to(i) - expected_to(i)) / scale);
+      diagonal_error = std::max(diagonal_error, std::abs(diagonal(i) / matrix.diag_element(i) - 1));
+    }
+  EXPECT_LT(error, tolerance) << "degree " << degree;
+  EXPECT_LT(diagonal_error, tolerance) << "degree " << degree;
+}
+
+TEST(MatrixFree, OperatorIsTheAssembledMatrix)
+{
+  for (const unsigned int degree : { 1u, 2u })
+  {
+    for (const unsigned int land_refinements : { 0u, 1u })
+    {
+      expect_the_assembled_matrix<double>(degree, land_refinements, 1e-12);
+      expect_the_assembled_matrix<float>(degree, land_refinements, 1e-5);
+    }
+  }
+}
+
+TEST(Multigrid, ContactNodesAreInterpolatedLikeTheBody)
+{
+  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+  make_foot_mesh(flat_profile(), { 24, 2, 1, 1, 1 }, mesh);
+  const MeshHierarchy hierarchy(mesh, 2, 2, ElasticMaterial());
+  ASSERT_EQ(hierarchy.n_levels(), 4u); // linear elements, quadratic ones, half the cells, finer on the land
+  for (const unsigned int fine : { 1u, 2u, 3u })
+  {
+    const SolidLevel &from = hierarchy.level(fine - 1), &to = hierarchy.level(fine);
+    MeshHierarchy::Vector coarse_vector, fine_vector;
+    make_elastic_operator<double>(from.mapping, from.dof_handler, from.constraints, ElasticMaterial())
+      ->initialize_dof_vector(coarse_vector);
+    make_elastic_operator<double>(to.mapping, to.dof_handler, to.constraints, ElasticMaterial())
+      ->initialize_dof_vector(fine_vector);
+    for (const auto i : from.dof_handler.locally_owned_dofs())
+      if (!from.constraints.is_constrained(i))
+        coarse_vector(i) = std::sin(0.3 * static_cast<double>(i));
+    hierarchy.prolongate(fine, fine_vector, coarse_vector);
+    const Eigen::VectorXd expected =
+      ContactStiffness(to.dof_handler, to.constraints).gather(fine_vector); // by deal.II's transfer
+    const Eigen::VectorXd interpolated =
+      interpolation_between({ from.dof_handler, from.constraints }, { to.dof_handler, to.constraints }) *
+      ContactStiffness(from.dof_handler, from.constraints).gather(coarse_vector);
+    ASSERT_EQ(interpolated.size(), expected.size());
+    EXPECT_LT((interpolated - expected).lpNorm<Eigen::Infinity>(), 1e-5) << "to level " << fine;
+  }
+}
+
+TEST(Multigrid, AgreesWithTheFactorisation)
+{
+  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
+    for (const unsigned int degree : { 1u, 2u })
+    {
+      // The crowned foot with hanging nodes, in the contact too.
+      const FootResolution resolution = { 12, 2, 1, 1, profile.crown_radius > 0 ? 1u : 0u };
+      FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
+      FootCase multigrid(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-11));
+      const WinklerInterface mat(1e11);
+      direct.solve_on_winkler(1e11, load_at(1.3));
+      const NewtonIncrement expected = solve_linear(direct, mat, direct.solution, load_at(1.3));
+      const NewtonIncrement found = solve_linear(multigrid, mat, direct.solution, load_at(1.3));
+      const double largest = expected.displacement.lpNorm<Eigen::Infinity>();
+      EXPECT_LT((found.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-8 * largest);
+      EXPECT_LT((found.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
+      EXPECT_NEAR(found.energy_curvature / expected.energy_curvature, 1, 1e-8);
+    }
+}
+
+TEST(Multigrid, IterationsDoNotGrow)
+{
+  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
+    for (const unsigned int degree : { 1u, 2u })
+    {
+      unsigned int before = 0;
+      // More levels, and quadratic elements on them, are for multigrid_benchmark
+      // (docs/method/solid_at_scale.md).
+      const unsigned int finest = degree == 1 ? 2 : 1;
+      for (unsigned int refinements = 1; refinements <= finest; ++refinements)
+      {
+        FootCase foot(profile, { 48, 2, 2, refinements }, solved_by(LinearSolver::multigrid, degree, 1e-8));
+        const WinklerInterface mat(1e11);
+        const ContactSolution contact = solve_nested(foot, mat, load_at(1.3));
+        const unsigned int iterations = solve_linear(foot, mat, contact, load_at(1.3)).linear_iterations;
+        EXPECT_LE(iterations, 25u) << "Q" << degree << ", " << refinements << " refinements";
+        if (before > 0)
+        {
+          EXPECT_LE(iterations, before + 2) << "Q" << degree << ", " << refinements << " refinements";
+        }
+        before = iterations;
+      }
+    }
+}
+
+TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)
+{
+  const WinklerInterface mat(1e11);
+  FootCase direct(GlassProfile(), refined(1), solved_by(LinearSolver::direct, 2));
+  FootCase multigrid(GlassProfile(), refined(1), solved_by(LinearSolver::multigrid, 2));
+  const auto law = make_law(mat, direct.body->contact_surface());
+  const LoadHarmonics expected = direct.solve(*law, load_at(1.3, 0.4));
+  const ContactSolution found = solve_nested(multigrid, mat, load_at(1.3, 0.4));
+  const LoadHarmonics load = extract_load(*law, found, 8);
+  for (unsigned int n = 0; n <= 8; ++n)
+    EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[0][n] / expected.a[0][0], 1e-9) << "n = " << n;
+  EXPECT_LE(found.n_iterations, 6u);
+  EXPECT_LE(found.equilibrium_residual, 1e-9);
+}
+
+TEST(Multigrid, MomentBalanceIsTheFactorisations)
+{
+  // A friction arm of half the radius, and a weight that leans: the system is not symmetric.
+  FootCase direct(GlassProfile(), { 12, 2, 1, 1 }, solved_by(LinearSolver::direct, 2));
+  FootCase multigrid(GlassProfile(), { 12, 2, 1, 1 }, solved_by(LinearSolver::multigrid, 2));
+  const auto conditions_on = [](const ContactSurface &surface)
+  {
+    Eigen::MatrixX3d weights = surface.motion_modes();
+    weights.col(1).array() += 0.015 * surface.node_position.col(1).array() / 0.03;
+    weights.col(2).array() += 0.004;
+    const Eigen::Matrix3d leaning = Eigen::Vector3d(0, 0.2, 0.2).asDiagonal();
+    return LinearConditions(surface, weights, { weight, 0.6 * weight * 0.015, 0.2 * weight * 0.015 },
+                            leaning);
+  };
+  std::vector<ContactSolution> solutions;
+  for (FootCase *foot : { &direct, &multigrid })
+  {
+    const ContactSurface &surface = foot->body->contact_surface();
+    const auto law = make_law(WinklerInterface(1e10), surface);
+    solutions.push_back(solve_contact(*foot->body, *law, conditions_on(surface), foot->radius));
+  }
+  EXPECT_LT((solutions[0].motion - solutions[1].motion).norm(), 1e-9 * solutions[0].motion.norm());
+  EXPECT_LT((solutions[0].forces - solutions[1].forces).norm(), 1e-8 * solutions[0].forces.norm());
+}

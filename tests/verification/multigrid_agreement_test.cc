@@ -1,0 +1,88 @@
+// The solid body by geometric multigrid against the body of revolution: other elements, another linear
+// solver, the same interface law.
+#include "fem/contact/hard_interface.h"
+#include "fem/solid/nested_contact.h"
+#include "fem/solid/solid_foot.h"
+#include "tests/fem/foot_case.h"
+#include "tests/fem/revolution/revolution_case.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::revolution_tests;
+
+namespace
+{
+
+LoadHarmonics solid_load(const GlassProfile &profile, const FootResolution &resolution, double modulus,
+                         const Resultants &load)
+{
+  SolidOptions options;
+  options.linear_solver = LinearSolver::multigrid;
+  FootCase foot(profile, resolution, options);
+  const WinklerInterface mat(modulus);
+  const std::optional<ContactStart> start = start_from_coarser_mesh(*foot.body, mat, 1, load, foot.radius);
+  const auto law = make_law(mat, foot.body->contact_surface());
+  return extract_load(*law, solve_contact(*foot.body, *law, load, foot.radius, {}, &start.value()), 8);
+}
+
+/// Largest |a_n - expected a_n| / a_0 over n = 2 ... 8.
+double largest_difference(const LoadHarmonics &load, const LoadHarmonics &expected)
+{
+  double largest = 0;
+  for (unsigned int n = 2; n <= 8; ++n)
+    largest = std::max(largest, std::abs(load.a[0][n] - expected.a[0][n]) / expected.a[0][0]);
+  return largest;
+}
+
+} // namespace
+
+TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
+{
+  // A foot's profile is smooth but for its edge; a step has corners of 270 degrees, where elements of any
+  // degree converge slowly.
+  for (const auto &[shape, tolerance] : { std::pair(GlassShape::foot, 1e-5), { GlassShape::step, 3e-5 } })
+  {
+    GlassProfile profile;
+    profile.shape = shape;
+    MeridianOptions options;
+    options.n_harmonics = 32;
+    RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
+    for (const double m : { 0.5, 1.2 })
+    {
+      const LoadHarmonics expected = revolution.solve_on_winkler(1e11, load_at(m));
+      const LoadHarmonics load = solid_load(profile, { 48, 2, 2, 1 }, 1e11, load_at(m));
+      EXPECT_LT(largest_difference(load, expected), tolerance) << "m = " << m;
+    }
+  }
+}
+
+TEST(MultigridAgreement, HangingNodesInTheContact)
+{
+  // Finer cells on the land end in it and round it. The foot has a fillet, so that no corner hides an error.
+  GlassProfile profile;
+  profile.shape = GlassShape::foot;
+  MeridianOptions options;
+  options.n_harmonics = 32;
+  RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
+  const LoadHarmonics expected = revolution.solve_on_winkler(1e11, load_at(1.2));
+  const double uniform =
+    largest_difference(solid_load(profile, { 24, 2, 1, 1 }, 1e11, load_at(1.2)), expected);
+  const double finer =
+    largest_difference(solid_load(profile, { 24, 2, 1, 1, 1 }, 1e11, load_at(1.2)), expected);
+  EXPECT_LT(finer, uniform);
+  EXPECT_LT(finer, 3e-5) << "uniform: " << uniform;
+}
+
+TEST(MultigridAgreement, HardFlatLandLiesAmongThreeEngines)
+{
+  // Scatter of three finite-element programs with nodal contact on this foot, m = 1.3: a_4 ... a_8 over a_0.
+  const double engines[] = { 0.0090, 0.2055, 0.0055, -0.1415, -0.0125 };
+  SolidSetup setup;
+  setup.profile = flat_profile();
+  setup.table.interface = std::make_shared<HardInterface>();
+  setup.options.linear_solver = LinearSolver::multigrid;
+  SolidFoot foot(generate_solid_mesh(setup.profile, { 48, 2, 2, 1 }), setup);
+  const LoadHarmonics load = foot.solve(load_at(1.3)).load;
+  for (unsigned int n = 4; n <= 8; ++n)
+    EXPECT_NEAR(load.a[0][n] / load.a[0][0], engines[n - 4], 0.003) << "n = " << n;
+}
