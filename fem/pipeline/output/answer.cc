@@ -21,19 +21,6 @@ std::string faster_or_slower(double change)
   return format::percent<3>(std::abs(change)) + (change > 0 ? " faster" : " slower");
 }
 
-/// Decimals that show two digits of @p spread.
-int decimals_of(double spread)
-{
-  constexpr int of_nothing = 6;
-  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
-}
-
-/// @p value to two digits of @p spread.
-std::string to_spread(double value, double spread)
-{
-  return fmt::format(FMT_STRING("{:.{}f}"), value, decimals_of(spread));
-}
-
 /// " (moment balance: +17.9 %)"; empty where one of the spins does not exist, or the first is rounding.
 std::string change_in_brackets(const std::string &name, const SpinRow &from, const SpinRow &to,
                                double spin_unit)
@@ -199,6 +186,28 @@ std::string at_case(const SweepPlan &plan, std::size_t index)
   return " (" + values_of_case(plan, index) + ")";
 }
 
+/// Which entry the variance is due to, most of all: from the linear fit where that explains it, else from the
+/// shares where there are samples enough; empty where neither tells.
+std::string largest_share_sentence(const SweepPlan &plan, const QuantityFindings &about)
+{
+  constexpr double good_fit = 0.9;
+  if (!about.sensitivity)
+    return "";
+  std::vector<double> shares = about.sensitivity->first_order;
+  if (about.sensitivity->r_squared >= good_fit)
+  {
+    shares.clear();
+    for (const double coefficient : about.sensitivity->regression)
+      shares.push_back(coefficient * coefficient);
+  }
+  if (shares.empty())
+    return "";
+  const auto largest = std::max_element(shares.begin(), shares.end());
+  return fmt::format(FMT_STRING(" {:.0f} % of the variance is due to {} alone."),
+                     100 * std::min(*largest, 1.),
+                     plan.entries[static_cast<std::size_t>(largest - shares.begin())].path);
+}
+
 std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings)
 {
   const QuantityFindings *spin = findings.about("terminal spin");
@@ -216,23 +225,35 @@ std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings
   std::string sentence = fmt::format(
     FMT_STRING("{} {} samples the glass spins up to {} ± {} rad/s (mean and standard deviation; 95 % of them "
                "lie between {} and {} rad/s)."),
-    beginning, spin->n_values, to_spread(band.mean, spread), to_spread(band.deviation, spread),
-    to_spread(band.lower, spread), to_spread(band.upper, spread));
-  if (!spin->sensitivity)
-    return sentence;
-  const std::vector<double> &shares = spin->sensitivity->first_order;
-  const auto largest = std::max_element(shares.begin(), shares.end());
-  return sentence + fmt::format(FMT_STRING(" {:.0f} % of the variance is due to {} alone."),
-                                100 * std::min(*largest, 1.),
-                                plan.entries[static_cast<std::size_t>(largest - shares.begin())].path);
+    beginning, spin->n_values, format::to_spread(band.mean, spread),
+    format::to_spread(band.deviation, spread), format::to_spread(band.lower, spread),
+    format::to_spread(band.upper, spread));
+  return sentence + largest_share_sentence(plan, *spin);
+}
+
+/// "@p beginning by between -4.47 rad/s (...) and +4.1 rad/s (...).": where the spin changes its sign.
+std::string absolute_range_sentence(const SweepPlan &plan, const std::string &beginning,
+                                    const QuantityFindings *about)
+{
+  if (about == nullptr)
+    return "";
+  if (about->band)
+    return beginning + " by " + format::signed_significant<3>(about->band->mean) +
+           " rad/s (mean; 95 % of the samples: " + format::signed_significant<3>(about->band->lower) +
+           " to " + format::signed_significant<3>(about->band->upper) + " rad/s).";
+  return beginning + " by between " + format::signed_significant<3>(about->least) + " rad/s" +
+         at_case(plan, about->least_case) + " and " + format::signed_significant<3>(about->most) + " rad/s" +
+         at_case(plan, about->most_case) + ".";
 }
 
 std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &findings)
 {
+  const std::string subject = harmonics_subject(plan.base);
+  if (findings.spin_changes_sign())
+    return absolute_range_sentence(plan, subject + "change it", findings.about("absolute harmonic effect"));
   const QuantityFindings *effect = findings.about("harmonic effect");
   if (effect == nullptr)
     return "";
-  const std::string subject = harmonics_subject(plan.base);
   if (effect->band)
     return subject + "change it by " + in_percent_of_sweep(effect->band->mean) +
            " (mean; 95 % of the samples: " + in_percent_of_sweep(effect->band->lower) + " to " +
@@ -248,8 +269,12 @@ std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &
          slower + ".";
 }
 
-std::string sweep_closure_sentence(const SweepFindings &findings)
+std::string sweep_closure_sentence(const SweepPlan &plan, const SweepFindings &findings)
 {
+  if (findings.spin_changes_sign())
+    return absolute_range_sentence(
+      plan, "For scale: what the paper's moment balance leaves out changes the spin of a first-harmonic load",
+      findings.about("moment balance"));
   const QuantityFindings *effect = findings.about("closure effect");
   if (effect == nullptr)
     return "";
@@ -413,13 +438,13 @@ std::string refinement_answer(const RefinementResult &result)
   return "Terminal spin " + with_band(spin.quantity.value, spin.band) + " rad/s (discretisation only)" +
          (order ? "; it converges with order " + format::fixed<2>(*order) + " in the " + first.axis.name
                 : "") +
-         ", Richardson value " + format::significant<9>(spin.richardson) + " rad/s.";
+         ", Richardson value " + format::to_spread(spin.richardson, spin.band) + " rad/s.";
 }
 
 std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings)
 {
   return joined({ spread_sentence(plan, findings), held_cases_sentence(plan, findings),
-                  sweep_harmonic_sentence(plan, findings), sweep_closure_sentence(findings),
+                  sweep_harmonic_sentence(plan, findings), sweep_closure_sentence(plan, findings),
                   failed_cases_sentence(findings) });
 }
 
@@ -457,10 +482,10 @@ std::string with_band(double value, const std::optional<double> &band)
   if (!band || !(*band > 0))
     return format::all_significant<6>(value);
   // Rounded up, so that what is printed contains all of value -/+ band.
-  const double unit = std::pow(10, -decimals_of(*band));
+  const double unit = std::pow(10, -format::decimals_of(*band));
   const double shift = std::abs(value - std::round(value / unit) * unit);
-  return to_spread(value, *band) + " ± " +
-         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
+  return format::to_spread(value, *band) + " ± " +
+         format::to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline

@@ -190,7 +190,8 @@ std::vector<double> spectrum_band(const std::vector<BandedQuantity> &bands, unsi
   return widths;
 }
 
-ReportSection load_section(const LoadReport &load, const std::vector<BandedQuantity> &bands)
+ReportSection load_section(const Study &study, const LoadReport &load,
+                           const std::vector<BandedQuantity> &bands)
 {
   const ring::RingStack &rings = load.rings;
   const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
@@ -211,7 +212,7 @@ ReportSection load_section(const LoadReport &load, const std::vector<BandedQuant
         ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
         : "The ring",
       rings.radius()),
-    { load_plot(rings, pointwise) },
+    { load_plot(rings, pointwise), line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
     { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
   };
   if (rings.n_harmonics() > 1)
@@ -238,7 +239,7 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
   spin_ups.push_back({ "the paper's model", curves.time, curves.paper });
   return { "Torque and spin",
            text + ".",
-           { torque_plot(spin.torque, spin.rows), spin_up_plot(spin_ups) },
+           { torque_plot(spin.torque, spin.rows), spin_up_plot(spin_ups, all) },
            { friction_table(study, all) } };
 }
 
@@ -318,7 +319,7 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 {
   Report report = { title(study),
                     run_answer(study, spin, bands),
-                    { budget_section(study, contact, spin), load_section(contact.load, bands),
+                    { budget_section(study, contact, spin), load_section(study, contact.load, bands),
                       spin_section(study, contact, spin) } };
   if (contact.load.rings.n_harmonics() > 1)
     report.sections.push_back(truncation_section(spin));
