@@ -115,8 +115,8 @@ Table overview_table(const Comparison &comparison)
 }
 
 /// For the console: the terminal spin of each load with all its harmonics, and what those beyond the first do
-/// to it.
-Table console_overview(const Comparison &comparison)
+/// to it under the @p own moment balance of the study.
+Table console_overview(const Comparison &comparison, Closure own)
 {
   const auto of_all_harmonics = [&](Closure closure)
   {
@@ -131,15 +131,16 @@ Table console_overview(const Comparison &comparison)
                            [](const SpinRow &row) { return name_of_load(row.load); }) } };
   for (const Closure closure : closures)
   {
-    const std::vector<SpinRow> rows = of_all_harmonics(closure);
     const std::string name = ring::to_string(closure);
-    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "), rows,
+    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "),
+                                   of_all_harmonics(closure),
                                    [](const SpinRow &row) { return spin_text(row, true); }));
-    table.columns.push_back(column(
-      quantity::harmonic_effect.with(&Quantity::label, std::string("harmonics")), rows,
-      [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; },
-      1e-9 * comparison.spin_unit));
   }
+  table.columns.push_back(column(
+    quantity::harmonic_effect.with(&Quantity::label, "harmonics,\nclosure " + ring::to_string(own)),
+    of_all_harmonics(own),
+    [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; },
+    1e-9 * comparison.spin_unit));
   return table;
 }
 
@@ -197,7 +198,7 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Study &stu
                                        chain_block(study, steps),
                                        { "Terminal spin by load, all its harmonics kept, and by moment "
                                          "balance, and what the harmonics beyond the first do to it:",
-                                         console_overview(comparison) } };
+                                         console_overview(comparison, study.motion.closure) } };
   if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
                   [](const SpinRow &row)
                   { return row.omega_terminal() && row.standing == Standing::formal; }))

@@ -150,7 +150,7 @@ std::optional<Curve> slope_triangle(const AxisResult &result, std::size_t i, con
   const double low = 0.4 * std::min(errors.y[last], errors.y[last - 1]);
   const double ratio = std::max(fine, coarse) / std::min(fine, coarse);
   const double high = low * std::pow(ratio, *order);
-  return Curve{ "order " + format::fixed<2>(*order) + ", ",
+  return Curve{ "order " + format::fixed<2>(*order),
                 { fine, coarse, coarse, fine },
                 { low, high, low, low },
                 CurveStyle::line,
@@ -162,7 +162,9 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
 {
   ReportSection section = { "Refinement: " + result.axis.name, "" };
   CurvePlot plot = { "converge_" + result.axis.key,
-                     "Relative distance from the limit; bars reach up to the error band",
+                     "Relative distance from the limit; bars reach up to the error band. A triangle has the "
+                     "slope of the first "
+                     "quantity's observed order.",
                      { is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0"
                                                    : result.axis.size,
                        result.axis.decay == Decay::algebraic || result.axis.sizes_double },
@@ -173,8 +175,8 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
     if (const Curve curve = errors_of(result, i, quantities[i].quantity); !curve.x.empty())
     {
       plot.curves.push_back(curve);
-      if (!triangle && (triangle = slope_triangle(result, i, curve)))
-        triangle->title += quantities[i].quantity.name;
+      if (!triangle)
+        triangle = slope_triangle(result, i, curve);
     }
   if (triangle)
     plot.curves.push_back(*triangle);
@@ -195,7 +197,7 @@ Table spin_budget_table(const RefinementResult &result)
   {
     const RefinementSequence &judged = axis.quantities.at(spin).judged;
     names.push_back(axis.axis.name);
-    sizes.push_back(std::to_string(axis.axis.levels.at(axis.axis.own).size) + " " + axis.axis.size);
+    sizes.push_back(axis.axis.size + ": " + std::to_string(axis.axis.levels.at(axis.axis.own).size));
     bands.push_back(judged.bands.at(axis.axis.own));
     orders.push_back(judged.order);
   }

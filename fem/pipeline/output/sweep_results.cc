@@ -312,12 +312,10 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
   add_closing_sections(results.report, plan.base, results.files);
   const std::vector<QuantityFindings> main = main_quantities(findings);
   const bool has_bands = std::any_of(main.begin(), main.end(), has_band);
-  results.console = {
-    { results.report.answer,
-      statistics_table(plan, main)
-        .with("", has_bands ? "title least mean most standard_deviation percentile_2.5 percentile_97.5"
-                            : "title least most") }
-  };
+  results.console = { { results.report.answer,
+                        statistics_table(plan, main)
+                          .with("", has_bands ? "title mean standard_deviation percentile_2.5 percentile_97.5"
+                                              : "title least most") } };
   results.findings = findings_of(plan, findings);
   return results;
 }

@@ -30,7 +30,7 @@ constexpr char data_columns[] =
   "moment_ratio_at_terminal load_minimum load_minimum_at_terminal pulling_share "
   "pulling_share_at_terminal pulls torque[]";
 constexpr char console_columns[] =
-  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound least_load pulls_with";
+  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound least_load";
 constexpr char spin_columns[] = "harmonics amplitude omega_terminal relative_change spin_up_deviation "
                                 "spin_up_deviation_at_end bound";
 constexpr char load_columns[] =
@@ -48,11 +48,15 @@ Table truncation_table(const TruncationStudy &study, const std::vector<SpinRow> 
   return table;
 }
 
-/// The rows up to the first whose terminal spin is that of all harmonics to 1e-9, and the last.
-std::vector<SpinRow> rows_that_differ(const std::vector<SpinRow> &rows)
+/// The rows up to the first whose terminal spin is that of all harmonics, to within its band or 1e-9, and the
+/// last.
+std::vector<SpinRow> rows_that_differ(const TruncationStudy &study)
 {
-  const auto is_settled = [](const SpinRow &row)
-  { return row.relative_change && std::abs(*row.relative_change) < 1e-9; };
+  const std::vector<SpinRow> &rows = study.rows;
+  const double spin = std::abs(study.all().omega_terminal().value_or(0));
+  const double small = std::max(1e-9, spin > 0 ? study.all().band.value_or(0) / spin : 0);
+  const auto is_settled = [=](const SpinRow &row)
+  { return row.relative_change && std::abs(*row.relative_change) < small; };
   const auto settled = std::find_if(rows.begin(), rows.end(), is_settled);
   std::vector<SpinRow> shown(rows.begin(), settled);
   if (settled != rows.end())
@@ -196,7 +200,7 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   results.console = {
     { report.answer },
     { is_one_way(study) ? "One-way, the load of rest cut off:" : "In balance at every spin:",
-      truncation_table(truncations, rows_that_differ(truncations.rows)).with("", console_columns) },
+      truncation_table(truncations, rows_that_differ(truncations)).with("", console_columns) },
     chain_block(study, steps)
   };
   results.findings = findings_of(load, truncations, budget_summary(study, budget));

@@ -112,7 +112,7 @@ std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along
 /// Few values are marked.
 CurveStyle style_of(std::size_t n_values)
 {
-  return n_values <= 50 ? CurveStyle::line_and_points : CurveStyle::line;
+  return n_values <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
 }
 
 /// Intervals between the values of a curve in which it jumps: one of them, or two side by side, over which

@@ -155,7 +155,7 @@ Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::A
     if (n > 1)
     {
       const bool is_whole = n == load.n_harmonics(), is_pointwise = is_whole && !pointwise.empty();
-      Curve curve = { is_pointwise ? pointwise_title : truncation_title(n, load.n_harmonics()) };
+      Curve curve = { is_pointwise ? "all" : truncation_title(n, load.n_harmonics()) };
       curve.line_type = is_whole ? 1 : n + 1;
       for (const fem::AzimuthLoad &place :
            is_pointwise ? whole_load(load, pointwise) : whole_load(load.truncated(n), {}))
@@ -177,7 +177,7 @@ Plot line_load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthL
     { quantity::axis::azimuth, false, std::pair(0., 360.) },
     { "λ / R (N/m)" },
     {},
-    "set xtics 90; set xzeroaxis lt 8\n"
+    "set xzeroaxis lt 8\n"
   };
   const auto add =
     [&](const std::string &title, unsigned int line_type, const std::vector<fem::AzimuthLoad> &places)
@@ -193,11 +193,11 @@ Plot line_load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthL
     add("first harmonic", 2, whole_load(first, {}));
   add("mean", 8, { { 0, load.a(0) }, { boost::math::double_constants::two_pi, load.a(0) } });
   // The orbit's centre lies to the left of the direction of travel where the orbit runs counter-clockwise.
-  const int centre = sense == ring::OrbitSense::counterclockwise ? 90 : 270;
-  for (const auto &[text, place] : { std::pair("front", 0), std::pair("orbit's centre", centre),
-                                     std::pair("back", 180), std::pair("outside", 360 - centre) })
-    plot.commands += "set label " + gnuplot_text(text) + " at " + std::to_string(place) + ", graph 0.04 " +
-                     (place == 0 ? "left" : "center") + " font \",12\" textcolor rgb \"#555555\"\n";
+  const bool is_left = sense == ring::OrbitSense::counterclockwise;
+  const std::string centre = "orbit's centre", outside = "outside";
+  plot.commands += "set xtics (\"0\\nfront\" 0, \"90\\n" + (is_left ? centre : outside) +
+                   "\" 90, \"180\\nback\" 180, \"270\\n" + (is_left ? outside : centre) +
+                   "\" 270, \"360\\nfront\" 360)\n";
   return curve_plot(plot);
 }
 

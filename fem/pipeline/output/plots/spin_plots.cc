@@ -6,6 +6,8 @@
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -122,6 +124,12 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
     "set xzeroaxis lt 8\nset link y2 via y / (2 * pi) inverse y * 2 * pi\nset y2tics nomirror; "
     "set y2label \"turns per second\"; set border 11\n"
   };
+  Extent spins;
+  for (const Curve &curve : curves)
+    for (const double spin : curve.y)
+      spins.include(spin);
+  plot.commands += tic_commands("y2", spins.least / boost::math::double_constants::two_pi,
+                                spins.most / boost::math::double_constants::two_pi);
   if (const auto omega = all.omega_terminal())
   {
     const std::string at = "first " + to_text(*omega);

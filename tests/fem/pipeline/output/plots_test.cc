@@ -181,7 +181,8 @@ TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
   const Plot plot = spin_up_plot(
-    { { "elastic foot", { 0, 1, 2 }, { 0, -1, -1.5 } }, { "the paper", { 0, 1, 2 }, { 0, -0.9, -1.4 } } });
+    { { "elastic foot", { 0, 1, 2 }, { 0, -1, -1.5 } }, { "the paper", { 0, 1, 2 }, { 0, -0.9, -1.4 } } },
+    two_rows().back());
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("the paper"), std::string::npos);
 }
