@@ -12,7 +12,7 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces)
   const std::string caption = "The faces of the contact zone, seen from above.";
   // One block of five corners a face, the first one again at the end.
   std::string data = "# " + caption + "\n# 1: x (mm)\n# 2: y (mm)\n";
-  double reach = 0; // of the square that is shown
+  double reach = 1e-3; // of the square that is shown
   for (const fem::Quadrilateral &face : faces)
   {
     for (const auto &corner : face)

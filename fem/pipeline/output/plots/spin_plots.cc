@@ -136,7 +136,7 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
     plot.caption += " Dotted: the terminal spin of all harmonics";
     plot.commands +=
       marker_line("graph 0, " + at, "graph 1, " + at) +
-      marker_label(format::significant<5>(*omega) + " rad/s",
+      marker_label((*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
                    "graph 0.98, " + at + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
     if (const auto time = all.time_constant(); time && *time > 0 && *time < curves.front().x.back())
     {
