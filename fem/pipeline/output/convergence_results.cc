@@ -150,7 +150,7 @@ std::optional<Curve> slope_triangle(const AxisResult &result, std::size_t i, con
   const double low = 0.4 * std::min(errors.y[last], errors.y[last - 1]);
   const double ratio = std::max(fine, coarse) / std::min(fine, coarse);
   const double high = low * std::pow(ratio, *order);
-  return Curve{ "order " + format::fixed<2>(*order),
+  return Curve{ "order " + format::fixed<1>(*order),
                 { fine, coarse, coarse, fine },
                 { low, high, low, low },
                 CurveStyle::line,

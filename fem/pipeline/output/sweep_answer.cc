@@ -77,6 +77,8 @@ std::string absolute_range_sentence(const SweepPlan &plan, const std::string &be
     return beginning + " by " + format::signed_significant<3>(about->band->mean) +
            " rad/s (mean; 95 % of the samples: " + format::signed_significant<3>(about->band->lower) +
            " to " + format::signed_significant<3>(about->band->upper) + " rad/s).";
+  if (about->most - about->least < 1e-9 * std::abs(about->most))
+    return beginning + " by " + format::signed_significant<3>(about->most) + " rad/s.";
   return beginning + " by between " + format::signed_significant<3>(about->least) + " rad/s" +
          at_case(plan, about->least_case) + " and " + format::signed_significant<3>(about->most) + " rad/s" +
          at_case(plan, about->most_case) + ".";

@@ -146,7 +146,7 @@ Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::A
     { quantity::axis::azimuth, false, std::pair(0., 360.) },
     { "(λ - λ_1) / a_0" },
     {},
-    "set xtics 90; set xzeroaxis lt 8\n"
+    "set xtics 90; set xzeroaxis lt 8; set key width 0\n"
   };
   double largest = 0;
   for (const double theta : azimuths())
@@ -197,7 +197,7 @@ Plot line_load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthL
   const std::string centre = "orbit's centre", outside = "outside";
   plot.commands += "set xtics (\"0\\nfront\" 0, \"90\\n" + (is_left ? centre : outside) +
                    "\" 90, \"180\\nback\" 180, \"270\\n" + (is_left ? outside : centre) +
-                   "\" 270, \"360\\nfront\" 360)\n";
+                   "\" 270, \"360\\nfront\" 360)\nset xlabel offset 0,-0.9; set bmargin 5\n";
   return curve_plot(plot);
 }
 

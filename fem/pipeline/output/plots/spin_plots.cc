@@ -73,6 +73,21 @@ double spin_unit_of(const TorqueCurve &curve)
   return 0;
 }
 
+/// Tics at multiples of 1, 2 or 5 times a power of ten, at most six; gnuplot's own of a linked axis have many
+/// digits.
+std::string turn_tics(double low, double high)
+{
+  const double range = high - low;
+  if (!(range > 0))
+    return "0";
+  double step = std::pow(10, std::floor(std::log10(range / 5)));
+  step *= range / step > 25 ? 10 : range / step > 10 ? 5 : range / step > 5 ? 2 : 1;
+  std::string tics;
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * range; ++i)
+    tics += (tics.empty() ? "" : ", ") + to_short_text(i * step + 0.); // no -0
+  return tics;
+}
+
 } // namespace
 
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
@@ -124,23 +139,17 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
     "set xzeroaxis lt 8\nset link y2 via y / (2 * pi) inverse y * 2 * pi\nset y2tics nomirror; "
     "set y2label \"turns per second\"; set border 11\n"
   };
-  Extent spins;
-  for (const Curve &curve : curves)
-    for (const double spin : curve.y)
-      spins.include(spin);
-  plot.commands += tic_commands("y2", spins.least / boost::math::double_constants::two_pi,
-                                spins.most / boost::math::double_constants::two_pi);
   if (const auto omega = all.omega_terminal())
   {
-    const std::string at = "first " + to_text(*omega);
-    plot.caption += " Dotted: the terminal spin of all harmonics";
-    plot.commands +=
-      marker_line("graph 0, " + at, "graph 1, " + at) +
-      marker_label((*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
-                   "graph 0.98, " + at + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
-    if (const auto time = all.time_constant(); time && *time > 0 && *time < curves.front().x.back())
+    const double end = curves.front().x.back();
+    plot.curves.push_back({ "", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
+    plot.caption += " Grey: the terminal spin of all harmonics";
+    plot.commands += marker_label(
+      (*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
+      "graph 0.98, first " + to_text(*omega) + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
+    if (const auto time = all.time_constant(); time && *time > 0 && *time < end)
     {
-      plot.caption += ", and the time constant with which it is approached";
+      plot.caption += "; dotted: the time constant with which it is approached";
       plot.commands +=
         marker_line(to_text(*time) + ", graph 0", to_text(*time) + ", graph 1") +
         marker_label(format::significant<3>(*time) + " s",
@@ -148,6 +157,14 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
     }
     plot.caption += ".";
   }
+  Extent spins;
+  for (const Curve &curve : plot.curves)
+    for (const double spin : curve.y)
+      spins.include(spin);
+  plot.commands += "set y2tics (" +
+                   turn_tics(spins.least / boost::math::double_constants::two_pi,
+                             spins.most / boost::math::double_constants::two_pi) +
+                   ")\n";
   return curve_plot(plot);
 }
 
