@@ -1,4 +1,5 @@
 #include "fem/geometry/mesh_io.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
@@ -118,8 +119,10 @@ void mesh(const MeshOptions &options)
   // 3. The mesh in files, and the report.
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
-  const Results results =
-    tabulate(findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh) }, options.writes);
+  constexpr double azimuth = 0.02; // between two sectors of any usual mesh
+  const Results results = tabulate(
+    findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh), fem::section_cells(mesh, azimuth) },
+    options.writes);
   if (folder)
     publish(options.study, study, results, *folder, stopwatch);
   else if (options.study.json && is_first_rank())

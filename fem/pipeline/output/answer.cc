@@ -21,19 +21,6 @@ std::string faster_or_slower(double change)
   return format::percent<3>(std::abs(change)) + (change > 0 ? " faster" : " slower");
 }
 
-/// Decimals that show two digits of @p spread.
-int decimals_of(double spread)
-{
-  constexpr int of_nothing = 6;
-  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
-}
-
-/// @p value to two digits of @p spread.
-std::string to_spread(double value, double spread)
-{
-  return fmt::format(FMT_STRING("{:.{}f}"), value, decimals_of(spread));
-}
-
 /// " (moment balance: +17.9 %)"; empty where one of the spins does not exist, or the first is rounding.
 std::string change_in_brackets(const std::string &name, const SpinRow &from, const SpinRow &to,
                                double spin_unit)
@@ -42,24 +29,6 @@ std::string change_in_brackets(const std::string &name, const SpinRow &from, con
   const auto change =
     before && after ? relative_to(before, *after - *before, spin_unit) : std::optional<double>();
   return change ? " (" + name + ": " + format::change(*change) + ")" : "";
-}
-
-/// "The harmonics of the load beyond the first ".
-std::string harmonics_subject(const Study &study)
-{
-  return std::string("The harmonics of the ") + (is_one_way(study) ? "one-way " : "") +
-         "load beyond the first ";
-}
-
-/// "With the load of rest kept at every spin (one-way), "; empty for a load in balance.
-std::string one_way_beginning(const Study &study)
-{
-  if (!is_one_way(study))
-    return "";
-  if (study.load.source == LoadSource::file)
-    return "Under the given load (one-way: it is the same at every spin) ";
-  return (study.load.is_static() ? "Under the given moment, with" : "With") +
-         std::string(" the load of rest kept at every spin (one-way), ");
 }
 
 // ---- run
@@ -185,100 +154,6 @@ std::string effect_text(const HarmonicEffect &effect, double spin_unit)
          (effect.relative ? ", " + format::change(*effect.relative) : "");
 }
 
-// ---- sweep
-
-/// "0.27 %", "2110 %".
-std::string in_percent_of_sweep(double value)
-{
-  return std::abs(value) < 1000 ? format::significant<3>(value) + " %" : format::fixed<0>(value) + " %";
-}
-
-/// " (Load/Moment ratio = 1.3)": where something happens.
-std::string at_case(const SweepPlan &plan, std::size_t index)
-{
-  return " (" + values_of_case(plan, index) + ")";
-}
-
-std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings)
-{
-  const QuantityFindings *spin = findings.about("terminal spin");
-  if (spin == nullptr)
-    return "";
-  const std::string beginning = one_way_beginning(plan.base) + (is_one_way(plan.base) ? "in" : "In");
-  if (!spin->band)
-    return fmt::format(
-      FMT_STRING("{} {} cases the glass spins up to between {:.6g} rad/s{} and {:.6g} rad/s{}."), beginning,
-      spin->n_values, spin->least, at_case(plan, spin->least_case), spin->most,
-      at_case(plan, spin->most_case));
-  const SampleBand &band = *spin->band;
-  // Where nothing varies, rounding would be shown as a spread.
-  const double spread = std::max(band.deviation, 1e-9 * std::abs(band.mean));
-  std::string sentence = fmt::format(
-    FMT_STRING("{} {} samples the glass spins up to {} ± {} rad/s (mean and standard deviation; 95 % of them "
-               "lie between {} and {} rad/s)."),
-    beginning, spin->n_values, to_spread(band.mean, spread), to_spread(band.deviation, spread),
-    to_spread(band.lower, spread), to_spread(band.upper, spread));
-  if (!spin->sensitivity)
-    return sentence;
-  const std::vector<double> &shares = spin->sensitivity->first_order;
-  const auto largest = std::max_element(shares.begin(), shares.end());
-  return sentence + fmt::format(FMT_STRING(" {:.0f} % of the variance is due to {} alone."),
-                                100 * std::min(*largest, 1.),
-                                plan.entries[static_cast<std::size_t>(largest - shares.begin())].path);
-}
-
-std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &findings)
-{
-  const QuantityFindings *effect = findings.about("harmonic effect");
-  if (effect == nullptr)
-    return "";
-  const std::string subject = harmonics_subject(plan.base);
-  if (effect->band)
-    return subject + "change it by " + in_percent_of_sweep(effect->band->mean) +
-           " (mean; 95 % of the samples: " + in_percent_of_sweep(effect->band->lower) + " to " +
-           in_percent_of_sweep(effect->band->upper) + ").";
-  if (std::max(std::abs(effect->least), std::abs(effect->most)) < 1e-7) // per cent
-    return subject + "do not change that.";
-  const std::string faster =
-    effect->most > 0 ? in_percent_of_sweep(effect->most) + " faster" + at_case(plan, effect->most_case) : "";
-  const std::string slower =
-    effect->least < 0 ? in_percent_of_sweep(-effect->least) + " slower" + at_case(plan, effect->least_case)
-                      : "";
-  return subject + "make it up to " + faster + (faster.empty() || slower.empty() ? "" : " and up to ") +
-         slower + ".";
-}
-
-std::string sweep_closure_sentence(const SweepFindings &findings)
-{
-  const QuantityFindings *effect = findings.about("closure effect");
-  if (effect == nullptr)
-    return "";
-  const bool is_constant = effect->most - effect->least < 1e-9 * std::abs(effect->most);
-  return "For scale: what the paper's moment balance leaves out changes the spin of a first-harmonic load "
-         "by " +
-         (is_constant ? "" : in_percent_of_sweep(effect->least) + " to ") +
-         in_percent_of_sweep(effect->most) + ".";
-}
-
-std::string held_cases_sentence(const SweepPlan &plan, const SweepFindings &findings)
-{
-  const QuantityFindings *held = findings.about("held by the grip");
-  if (held == nullptr || held->most < 1)
-    return "";
-  return held->least < 1
-           ? "In some of them the fingers hold the glass at rest" + at_case(plan, held->most_case) +
-               "; see the column \"held by the grip\" of sweep.csv."
-           : "In all of them the fingers hold the glass at rest.";
-}
-
-std::string failed_cases_sentence(const SweepFindings &findings)
-{
-  if (findings.n_failed == 0)
-    return "";
-  return fmt::format(FMT_STRING("{} of {} cases failed; the column message of sweep.csv says why."),
-                     findings.n_failed, findings.n_cases);
-}
-
 } // namespace
 
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
@@ -296,6 +171,22 @@ bool is_one_way(const Study &study)
 {
   return study.load.source == LoadSource::file || study.load.is_static() ||
          (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
+}
+
+std::string harmonics_subject(const Study &study)
+{
+  return std::string("The harmonics of the ") + (is_one_way(study) ? "one-way " : "") +
+         "load beyond the first ";
+}
+
+std::string one_way_beginning(const Study &study)
+{
+  if (!is_one_way(study))
+    return "";
+  if (study.load.source == LoadSource::file)
+    return "Under the given load (one-way: it is the same at every spin) ";
+  return (study.load.is_static() ? "Under the given moment, with" : "With") +
+         std::string(" the load of rest kept at every spin (one-way), ");
 }
 
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect)
@@ -413,14 +304,7 @@ std::string refinement_answer(const RefinementResult &result)
   return "Terminal spin " + with_band(spin.quantity.value, spin.band) + " rad/s (discretisation only)" +
          (order ? "; it converges with order " + format::fixed<2>(*order) + " in the " + first.axis.name
                 : "") +
-         ", Richardson value " + format::significant<9>(spin.richardson) + " rad/s.";
-}
-
-std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings)
-{
-  return joined({ spread_sentence(plan, findings), held_cases_sentence(plan, findings),
-                  sweep_harmonic_sentence(plan, findings), sweep_closure_sentence(findings),
-                  failed_cases_sentence(findings) });
+         ", Richardson value " + format::to_spread(spin.richardson, spin.band) + " rad/s.";
 }
 
 std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key)
@@ -457,10 +341,10 @@ std::string with_band(double value, const std::optional<double> &band)
   if (!band || !(*band > 0))
     return format::all_significant<6>(value);
   // Rounded up, so that what is printed contains all of value -/+ band.
-  const double unit = std::pow(10, -decimals_of(*band));
+  const double unit = std::pow(10, -format::decimals_of(*band));
   const double shift = std::abs(value - std::round(value / unit) * unit);
-  return to_spread(value, *band) + " ± " +
-         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
+  return format::to_spread(value, *band) + " ± " +
+         format::to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
 }
 
 } // namespace stemware::pipeline

@@ -25,6 +25,12 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const std::vec
 /// a file.
 bool is_one_way(const Study &study);
 
+/// "The harmonics of the load beyond the first ", with "one-way" where the load is that: a sentence goes on.
+std::string harmonics_subject(const Study &study);
+
+/// "With the load of rest kept at every spin (one-way), "; empty for a load in balance.
+std::string one_way_beginning(const Study &study);
+
 /// Says what the harmonics of the load beyond the first do to the spin; empty where there is no such effect
 /// to speak of.
 std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &effect);

@@ -78,7 +78,7 @@ Table budget_table(const Study &study, const Budget &budget)
       column(quantity::harmonics.with(&Quantity::key, "harmonics_kept")
                .with(&Quantity::name, "harmonics kept, nan: all"),
              rows, &Row::harmonics),
-      column(quantity::omega_terminal, rows, &Row::omega_terminal),
+      column(quantity::omega_terminal, rows, &Row::omega_terminal, small_spin),
       column(quantity::spin_difference, rows, &Row::difference, small_spin),
       column(quantity::relative_difference, rows, relative, 1e-9),
       column(quantity::spin_band, rows, &Row::band), column(quantity::budget_state, rows, state_of),
@@ -97,10 +97,18 @@ Table budget_table(const Study &study, const Budget &budget)
 Table shown_budget_table(const Study &study, const Budget &budget)
 {
   Budget shown = budget;
+  const double band = budget.rows.empty() ? 0 : budget.rows.back().band.value_or(0);
   const auto changes_nothing = [&](const BudgetRow &row)
-  { return row.name == "harmonics" && row.harmonics && row.difference && !is_spin(study, *row.difference); };
+  {
+    return row.name == "harmonics" && row.harmonics && row.difference &&
+           std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
+  };
   shown.rows.erase(std::remove_if(shown.rows.begin(), shown.rows.end(), changes_nothing), shown.rows.end());
-  return budget_table(study, shown);
+  Table table = budget_table(study, shown);
+  for (Column &column : table.columns)
+    if (column.quantity.key == quantity::omega_terminal.key)
+      column.uncertainty = band;
+  return table;
 }
 
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)

@@ -122,7 +122,7 @@ ReportSection chain_section(const Study &study, const Budget &budget)
 
 void say_one_way(Report &report)
 {
-  const std::string at_rest[] = { "load", "higher_harmonics", "spectrum", "footprint" };
+  const std::string at_rest[] = { "load", "line_load", "higher_harmonics", "spectrum", "footprint" };
   for (ReportSection &section : report.sections)
     for (Plot &plot : section.plots)
       if (std::find(std::begin(at_rest), std::end(at_rest), plot.name) == std::end(at_rest))
@@ -196,7 +196,13 @@ Table band_table(const std::vector<BandedQuantity> &bands)
              column(quantity::value, bands, [](const Row &row) { return row.quantity.value; }),
              column(quantity::error_band, bands, &Row::band),
              column(quantity::unit, bands, [](const Row &row) { return row.quantity.unit; }),
-             column(quantity::richardson, bands, &Row::richardson) } };
+             column(quantity::richardson, bands, &Row::richardson),
+             column(quantity::value.with(&Quantity::key, "shown_value"), bands,
+                    [](const Row &row) { return format::to_spread(row.quantity.value, row.band); }),
+             column(quantity::richardson.with(&Quantity::key, "shown_richardson"), bands,
+                    [](const Row &row) { return format::to_spread(row.richardson, row.band); }),
+             column(quantity::unit.with(&Quantity::key, "shown_unit"), bands,
+                    [](const Row &row) { return row.quantity.unit == "1" ? "–" : row.quantity.unit; }) } };
 }
 
 Json band_summary(const std::vector<BandedQuantity> &bands)
@@ -227,7 +233,7 @@ ReportSection error_band_section(const std::vector<BandedQuantity> &bands)
     "measures, nor about uncertain parameters such as μ, E or the mass; stemware sweep --random does.",
     {},
     { band_table(listed).with("The study as it is; harmonics not listed are zero",
-                              "quantity value band richardson unit") }
+                              "quantity shown_value band shown_richardson shown_unit") }
   };
   if (const Table parts = part_table(listed); parts.columns.size() > 1)
     section.tables.push_back(parts);

@@ -87,30 +87,60 @@ Findings findings_of(const Study &study, const Comparison &comparison)
   return findings;
 }
 
-/// Terminal spins: loads and truncations down, moment balances along; down a column what the harmonics do,
-/// along a row what the moment balances do. On the console "f" marks formal loads.
-Table overview_table(const Comparison &comparison, bool on_console)
+/// A terminal spin with its state: on the console "f" marks formal loads.
+std::string spin_text(const SpinRow &row, bool on_console)
 {
-  const auto load = [=](const SpinRow &row) { return load_title(row, on_console ? "<=" : "≤"); };
-  const auto spin = [=](const SpinRow &row) -> std::string
-  {
-    if (!row.omega_terminal() && on_console)
-      return row.standing == Standing::tips ? "tips  " : "none  ";
-    if (!row.omega_terminal())
-      return to_string(row.standing);
-    const bool is_formal = row.standing == Standing::formal;
-    return format::all_significant<6>(*row.omega_terminal()) +
-           (on_console ? (is_formal ? " f" : "  ") : (is_formal ? " (formal)" : ""));
-  };
-  Table table = { on_console ? "" : "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
-                  { column(quantity::load, rows_of(comparison, Closure::paper), load) } };
+  if (!row.omega_terminal())
+    return on_console ? (row.standing == Standing::tips ? "tips  " : "none  ") : to_string(row.standing);
+  const bool is_formal = row.standing == Standing::formal;
+  return format::all_significant<6>(*row.omega_terminal()) +
+         (on_console ? (is_formal ? " f" : "  ") : (is_formal ? " (formal)" : ""));
+}
+
+/// Terminal spins: loads and truncations down, moment balances along; down a column what the harmonics do,
+/// along a row what the moment balances do.
+Table overview_table(const Comparison &comparison)
+{
+  Table table = { "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
+                  { column(quantity::load, rows_of(comparison, Closure::paper),
+                           [](const SpinRow &row) { return load_title(row, "≤"); }) } };
   for (const Closure closure : closures)
   {
     const std::vector<SpinRow> rows = rows_of(comparison, closure);
-    const std::string name = ring::to_string(closure);
-    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "), rows, spin));
+    table.columns.push_back(column(Quantity("", "", "1", ring::to_string(closure)), rows,
+                                   [](const SpinRow &row) { return spin_text(row, false); }));
     table.columns.push_back(column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper));
   }
+  return table;
+}
+
+/// For the console: the terminal spin of each load with all its harmonics, and what those beyond the first do
+/// to it under the @p own moment balance of the study.
+Table console_overview(const Comparison &comparison, Closure own)
+{
+  const auto of_all_harmonics = [&](Closure closure)
+  {
+    std::vector<SpinRow> rows = rows_of(comparison, closure);
+    rows.erase(
+      std::remove_if(rows.begin(), rows.end(), [](const SpinRow &row) { return !row.all_harmonics; }),
+      rows.end());
+    return rows;
+  };
+  Table table = { "",
+                  { column(quantity::load, of_all_harmonics(Closure::paper),
+                           [](const SpinRow &row) { return name_of_load(row.load); }) } };
+  for (const Closure closure : closures)
+  {
+    const std::string name = ring::to_string(closure);
+    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "),
+                                   of_all_harmonics(closure),
+                                   [](const SpinRow &row) { return spin_text(row, true); }));
+  }
+  table.columns.push_back(column(
+    quantity::harmonic_effect.with(&Quantity::label, "harmonics,\nclosure " + ring::to_string(own)),
+    of_all_harmonics(own),
+    [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; },
+    1e-9 * comparison.spin_unit));
   return table;
 }
 
@@ -138,8 +168,8 @@ ReportSection overview_section(const Comparison &comparison)
     "in balance with friction. With n = 1 the rigid rims coincide with the first row, whatever they stand "
     "on. "
     "Formal: the load, or what is left of it, would have to pull on the table.",
-    { comparison_plot(comparison) },
-    { overview_table(comparison, false) }
+    { comparison_plot(comparison), harmonic_effect_plot(comparison) },
+    { overview_table(comparison) }
   };
 }
 
@@ -162,10 +192,13 @@ ReportSection table_section(const Comparison &comparison)
 std::vector<ConsoleBlock> console_of(const std::string &answer, const Study &study,
                                      const Comparison &comparison)
 {
+  Budget steps = budget_of(study, comparison);
+  steps.rows = named_steps(steps.rows);
   std::vector<ConsoleBlock> blocks = { { answer },
-                                       chain_block(study, budget_of(study, comparison)),
-                                       { "Terminal spin by load, harmonics kept and moment balance:",
-                                         overview_table(comparison, true) } };
+                                       chain_block(study, steps),
+                                       { "Terminal spin by load, all its harmonics kept, and by moment "
+                                         "balance, and what the harmonics beyond the first do to it:",
+                                         console_overview(comparison, study.motion.closure) } };
   if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
                   [](const SpinRow &row)
                   { return row.omega_terminal() && row.standing == Standing::formal; }))

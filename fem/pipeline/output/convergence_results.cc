@@ -107,6 +107,19 @@ std::vector<std::size_t> drawn_quantities(const std::vector<BandedQuantity> &qua
   return drawn;
 }
 
+/// Whether the levels count how often the cells are halved.
+bool is_of_halvings(const RefinementAxis &axis)
+{
+  return axis.decay == Decay::algebraic && !axis.sizes_double;
+}
+
+/// Where a level stands on the horizontal axis: its cell size where cells are halved, else its number.
+double place_of(const RefinementAxis &axis, std::size_t level)
+{
+  const double size = axis.levels.at(level).size;
+  return is_of_halvings(axis) ? std::pow(2., -size) : size;
+}
+
 /// Relative distances from the limit, without the levels that are at the limit to within rounding.
 Curve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
 {
@@ -119,29 +132,92 @@ Curve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInteres
     const double error = std::abs(sequence.values[l] - sequence.judged.limit);
     if (error <= quantity.rounding || scale <= quantity.rounding)
       continue;
-    curve.add(result.axis.levels[l].size, error / scale);
+    curve.add(place_of(result.axis, l), error / scale);
     curve.band.push_back(sequence.judged.bands[l] / scale);
   }
   return curve;
+}
+
+/// A triangle of the observed order below the last step of a curve of errors; nothing where no order was
+/// observed.
+std::optional<Curve> slope_triangle(const AxisResult &result, std::size_t i, const Curve &errors)
+{
+  const auto &order = result.quantities[i].judged.order;
+  if (!order || errors.x.size() < 2)
+    return std::nullopt;
+  const std::size_t last = errors.x.size() - 1;
+  const double fine = errors.x[last], coarse = errors.x[last - 1];
+  const double low = 0.4 * std::min(errors.y[last], errors.y[last - 1]);
+  const double ratio = std::max(fine, coarse) / std::min(fine, coarse);
+  const double high = low * std::pow(ratio, *order);
+  return Curve{ "order " + format::fixed<1>(*order),
+                { fine, coarse, coarse, fine },
+                { low, high, low, low },
+                CurveStyle::line,
+                {},
+                8 };
 }
 
 ReportSection axis_section(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   ReportSection section = { "Refinement: " + result.axis.name, "" };
   CurvePlot plot = { "converge_" + result.axis.key,
-                     "Relative distance from the limit; bars reach up to the error band",
-                     { result.axis.size, result.axis.sizes_double },
+                     "Relative distance from the limit; bars reach up to the error band. A triangle has the "
+                     "slope of the first "
+                     "quantity's observed order.",
+                     { is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0"
+                                                   : result.axis.size,
+                       result.axis.decay == Decay::algebraic || result.axis.sizes_double },
                      { "relative error", true },
                      {} };
+  std::optional<Curve> triangle;
   for (const std::size_t i : drawn_quantities(quantities))
     if (const Curve curve = errors_of(result, i, quantities[i].quantity); !curve.x.empty())
+    {
       plot.curves.push_back(curve);
+      if (!triangle)
+        triangle = slope_triangle(result, i, curve);
+    }
+  if (triangle)
+    plot.curves.push_back(*triangle);
   if (plot.curves.empty())
     section.text = "All levels agree to within the tolerances of the contact solver.";
   else
     section.plots = { convergence_plot(plot) };
-  section.tables = { without_zeros(level_table(result, quantities), quantities) };
   return section;
+}
+
+/// What each axis leaves open of the terminal spin.
+Table spin_budget_table(const RefinementResult &result)
+{
+  const std::size_t spin = index_of(result.quantities, "omega_terminal");
+  std::vector<std::string> names, sizes;
+  std::vector<std::optional<double>> bands, orders;
+  for (const AxisResult &axis : result.axes)
+  {
+    const RefinementSequence &judged = axis.quantities.at(spin).judged;
+    names.push_back(axis.axis.name);
+    sizes.push_back(axis.axis.size + ": " + std::to_string(axis.axis.levels.at(axis.axis.own).size));
+    bands.push_back(judged.bands.at(axis.axis.own));
+    orders.push_back(judged.order);
+  }
+  names.push_back("all together");
+  sizes.push_back("");
+  bands.push_back(result.quantities[spin].band);
+  orders.push_back(std::nullopt);
+  return { "Error band of the terminal spin, axis by axis",
+           { column(quantity::refined, names), column(quantity::own_size, sizes),
+             column(quantity::spin_band, bands), column(quantity::observed_order, orders) } };
+}
+
+/// The quantities that the console shows: the drawn ones that are not zero by symmetry.
+std::vector<BandedQuantity> main_quantities(const std::vector<BandedQuantity> &quantities)
+{
+  std::vector<BandedQuantity> list;
+  for (const std::size_t i : drawn_quantities(quantities))
+    if (!quantities[i].is_zero())
+      list.push_back(quantities[i]);
+  return list;
 }
 
 } // namespace
@@ -149,7 +225,7 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
 Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   const RefinementAxis &axis = result.axis;
-  Table table = { "Values on each level; * the study's own",
+  Table table = { "Values on each level of the " + axis.name + "; * the study's own",
                   { column(quantity::quantity_name.with(&Quantity::label, axis.size), quantities,
                            [](const BandedQuantity &row) { return row.quantity.name; }) } };
   for (std::size_t l = 0; l < axis.levels.size(); ++l)
@@ -174,24 +250,31 @@ Results tabulate(const StudyOptions &options, const RefinementResult &result)
   results.files = { { "summary.json", "everything, for programs" },
                     { "error_bands.dat", "values, bands, Richardson values", band_data(result.quantities) },
                     { "parameters.prm", "the study as it was refined" } };
-  results.report = { "Refinement study of " + options.study_name(),
-                     refinement_answer(result),
-                     { error_band_section(result.quantities) } };
+  ReportSection levels = { "All levels", "" };
+  std::vector<ReportSection> axes;
   for (const AxisResult &axis : result.axes)
   {
     results.files.push_back({ "converge_" + axis.axis.key + ".dat",
                               "the values on every level of the " + axis.axis.name,
                               axis_data(axis, result.quantities) });
-    results.report.sections.push_back(axis_section(axis, result.quantities));
-    Table table = without_zeros(level_table(axis, result.quantities), result.quantities);
-    table.title = axis.axis.name + " (* the study's own)";
-    results.console.push_back({ "", table });
+    axes.push_back(axis_section(axis, result.quantities));
+    levels.tables.push_back(without_zeros(level_table(axis, result.quantities), result.quantities));
   }
-  results.report.sections.push_back(file_section(results.files));
-  results.console.push_back({ "", without_zeros(band_table(result.quantities), result.quantities)
-                                    .with("error bands of the study as it is; harmonics not listed are zero",
-                                          "quantity value richardson band unit") });
-  results.console.push_back({ results.report.answer });
+  levels.folded = true;
+  ReportSection bands = error_band_section(result.quantities);
+  bands.folded = true;
+  const Table budget = spin_budget_table(result);
+  results.report = { "Refinement study of " + options.study_name(),
+                     refinement_answer(result),
+                     { { "What the discretisation leaves open", "", {}, { budget } } } };
+  results.report.sections.insert(results.report.sections.end(), axes.begin(), axes.end());
+  results.report.sections.insert(results.report.sections.end(),
+                                 { bands, levels, file_section(results.files) });
+  results.console = { { results.report.answer },
+                      { "", budget },
+                      { "", band_table(main_quantities(result.quantities))
+                              .with("Error bands of the main quantities; the report has all of them",
+                                    "quantity shown_value shown_richardson band shown_unit") } };
   results.findings = findings_of(result);
   return results;
 }

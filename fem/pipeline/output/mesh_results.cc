@@ -1,6 +1,7 @@
 #include "fem/pipeline/output/mesh_results.h"
 
 #include "fem/pipeline/output/answer.h"
+#include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
@@ -36,32 +37,33 @@ std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
   std::vector<std::vector<std::string>> lines = {
     { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
                           check.n_vertices) },
-    { "Box", fmt::format(FMT_STRING("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g} (m)"),
-                         check.lower[0], check.upper[0], check.lower[1], check.upper[1], check.lower[2],
-                         check.upper[2]) },
+    { "Box", fmt::format(FMT_STRING("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g} (mm)"),
+                         1e3 * check.lower[0], 1e3 * check.upper[0], 1e3 * check.lower[1],
+                         1e3 * check.upper[1], 1e3 * check.lower[2], 1e3 * check.upper[2]) },
     { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
                            n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
                            n_faces(check, FootBoundary::free), n_other_faces(check)) },
-    { "Contact",
-      fmt::format(FMT_STRING("r {:.6g} to {:.6g}, z {:.6g} to {:.6g} (m), area {:.6g} m^2"),
-                  check.inner_radius, check.outer_radius, check.lowest, check.highest, check.contact_area) }
+    { "Contact", fmt::format(FMT_STRING("r {:.6g} to {:.6g}, z {:.6g} to {:.6g} (mm), area {:.6g} mm²"),
+                             1e3 * check.inner_radius, 1e3 * check.outer_radius, 1e3 * check.lowest,
+                             1e3 * check.highest, 1e6 * check.contact_area) }
   };
   if (const auto &report = findings.report)
     lines.push_back(
       { "Rim",
         report->round_rim
-          ? fmt::format(FMT_STRING("round, middle radius {:.6g} m: the cells of the land follow the circles"),
-                        report->rim_radius)
+          ? fmt::format(
+              FMT_STRING("round, middle radius {:.6g} mm: the cells of the land follow the circles"),
+              1e3 * report->rim_radius)
           : fmt::format(
-              FMT_STRING("not round, middle radius {:.6g} m: straight edges cut off about {:.2g} % of "
+              FMT_STRING("not round, middle radius {:.6g} mm: straight edges cut off about {:.2g} % of "
                          "the land"),
-              report->rim_radius, 100 * report->land_area_deficit) });
+              1e3 * report->rim_radius, 100 * report->land_area_deficit) });
   lines.push_back(
     { "Quality",
       fmt::format(
-        FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}), {:.3g} on average"),
-        check.least_jacobian, check.worst_place[0], check.worst_place[1], check.worst_place[2],
-        check.mean_jacobian) });
+        FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
+        check.least_jacobian, 1e3 * check.worst_place[0], 1e3 * check.worst_place[1],
+        1e3 * check.worst_place[2], check.mean_jacobian) });
   for (const std::string &remark : mesh_remarks(findings))
     lines.push_back({ "Remark", remark });
   return lines;
@@ -96,6 +98,20 @@ nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
+/// The section, where the axis goes through the mesh, the contact zone and the quality of the cells.
+std::vector<Plot> pictures_of(const fem::MeshCheck &check, const MeshPictures &pictures)
+{
+  std::vector<Plot> plots = { contact_zone_plot(pictures.contact_faces),
+                              quality_plot(pictures.scaled_jacobians) };
+  if (!pictures.section.empty())
+  {
+    const double middle = (check.inner_radius + check.outer_radius) / 2;
+    plots.insert(plots.begin(), section_plot(pictures.section, measured(pictures.section, middle)));
+    plots.front().caption += " R is the middle radius of the contact zone.";
+  }
+  return plots;
+}
+
 } // namespace
 
 Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
@@ -115,10 +131,7 @@ Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
   results.report = {
     "Mesh of a foot",
     joined(answer),
-    { { "What it is like",
-        "",
-        { contact_zone_plot(pictures.contact_faces), quality_plot(pictures.scaled_jacobians) },
-        { words("", { "", "" }, lines_of(findings)) } },
+    { { "What it is like", "", pictures_of(check, pictures), { words("", { "", "" }, lines_of(findings)) } },
       file_section(results.files) }
   };
   const nlohmann::ordered_json summary = mesh_summary(findings);

@@ -2,6 +2,7 @@
 
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_quality.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/output/results.h"
 
 #include <optional>
@@ -23,7 +24,8 @@ struct MeshFindings
 struct MeshPictures
 {
   std::vector<fem::Quadrilateral> contact_faces;
-  std::vector<double> scaled_jacobians; ///< one per cell
+  std::vector<double> scaled_jacobians;     ///< one per cell
+  std::vector<fem::SectionPolygon> section; ///< through the axis
 };
 
 /// The results of `mesh` for a mesh that can be used; @p written are the names of the files it was written

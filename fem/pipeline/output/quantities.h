@@ -159,6 +159,9 @@ inline const Quantity richardson("richardson", "Richardson value", "1", "Richard
 inline const Quantity unit("unit", "unit", "", "unit", "unit");
 inline const Quantity observed_order("order", "", "1", "observed order", "order", fixed<2>);
 
+inline const Quantity refined("axis", "", "", "what is refined", "what is refined");
+inline const Quantity own_size("own", "", "", "the study has", "the study has");
+
 // ---- sweeps
 inline const Quantity case_number("", "case", "");
 inline const Quantity case_outcome("", "contact outcome", "");

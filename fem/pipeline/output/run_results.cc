@@ -11,6 +11,8 @@
 #include "fem/pipeline/output/run_tables.h"
 #include "fem/pipeline/output/spin_table.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -162,10 +164,12 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "The "
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
       "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
-    { waterfall_plot(budget, rounding), effects_plot(budget, rounding) },
+    {},
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
   };
+  if (is_spin(study, spin.all().omega_terminal().value())) // else all bars are rounding
+    section.plots = { waterfall_plot(budget, rounding), effects_plot(budget, rounding) };
   if (budget.rows.back().name == "harmonics" && !budget.omega.empty())
     section.plots.push_back(harmonic_torque_plot(budget));
   if (!budget.without.empty())
@@ -190,7 +194,8 @@ std::vector<double> spectrum_band(const std::vector<BandedQuantity> &bands, unsi
   return widths;
 }
 
-ReportSection load_section(const LoadReport &load, const std::vector<BandedQuantity> &bands)
+ReportSection load_section(const Study &study, const LoadReport &load,
+                           const std::vector<BandedQuantity> &bands)
 {
   const ring::RingStack &rings = load.rings;
   const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
@@ -211,7 +216,7 @@ ReportSection load_section(const LoadReport &load, const std::vector<BandedQuant
         ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
         : "The ring",
       rings.radius()),
-    { load_plot(rings, pointwise) },
+    { load_plot(rings, pointwise), line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
     { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
   };
   if (rings.n_harmonics() > 1)
@@ -223,23 +228,35 @@ ReportSection load_section(const LoadReport &load, const std::vector<BandedQuant
 ReportSection spin_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
-  std::string text = fmt::format(
-    FMT_STRING("Friction turns the glass at rest with τ_z = {:.6g} N m; μ M_Nx, which no harmonic beyond the "
-               "first can change, is {:.6g} N m. The torque vanishes at the terminal spin ω = {:.6g} rad/s"),
-    all.at_rest.value().friction.torque, study.motion.orbit.friction_coefficient * report.load.moment.x(),
-    all.omega_terminal().value());
+  const double friction = study.motion.orbit.friction_coefficient;
+  const double rounding = 1e-9 * friction * report.load.normal_force * report.load.rings.radius();
+  const auto torque = [=](double value)
+  { return format::significant<6>(std::abs(value) < rounding ? 0 : value) + " N m"; };
+  ReportSection section = { "Torque and spin",
+                            "Friction turns the glass at rest with τ_z = " +
+                              torque(all.at_rest.value().friction.torque) +
+                              "; μ M_Nx, which no harmonic beyond the first can change, is " +
+                              torque(friction * report.load.moment.x()) + ".",
+                            { torque_plot(spin.torque, spin.rows) },
+                            { friction_table(study, all) } };
+  const double omega = all.omega_terminal().value();
+  if (!is_spin(study, omega))
+    return section;
+  section.text += fmt::format(
+    FMT_STRING(
+      " The torque vanishes at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
+    omega, std::abs(omega) / boost::math::double_constants::two_pi);
   if (const auto time_constant = all.time_constant())
-    text +=
-      ", which the glass approaches with a time constant of " + format::significant<4>(*time_constant) + " s";
+    section.text +=
+      "; the glass approaches it with a time constant of " + format::significant<4>(*time_constant) + " s";
+  section.text += ".";
   const SpinUpCurves &curves = spin.spin_up;
   std::vector<Curve> spin_ups = { { "all harmonics", curves.time, curves.adaptive } };
   if (!curves.first_harmonic.empty())
     spin_ups.push_back({ "first harmonic", curves.time, curves.first_harmonic });
   spin_ups.push_back({ "the paper's model", curves.time, curves.paper });
-  return { "Torque and spin",
-           text + ".",
-           { torque_plot(spin.torque, spin.rows), spin_up_plot(spin_ups) },
-           { friction_table(study, all) } };
+  section.plots.push_back(spin_up_plot(spin_ups, all));
+  return section;
 }
 
 ReportSection truncation_section(const SpinStudy &spin)
@@ -318,9 +335,9 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 {
   Report report = { title(study),
                     run_answer(study, spin, bands),
-                    { budget_section(study, contact, spin), load_section(contact.load, bands),
+                    { budget_section(study, contact, spin), load_section(study, contact.load, bands),
                       spin_section(study, contact, spin) } };
-  if (contact.load.rings.n_harmonics() > 1)
+  if (contact.load.rings.n_harmonics() > 1 && spin.spins_up())
     report.sections.push_back(truncation_section(spin));
   if (is_one_way(study))
     say_one_way(report);

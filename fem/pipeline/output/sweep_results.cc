@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace stemware::pipeline
@@ -18,33 +19,46 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-template <typename Condition>
-std::vector<QuantityFindings> those(const SweepFindings &findings, Condition condition)
-{
-  std::vector<QuantityFindings> list;
-  std::copy_if(findings.quantities.begin(), findings.quantities.end(), std::back_inserter(list), condition);
-  return list;
-}
-
 bool has_band(const QuantityFindings &about)
 {
   return about.band.has_value();
 }
 
-/// Whether the tables of the report show it; the harmonics one by one are for sweep.csv.
-bool is_for_people(const QuantityFindings &about)
+std::vector<QuantityFindings> with_bands(std::vector<QuantityFindings> list)
 {
-  return about.quantity().name.find("/a_0") == std::string::npos;
+  list.erase(std::remove_if(list.begin(), list.end(), std::not_fn(has_band)), list.end());
+  return list;
+}
+
+/// Those that the tables of the report show: the harmonics one by one are for sweep.csv, and so are per cent
+/// of a spin that changes its sign.
+std::vector<QuantityFindings> for_people(const SweepFindings &findings)
+{
+  const bool has_relative = !findings.spin_changes_sign();
+  std::vector<QuantityFindings> list;
+  for (const QuantityFindings &about : findings.quantities)
+    if (about.quantity().name.find("/a_0") == std::string::npos &&
+        (has_relative || about.quantity().unit != "%"))
+      list.push_back(about);
+  return list;
+}
+
+/// First-order share of an entry; nothing where the samples are too few to tell.
+std::optional<double> share_of(const SampleSensitivity &sensitivity, std::size_t entry)
+{
+  return sensitivity.first_order.empty() ? std::nullopt : std::optional(sensitivity.first_order.at(entry));
 }
 
 /// Those that the console shows.
 std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 {
   std::vector<QuantityFindings> list;
-  for (const char *name :
+  const std::string relative = "harmonic effect";
+  for (const std::string name :
        { "moment ratio", "contact fraction", "torque at rest", "terminal spin",
          "terminal spin of the first harmonic alone", "absolute harmonic effect", "harmonic effect" })
-    if (const QuantityFindings *about = findings.about(name))
+    if (const QuantityFindings *about = findings.about(name);
+        about != nullptr && !(name == relative && findings.spin_changes_sign()))
       list.push_back(*about);
   return list;
 }
@@ -62,7 +76,7 @@ Json quantity_summary(const SweepPlan &plan, const QuantityFindings &about)
     Json entries = Json::object();
     for (std::size_t i = 0; i < plan.entries.size(); ++i)
       entries[plan.entries[i].path] = { { "regression", sensitivity->regression[i] },
-                                        { "first_order", sensitivity->first_order[i] } };
+                                        { "first_order", json_number(share_of(*sensitivity, i)) } };
     summary["sensitivity"] = { { "r_squared", sensitivity->r_squared }, { "entries", entries } };
   }
   return summary;
@@ -117,14 +131,16 @@ Table sensitivity_table(const SweepPlan &plan, const std::string &quantity,
                         const SampleSensitivity &sensitivity)
 {
   constexpr double rounding = 5e-4;
-  return { "What the " + quantity + " depends on; the linear fit explains " +
-             format::percent_fixed<1>(sensitivity.r_squared) + " of its variance",
-           { column(quantity::entry, plan.entries, &SweptEntry::path),
-             column(
-               quantity::regression, sensitivity.regression, [](double value) { return value; }, rounding),
-             column(
-               quantity::first_order, sensitivity.first_order, [](double value) { return value; },
-               rounding) } };
+  Table table = { "What the " + quantity + " depends on; the linear fit explains " +
+                    format::percent_fixed<1>(sensitivity.r_squared) + " of its variance",
+                  { column(quantity::entry, plan.entries, &SweptEntry::path),
+                    column(
+                      quantity::regression, sensitivity.regression, [](double value) { return value; },
+                      rounding) } };
+  if (!sensitivity.first_order.empty())
+    table.columns.push_back(column(
+      quantity::first_order, sensitivity.first_order, [](double value) { return value; }, rounding));
+  return table;
 }
 
 ReportSection sample_section(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
@@ -132,22 +148,27 @@ ReportSection sample_section(const SweepPlan &plan, const FinishedCases &cases, 
   ReportSection section = {
     "Bands and sensitivities",
     fmt::format(
-      FMT_STRING(
-        "Independent samples of all entries (seed {}). The regression coefficients say by how many "
-        "standard deviations the quantity changes with one of the entry, in the best linear fit; "
-        "entries that spread by factors count in the logarithm. The first-order share is the part of "
-        "the variance that would vanish if the entry were known (Sobol's index), estimated from "
-        "neighbours in the order of the entry (Gamboa, Gremaud, Klein and Lagnoux, Bernoulli 28, "
-        "2022); with {} samples it is uncertain by about {:.2f}."),
-      plan.seed, plan.cases.size(), 1 / std::sqrt(static_cast<double>(plan.cases.size()))),
+      FMT_STRING("Independent samples of all entries (seed {}). The regression coefficients say by how many "
+                 "standard deviations the quantity changes with one of the entry, in the best linear fit; "
+                 "entries that spread by factors count in the logarithm. "),
+      plan.seed) +
+      (findings.n_cases - findings.n_failed >= least_samples_of_shares
+         ? fmt::format(
+             FMT_STRING(
+               "The first-order share is the part of the variance that would vanish if the entry were known "
+               "(Sobol's index), estimated from neighbours in the order of the entry (Gamboa, Gremaud, Klein "
+               "and Lagnoux, Bernoulli 28, 2022); with {} samples it is uncertain by about {:.2f}."),
+             plan.cases.size(), 1 / std::sqrt(static_cast<double>(plan.cases.size())))
+         : fmt::format(FMT_STRING("Shares of the variance (Sobol's indices) need {} samples or more; give "
+                                  "--samples."),
+                       least_samples_of_shares)),
     sample_plots(plan, cases, findings)
   };
   for (const char *quantity : { "terminal spin", "harmonic effect" })
     if (const QuantityFindings *about = findings.about(quantity); about != nullptr && about->sensitivity)
       section.tables.push_back(sensitivity_table(plan, quantity, *about->sensitivity));
   section.tables.push_back(
-    statistics_table(plan, those(findings, [](const QuantityFindings &about)
-                                 { return has_band(about) && is_for_people(about); }))
+    statistics_table(plan, with_bands(for_people(findings)))
       .with("Bands of all samples", "title values mean standard_deviation percentile_2.5 percentile_97.5"));
   return section;
 }
@@ -157,7 +178,7 @@ ReportSection grid_section(const SweepPlan &plan, const FinishedCases &cases, co
   return { "What comes out",
            "",
            grid_plots(plan, cases),
-           { statistics_table(plan, those(findings, is_for_people))
+           { statistics_table(plan, for_people(findings))
                .with("Least and largest values", "title least at_least most at_most") } };
 }
 
@@ -185,7 +206,7 @@ std::vector<ResultFile> files_of(const SweepPlan &plan, const FinishedCases &cas
                                       case_table(plan, cases) } };
   if (plan.is_random())
     files.push_back({ "statistics.csv", "bands and sensitivities of every quantity",
-                      statistics_table(plan, those(findings, has_band))
+                      statistics_table(plan, with_bands(findings.quantities))
                         .with("", "quantity unit values mean standard_deviation percentile_2.5 "
                                   "percentile_97.5 r_squared sensitivity") });
   files.push_back({ "sweep.json", "how the cases came about", plan_as_json(plan).dump(2) + "\n" });
@@ -230,7 +251,10 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
     return [&plan, index](const Row &row)
     {
       const bool is_constant = row.most - row.least <= 1e-9 * std::abs(row.most);
-      return is_constant ? "everywhere" : values_of_case(plan, row.*index);
+      const std::size_t n_same = index == &Row::least_case ? row.n_least : row.n_most;
+      return is_constant  ? "everywhere"
+             : n_same > 1 ? std::to_string(n_same) + " cases"
+                          : values_of_case(plan, row.*index);
     };
   };
   const auto band = [](double SampleBand::*value)
@@ -257,18 +281,17 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
   };
   for (std::size_t e = 0; e < plan.entries.size(); ++e)
   {
-    const auto share = [=](const std::vector<double> SampleSensitivity::*values)
-    {
-      return [=](const Row &row)
-      { return row.sensitivity ? std::optional((*row.sensitivity.*values).at(e)) : std::nullopt; };
-    };
+    const auto coefficient = [=](const Row &row)
+    { return row.sensitivity ? std::optional(row.sensitivity->regression.at(e)) : std::nullopt; };
+    const auto share = [=](const Row &row)
+    { return row.sensitivity ? share_of(*row.sensitivity, e) : std::nullopt; };
     const std::string &path = plan.entries[e].path;
     table.columns.push_back(column(
       quantity::regression.with(&Quantity::key, "sensitivity").with(&Quantity::name, "regression on " + path),
-      quantities, share(&SampleSensitivity::regression)));
+      quantities, coefficient));
     table.columns.push_back(column(quantity::first_order.with(&Quantity::key, "sensitivity")
                                      .with(&Quantity::name, "first-order share of " + path),
-                                   quantities, share(&SampleSensitivity::first_order)));
+                                   quantities, share));
   }
   return table;
 }
@@ -289,12 +312,10 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
   add_closing_sections(results.report, plan.base, results.files);
   const std::vector<QuantityFindings> main = main_quantities(findings);
   const bool has_bands = std::any_of(main.begin(), main.end(), has_band);
-  results.console = {
-    { results.report.answer,
-      statistics_table(plan, main)
-        .with("", has_bands ? "title least mean most standard_deviation percentile_2.5 percentile_97.5"
-                            : "title least most") }
-  };
+  results.console = { { results.report.answer,
+                        statistics_table(plan, main)
+                          .with("", has_bands ? "title mean standard_deviation percentile_2.5 percentile_97.5"
+                                              : "title least most") } };
   results.findings = findings_of(plan, findings);
   return results;
 }

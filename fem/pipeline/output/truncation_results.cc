@@ -9,6 +9,9 @@
 #include "fem/pipeline/output/run_tables.h"
 #include "fem/pipeline/output/spin_table.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stemware::pipeline
 {
 
@@ -27,23 +30,40 @@ constexpr char data_columns[] =
   "moment_ratio_at_terminal load_minimum load_minimum_at_terminal pulling_share "
   "pulling_share_at_terminal pulls torque[]";
 constexpr char console_columns[] =
-  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound "
-  "tau_at_rest torque[] least_load pulls_with";
+  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound least_load";
 constexpr char spin_columns[] = "harmonics amplitude omega_terminal relative_change spin_up_deviation "
                                 "spin_up_deviation_at_end bound";
 constexpr char load_columns[] =
   "harmonics tau_at_rest torque[] least_load pulls_with moment_ratio_at_terminal";
 
-/// All numbers by the number of harmonics.
-Table truncation_table(const TruncationStudy &study)
+/// All numbers of @p rows by the number of harmonics.
+Table truncation_table(const TruncationStudy &study, const std::vector<SpinRow> &rows)
 {
-  Table table = spin_table(study.rows, study.omega);
+  Table table = spin_table(rows, study.omega);
   table["tau_at_rest"].digits = format::significant<6>;
   table["tau_at_rest"].label = "tau at 0";
   table["bound"].name += " of all harmonics";
   table["bound"].console_digits = nullptr;
   table["message"].key = "trouble";
   return table;
+}
+
+/// The rows up to the first whose terminal spin is that of all harmonics, to within its band or 1e-9, and the
+/// last.
+std::vector<SpinRow> rows_that_differ(const TruncationStudy &study)
+{
+  const std::vector<SpinRow> &rows = study.rows;
+  const double spin = std::abs(study.all().omega_terminal().value_or(0));
+  const double small = std::max(1e-9, spin > 0 ? study.all().band.value_or(0) / spin : 0);
+  const auto is_settled = [=](const SpinRow &row)
+  { return row.relative_change && std::abs(*row.relative_change) < small; };
+  const auto settled = std::find_if(rows.begin(), rows.end(), is_settled);
+  std::vector<SpinRow> shown(rows.begin(), settled);
+  if (settled != rows.end())
+    shown.push_back(*settled);
+  if (settled != rows.end() && settled + 1 != rows.end())
+    shown.push_back(rows.back());
+  return shown;
 }
 
 /// omega(t) by the number of harmonics; truncations without a spin-up are left out.
@@ -64,7 +84,8 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study, const
                        { "torque_at", study.omega },
                        { "harmonic_effect", harmonic_effect_summary(study.harmonics) },
                        { "budget", budget },
-                       { "truncation", json_table(truncation_table(study).with("", json_columns)) } };
+                       { "truncation",
+                         json_table(truncation_table(study, study.rows).with("", json_columns)) } };
   findings.key_figures = { { "omega_terminal", json_number(study.all().omega_terminal()) },
                            { "omega_terminal_band", json_number(study.all().band) },
                            { "harmonic_effect", json_number(study.harmonics.absolute) },
@@ -111,7 +132,7 @@ std::string how_truncated(const Study &study)
 
 ReportSection table_section(const Study &study, const TruncationStudy &truncations)
 {
-  const Table table = truncation_table(truncations);
+  const Table table = truncation_table(truncations, truncations.rows);
   ReportSection section = {
     "Fewer harmonics",
     how_truncated(study) +
@@ -121,7 +142,7 @@ ReportSection table_section(const Study &study, const TruncationStudy &truncatio
       "foot that lifts off still leave a little of that, where their series overshoots." +
       reasons(truncations),
     { torque_plot(truncations.torque, truncations.rows),
-      spin_up_plot(shown_spin_ups(truncations),
+      spin_up_plot(shown_spin_ups(truncations), truncations.all(),
                    "Spin-up from rest, n harmonics kept, beside the paper's result.") },
     { table.with("The spin", spin_columns),
       table.with("Torque and load, the worse of rest and terminal spin", load_columns) }
@@ -150,8 +171,9 @@ std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &
              load_file_text(load.rings) },
            { "rings.dat", "the same ring by ring", ring_table(load.rings) },
            { "truncation.dat", "the answer by the number of harmonics",
-             truncation_table(study).with(
-               "The answer with the load cut off after some harmonics; nan: there is none", data_columns) },
+             truncation_table(study, study.rows)
+               .with("The answer with the load cut off after some harmonics; nan: there is none",
+                     data_columns) },
            { "spin_up.dat", "the spin against time by the number of harmonics", spin_up_table(study) },
            { "timings.json", "how long it took" } };
 }
@@ -173,11 +195,14 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   if (is_one_way(study))
     say_one_way(report);
   add_closing_sections(report, study, results.files);
-  results.console = { { report.answer },
-                      { is_one_way(study) ? "One-way, the load of rest cut off:"
-                                          : "In balance at every spin:",
-                        truncation_table(truncations).with("", console_columns) },
-                      chain_block(study, budget) };
+  Budget steps = budget;
+  steps.rows = named_steps(budget.rows);
+  results.console = {
+    { report.answer },
+    { is_one_way(study) ? "One-way, the load of rest cut off:" : "In balance at every spin:",
+      truncation_table(truncations, rows_that_differ(truncations)).with("", console_columns) },
+    chain_block(study, steps)
+  };
   results.findings = findings_of(load, truncations, budget_summary(study, budget));
   return results;
 }

@@ -30,7 +30,7 @@ std::vector<std::string> words_of(std::string line, const std::string &separator
 constexpr char contact_radius_entry[] = "Glass/Contact radius", crown_radius_entry[] = "Glass/Crown radius";
 
 /// The length in m of the unit in the words of a header; nothing for a line that is none.
-std::optional<double> unit_of_header(const std::string &line)
+std::optional<double> unit_in_header(const std::string &line)
 {
   double unit = 1;
   bool has_radius = false;
@@ -130,7 +130,7 @@ std::vector<fem::SectionVertex> read_profile_file(const std::string &file)
     boost::trim(line);
     if (line.empty() || line.front() == '#')
       continue;
-    if (const auto header = unit_of_header(line); header && points.empty() && !has_header)
+    if (const auto header = unit_in_header(line); header && points.empty() && !has_header)
     {
       unit = *header;
       has_header = true;

@@ -110,9 +110,9 @@ public:
           return word;
       throw std::logic_error("a study holds a value without a name");
     };
-    std::string words = "one of";
+    std::string words;
     for (const auto &[word, choice] : choices)
-      words += (word == choices.front().first ? " " : word == choices.back().first ? " or " : ", ") + word;
+      words += (word == choices.front().first ? "" : word == choices.back().first ? " or " : ", ") + word;
     append(name, value, words, help, parse, print);
   }
 

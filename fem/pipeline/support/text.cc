@@ -44,10 +44,16 @@ std::size_t width_of(const std::string &text)
 std::string wrapped(const std::string &text, const std::string &label, std::size_t width)
 {
   const std::size_t indent = width_of(label);
-  std::istringstream words(text);
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    if (!words.empty() && (word.rfind('%', 0) == 0 || word.rfind("rad/s", 0) == 0))
+      words.back() += ' ' + word; // a number stays with its unit
+    else
+      words.push_back(word);
   std::string lines = label;
   std::size_t column = indent;
-  for (std::string word; words >> word; column += width_of(word))
+  for (const std::string &word : words)
   {
     if (column > indent && column + 1 + width_of(word) > width)
     {
@@ -60,6 +66,7 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
       ++column;
     }
     lines += word;
+    column += width_of(word);
   }
   return lines;
 }

@@ -11,7 +11,8 @@ namespace stemware::pipeline
 constexpr std::size_t console_width = 100;
 
 /// Breaks a text between words into lines that fit the console. @p label stands before the first line, and
-/// blanks as wide before the others; lines are at most @p width columns wide.
+/// blanks as wide before the others; lines are at most @p width columns wide. A number stays on one line
+/// with a % or rad/s behind it.
 std::string wrapped(const std::string &text, const std::string &label = "",
                     std::size_t width = console_width);
 

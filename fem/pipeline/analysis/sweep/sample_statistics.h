@@ -28,7 +28,7 @@ struct SampleSensitivity
   /// input in the best linear fit.
   std::vector<double> regression;
   double r_squared = 0;            ///< share of the variance that the linear fit explains
-  std::vector<double> first_order; ///< first_order_share() of each input
+  std::vector<double> first_order; ///< first_order_share() of each input, or empty
 };
 
 /// @p inputs of shape [input][sample], independent of each other, @p output of shape [sample]. Nothing where

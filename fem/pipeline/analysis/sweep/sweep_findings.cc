@@ -48,6 +48,15 @@ QuantityFindings find_out(const SweepPlan &plan, const QuantitySample &sample)
   findings.most = *most;
   findings.least_case = case_of(least);
   findings.most_case = case_of(most);
+  const double same = 1e-9 * std::max(std::abs(*least), std::abs(*most));
+  const auto n_near = [&](double value)
+  {
+    return static_cast<std::size_t>(std::count_if(sample.values.begin(), sample.values.end(),
+                                                  [=](double other)
+                                                  { return std::abs(other - value) <= same; }));
+  };
+  findings.n_least = n_near(*least);
+  findings.n_most = n_near(*most);
   if (!plan.is_random() || sample.values.size() < 2)
     return findings;
   findings.band = band_of(sample.values);
@@ -56,6 +65,8 @@ QuantityFindings find_out(const SweepPlan &plan, const QuantitySample &sample)
     for (const std::size_t index : sample.cases)
       inputs[entry].push_back(score_of(plan, index, entry));
   findings.sensitivity = sensitivity_of(inputs, sample.values);
+  if (findings.sensitivity && sample.values.size() < least_samples_of_shares)
+    findings.sensitivity->first_order.clear();
   return findings;
 }
 
@@ -67,6 +78,15 @@ const QuantityFindings *SweepFindings::about(const std::string &quantity) const
   const auto found = std::find_if(quantities.begin(), quantities.end(),
                                   [=](const QuantityFindings &findings) { return findings.index == wanted; });
   return found == quantities.end() ? nullptr : &*found;
+}
+
+bool SweepFindings::spin_changes_sign() const
+{
+  const QuantityFindings *spin = about("terminal spin");
+  if (spin == nullptr)
+    return false;
+  const double rounding = 1e-9 * std::max(std::abs(spin->least), std::abs(spin->most));
+  return spin->least < -rounding && spin->most > rounding;
 }
 
 SweepFindings find_out(const SweepPlan &plan, const FinishedCases &cases)

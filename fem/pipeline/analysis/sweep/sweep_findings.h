@@ -11,15 +11,22 @@
 namespace stemware::pipeline
 {
 
+/// Samples from which on shares of the variance are known to about 0.1: their standard error is of the order
+/// of 1 / sqrt(samples).
+constexpr std::size_t least_samples_of_shares = 100;
+
 /// What a sweep says about one quantity. Cases count from 0.
 struct QuantityFindings
 {
   std::size_t index = 0;    ///< into sweep_quantities()
   std::size_t n_values = 0; ///< cases that have one; at least 1
   double least = 0, most = 0;
-  std::size_t least_case = 0, most_case = 0;
-  std::optional<SampleBand> band;               ///< of random samples
-  std::optional<SampleSensitivity> sensitivity; ///< of random samples, inputs as in SweepPlan::entries
+  std::size_t least_case = 0, most_case = 0; ///< the first of them where several cases share the value
+  std::size_t n_least = 0, n_most = 0;       ///< how many share it, to 1e-9
+  std::optional<SampleBand> band;            ///< of random samples
+  /// Of random samples, inputs as in SweepPlan::entries; shares of the variance from
+  /// least_samples_of_shares samples on only.
+  std::optional<SampleSensitivity> sensitivity;
 
   const SweepQuantity &quantity() const { return sweep_quantities()[index]; }
 };
@@ -34,6 +41,10 @@ struct SweepFindings
 
   /// What is said about the quantity of that name; null where no case has a value.
   const QuantityFindings *about(const std::string &quantity) const;
+
+  /// Whether the terminal spin has one sign in some cases and the other in others; relative differences of
+  /// spins then say nothing.
+  bool spin_changes_sign() const;
 };
 
 /// Ranges of all quantities; for random samples their bands and sensitivities too, spreads by factors

@@ -23,6 +23,7 @@ struct Drawing
   std::string label; ///< of the axis, with its unit
   std::string caption;
   CaseValue value;
+  bool is_effect = false; ///< a difference between the spins of all harmonics and of the first alone
 };
 
 CaseValue value_of(const std::string &quantity)
@@ -43,10 +44,10 @@ std::vector<Drawing> drawings()
              "Terminal spin under all harmonics of the load", value_of("terminal spin") },
            { "absolute_harmonic_effect", "harmonic effect (rad/s)",
              "What the harmonics of the load beyond the first add to the terminal spin",
-             value_of("absolute harmonic effect") },
+             value_of("absolute harmonic effect"), true },
            { "harmonic_effect", "harmonic effect (%)",
              "How much faster the harmonics of the load beyond the first make the glass",
-             value_of("harmonic effect") },
+             value_of("harmonic effect"), true },
            { "second_harmonic", "√(a_2² + b_2²) / a_0",
              "Amplitude of the load's second harmonic over its mean", amplitude_of(2) },
            { "third_harmonic", "√(a_3² + b_3²) / a_0", "Amplitude of the load's third harmonic over its mean",
@@ -108,6 +109,49 @@ std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along
   return first * plan.entries[1].values.size() + second;
 }
 
+/// Few values are marked.
+CurveStyle style_of(std::size_t n_values)
+{
+  return n_values <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
+}
+
+/// Intervals between the values of a curve in which it jumps: one of them, or two side by side, over which
+/// the curve changes more than four times as much as over those to their left and right.
+std::vector<bool> jumps_of(const std::vector<double> &y)
+{
+  constexpr double factor = 4;
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < y.size(); ++i)
+    steps.push_back(std::abs(y[i + 1] - y[i]));
+  std::vector<bool> jumps(steps.size(), false);
+  for (const std::ptrdiff_t width : { 1, 2 })
+    for (std::size_t i = 1; i + static_cast<std::size_t>(width) < steps.size(); ++i)
+    {
+      const auto first = steps.begin() + static_cast<std::ptrdiff_t>(i), last = first + width;
+      if (!std::all_of(first - 1, last + 1, [](double step) { return std::isfinite(step); }))
+        continue; // beside a case that has failed
+      const double smallest = *std::min_element(first, last), beside = std::max(*(first - 1), *last);
+      if (smallest > factor * beside && beside > 1e-9 * smallest) // rounding beside a step tells nothing
+        std::fill_n(jumps.begin() + static_cast<std::ptrdiff_t>(i), width, true);
+    }
+  return jumps;
+}
+
+/// The curve with a gap in each of the intervals.
+Curve broken(const Curve &whole, const std::vector<bool> &jumps)
+{
+  Curve curve = whole;
+  curve.x.clear();
+  curve.y.clear();
+  for (std::size_t i = 0; i < whole.x.size(); ++i)
+  {
+    curve.add(whole.x[i], whole.y[i]);
+    if (i < jumps.size() && jumps[i])
+      curve.add((whole.x[i] + whole.x[i + 1]) / 2, std::numeric_limits<double>::quiet_NaN());
+  }
+  return curve;
+}
+
 /// A quantity over one entry, at the value @p across of the other.
 Curve curve_over(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
                  const CaseValue &value)
@@ -119,6 +163,21 @@ Curve curve_over(const SweepPlan &plan, const FinishedCases &cases, const Roles 
   return curve;
 }
 
+/// A curve with gaps where it jumps; an effect jumps where one of its two spins does.
+Curve broken_curve(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
+                   const Drawing &drawing)
+{
+  const Curve whole = curve_over(plan, cases, roles, across, drawing.value);
+  std::vector<bool> jumps = jumps_of(whole.y);
+  if (drawing.is_effect)
+    for (const char *spin : { "terminal spin", "terminal spin of the first harmonic alone" })
+    {
+      const std::vector<bool> more = jumps_of(curve_over(plan, cases, roles, across, value_of(spin)).y);
+      std::transform(jumps.begin(), jumps.end(), more.begin(), jumps.begin(), std::logical_or<>());
+    }
+  return broken(whole, jumps);
+}
+
 Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
                  const Drawing &drawing)
 {
@@ -128,11 +187,11 @@ Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles 
   const std::size_t n_curves = roles.across ? plan.entries[*roles.across].values.size() : 1;
   for (std::size_t across = 0; across < n_curves; ++across)
   {
-    Curve curve = curve_over(plan, cases, roles, across, drawing.value);
+    Curve curve = broken_curve(plan, cases, roles, across, drawing);
     if (roles.across)
       curve.title =
         axis_of(plan.entries[*roles.across]).label + " = " + plan.entries[*roles.across].values[across];
-    curve.style = curve.x.size() <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
+    curve.style = style_of(plan.entries[roles.along].values.size());
     plot.curves.push_back(curve);
   }
   return curve_plot(plot);
@@ -144,7 +203,7 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
   CurvePlot plot = {
     "terminal_spin",
     "Terminal spin under all harmonics of the load, under the first alone, and of a first harmonic on a ring "
-    "of the contact radius",
+    "of the contact radius. A curve is interrupted where it jumps.",
     axis_of(plan.entries[0]),
     { heading_with_unit(quantity::omega_terminal) },
     {}
@@ -154,8 +213,9 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
          std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
          std::pair("first harmonic on a ring", "terminal spin of the closure's first harmonic") })
   {
-    plot.curves.push_back(curve_over(plan, cases, {}, 0, value_of(quantity)));
+    plot.curves.push_back(broken_curve(plan, cases, {}, 0, { "", "", "", value_of(quantity) }));
     plot.curves.back().title = title;
+    plot.curves.back().style = style_of(plan.entries[0].values.size());
   }
   return curve_plot(plot);
 }
@@ -206,8 +266,9 @@ std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
     has_two && is_numeric(entries[*roles.across]) && entries[*roles.across].values.size() > most_curves;
 
   std::vector<Plot> plots;
+  const bool changes_sign = find_out(plan, cases).spin_changes_sign();
   for (const Drawing &drawing : drawings())
-    if (!is_worth_drawing(cases, drawing.value))
+    if (!is_worth_drawing(cases, drawing.value) || (changes_sign && drawing.name == "harmonic_effect"))
       continue;
     else if (as_map)
       plots.push_back(map_of(plan, cases, drawing));

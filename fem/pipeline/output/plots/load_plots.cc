@@ -29,12 +29,20 @@ std::vector<double> azimuths()
   return theta;
 }
 
-/// The truncations that pictures show: after 1, 2 and 3 harmonics, then all.
-std::vector<unsigned int> shown_truncations(const ring::RingStack &load)
+/// The truncations that pictures show: after the first harmonic, after 2 and 3 where that differs from all by
+/// more than a hundredth of @p scale [N/rad] somewhere, and all.
+std::vector<unsigned int> shown_truncations(const ring::RingStack &load, double scale)
 {
+  const auto is_seen = [&](unsigned int n)
+  {
+    const ring::RingStack truncated = load.truncated(n);
+    const std::vector<double> theta = azimuths();
+    return std::any_of(theta.begin(), theta.end(),
+                       [&](double angle) { return std::abs(truncated(angle) - load(angle)) > 0.01 * scale; });
+  };
   std::vector<unsigned int> orders;
   for (const unsigned int n : { 1u, 2u, 3u })
-    if (n < load.n_harmonics())
+    if (n < load.n_harmonics() && (n == 1 || is_seen(n)))
       orders.push_back(n);
   orders.push_back(load.n_harmonics());
   return orders;
@@ -100,7 +108,7 @@ std::string truncation_title(unsigned int n, unsigned int n_all)
 
 Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
 {
-  const std::vector<unsigned int> orders = shown_truncations(load);
+  const std::vector<unsigned int> orders = shown_truncations(load, load.a(0));
   const std::vector<fem::AzimuthLoad> whole = whole_load(load, pointwise);
   std::vector<Table> blocks;
   std::string curves;
@@ -118,13 +126,15 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
               std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
   }
   blocks.push_back(contact_arc(whole));
-  return { "load",
-           "Load round the rim, seen from above and drawn outwards from the rim; v is the direction of "
-           "travel, n the harmonics kept. A curve inside the rim would pull on the table.",
-           "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
-           data_tables(blocks),
-           540,
-           380 };
+  return {
+    "load",
+    "Load round the rim, seen from above and drawn outwards from the rim, the mean load as half a radius; "
+    "v is the direction of travel, n the harmonics kept. A curve inside the rim would pull on the table.",
+    "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
+    data_tables(blocks),
+    540,
+    380
+  };
 }
 
 Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
@@ -136,13 +146,16 @@ Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::A
     { quantity::axis::azimuth, false, std::pair(0., 360.) },
     { "(λ - λ_1) / a_0" },
     {},
-    "set xtics 90; set xzeroaxis lt 8\n"
+    "set xtics 90; set xzeroaxis lt 8; set key width 0\n"
   };
-  for (const unsigned int n : shown_truncations(load))
+  double largest = 0;
+  for (const double theta : azimuths())
+    largest = std::max(largest, std::abs(load(theta) - first(theta)));
+  for (const unsigned int n : shown_truncations(load, largest))
     if (n > 1)
     {
       const bool is_whole = n == load.n_harmonics(), is_pointwise = is_whole && !pointwise.empty();
-      Curve curve = { is_pointwise ? pointwise_title : truncation_title(n, load.n_harmonics()) };
+      Curve curve = { is_pointwise ? "all" : truncation_title(n, load.n_harmonics()) };
       curve.line_type = is_whole ? 1 : n + 1;
       for (const fem::AzimuthLoad &place :
            is_pointwise ? whole_load(load, pointwise) : whole_load(load.truncated(n), {}))
@@ -153,26 +166,93 @@ Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::A
   return curve_plot(plot);
 }
 
+Plot line_load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+                    ring::OrbitSense sense)
+{
+  const ring::RingStack first = load.truncated(1);
+  const double radius = load.radius();
+  CurvePlot plot = {
+    "line_load",
+    "The load per length of the rim, λ(θ)/R: what a strip of the table feels before the glass spins.",
+    { quantity::axis::azimuth, false, std::pair(0., 360.) },
+    { "λ / R (N/m)" },
+    {},
+    "set xzeroaxis lt 8\n"
+  };
+  const auto add =
+    [&](const std::string &title, unsigned int line_type, const std::vector<fem::AzimuthLoad> &places)
+  {
+    Curve curve = { title };
+    curve.line_type = line_type;
+    for (const fem::AzimuthLoad &place : places)
+      curve.add(place.azimuth / boost::math::double_constants::degree, place.density / radius);
+    plot.curves.push_back(curve);
+  };
+  add(load.n_harmonics() > 1 ? pointwise_title : "first harmonic", 1, whole_load(load, pointwise));
+  if (load.n_harmonics() > 1)
+    add("first harmonic", 2, whole_load(first, {}));
+  add("mean", 8, { { 0, load.a(0) }, { boost::math::double_constants::two_pi, load.a(0) } });
+  // The orbit's centre lies to the left of the direction of travel where the orbit runs counter-clockwise.
+  const bool is_left = sense == ring::OrbitSense::counterclockwise;
+  const std::string centre = "orbit's centre", outside = "outside";
+  plot.commands += "set xtics (\"0\\nfront\" 0, \"90\\n" + (is_left ? centre : outside) +
+                   "\" 90, \"180\\nback\" 180, \"270\\n" + (is_left ? outside : centre) +
+                   "\" 270, \"360\\nfront\" 360)\nset xlabel offset 0,-0.9; set bmargin 5\n";
+  return curve_plot(plot);
+}
+
 Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band)
 {
-  Curve curve = { "", {}, {}, CurveStyle::points };
+  // Harmonics without a band of their own are judged by the last one that has some.
+  unsigned int last_banded = 0;
+  for (unsigned int n = 1; n < band.size(); ++n)
+    if (band[n] > 0)
+      last_banded = n;
+  Curve resolved = { "resolved", {}, {}, CurveStyle::points },
+        unresolved = { "not resolved", {}, {}, CurveStyle::points };
+  unresolved.is_hollow = true;
+  resolved.line_type = unresolved.line_type = 1;
   for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
   {
     const double amplitude = std::hypot(load.a(n), load.b(n)) / load.a(0);
-    if (!band.empty() && band.at(n) > amplitude)
+    const double own = band.empty() ? 0 : band.at(n);
+    if (amplitude <= (own > 0 || last_banded == 0 ? own : band[last_banded]))
+    {
+      unresolved.add(n, amplitude);
       continue;
-    curve.add(n, amplitude);
+    }
+    resolved.add(n, amplitude);
     if (!band.empty())
-      curve.band.push_back(band.at(n));
+      resolved.band.push_back(own);
   }
+  std::vector<double> shown = resolved.y;
+  shown.insert(shown.end(), unresolved.y.begin(), unresolved.y.end());
   CurvePlot plot = {
     "spectrum",
-    "Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown, nor what "
-    "its error band hides.",
+    "Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not "
+    "shown.",
     { "harmonic n", false, std::pair(0.5, load.n_harmonics() + 0.5) },
-    { "√(a_n² + b_n²) / a_0", true, amplitude_range(curve.y) },
-    { curve }
+    { "√(a_n² + b_n²) / a_0", true, amplitude_range(shown) },
+    { resolved }
   };
+  const auto is_drawn = [](double amplitude) { return amplitude > 1e-12; };
+  if (std::any_of(unresolved.y.begin(), unresolved.y.end(), is_drawn))
+  {
+    plot.curves.push_back(unresolved);
+    plot.caption +=
+      " Hollow: smaller than the error band, or than the last band that is known; not resolved.";
+  }
+  else
+    plot.curves.front().title = "";
+  // The axis ends with the last harmonic that is drawn.
+  double last = 1;
+  for (const Curve &curve : plot.curves)
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+      if (is_drawn(curve.y[i]))
+        last = std::max(last, curve.x[i]);
+  plot.x.range = std::pair(0.5, last + 0.5);
+  if (last <= 10)
+    plot.commands = "set xtics 1\n";
   return curve_plot(plot);
 }
 

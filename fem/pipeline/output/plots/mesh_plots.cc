@@ -2,6 +2,7 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stemware::pipeline
 {
@@ -11,8 +12,11 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces)
   const std::string caption = "The faces of the contact zone, seen from above.";
   // One block of five corners a face, the first one again at the end.
   std::string data = "# " + caption + "\n# 1: x (mm)\n# 2: y (mm)\n";
+  double reach = 1e-3; // of the square that is shown
   for (const fem::Quadrilateral &face : faces)
   {
+    for (const auto &corner : face)
+      reach = std::max({ reach, 1.05e3 * std::abs(corner[0]), 1.05e3 * std::abs(corner[1]) });
     for (std::size_t i = 0; i <= face.size(); ++i)
       data += fmt::format(FMT_STRING("{:.9g} {:.9g}\n"), 1000 * face[i % face.size()][0],
                           1000 * face[i % face.size()][1]);
@@ -20,8 +24,9 @@ Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces)
   }
   return { "contact_zone",
            caption,
-           "set size ratio -1\nset xlabel \"x (mm)\"; set ylabel \"y (mm)\"\nunset key\n"
-           "plot data with lines lt 1 lw 0.8\n",
+           fmt::format(FMT_STRING("set xrange [-{0:.5g}:{0:.5g}]; set yrange [-{0:.5g}:{0:.5g}]\n"), reach) +
+             "set size ratio -1\nset xlabel \"x (mm)\"; set ylabel \"y (mm)\"\nunset key\n"
+             "plot data with lines lt 1 lw 0.8\n",
            data,
            540,
            540 };

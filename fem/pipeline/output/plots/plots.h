@@ -27,8 +27,13 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
 /// What the harmonics beyond the first add to the load, over a_0; @p pointwise as in load_plot().
 Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise = {});
 
-/// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, or empty.
-/// Harmonics that are smaller than their band are not shown.
+/// lambda(theta) / R in N/m over the azimuth, beside its first harmonic and its mean; @p pointwise as in
+/// load_plot(). The place of the orbit's centre is marked.
+Plot line_load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+                    ring::OrbitSense sense);
+
+/// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, 0 where they
+/// are not known, or empty. Harmonics smaller than their band, or than the last known one, are hollow.
 Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
@@ -39,8 +44,9 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
 /// has all harmonics.
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows);
 
-/// omega(t) of several models of one glass, over the time [s].
-Plot spin_up_plot(const std::vector<Curve> &curves,
+/// omega(t) of several models of one glass, over the time [s], in rad/s and in turns per second; the terminal
+/// spin and the time constant of @p all harmonics are marked where they exist.
+Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all,
                   const std::string &caption = "Spin-up of the glass from rest.");
 
 /// How fast the terminal spin approaches that of all harmonics.
@@ -54,6 +60,9 @@ Plot deviation_plot(const std::vector<double> &time, const std::vector<SpinRow> 
 
 /// Terminal spins as points, a line of its own for each load, the first on top.
 Plot comparison_plot(const Comparison &comparison);
+
+/// What the harmonics beyond the first do to those spins [rad/s], in the same order.
+Plot harmonic_effect_plot(const Comparison &comparison);
 
 /// The faces of a mesh's contact zone, seen from above.
 Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces);

@@ -68,12 +68,14 @@ Plot tornado(const SweepPlan &plan, const std::string &name, const QuantityFindi
 Plot scatter(const SweepPlan &plan, const FinishedCases &cases, const std::string &name,
              const QuantityFindings &about)
 {
-  const std::vector<double> &shares = about.sensitivity->first_order;
+  std::vector<double> weights;
+  for (const double coefficient : about.sensitivity->regression)
+    weights.push_back(std::abs(coefficient));
   const auto entry =
-    static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
+    static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
   return curve_plot(
     { name + "_samples",
-      "All samples over the parameter with the largest first-order share: " + about.quantity().name,
+      "All samples over the parameter that the linear fit depends on most: " + about.quantity().name,
       axis_of(plan.entries[entry]),
       { label_of(about) },
       { samples(plan, cases, entry, about.index) } });

@@ -1,9 +1,16 @@
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/gnuplot.h"
+#include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace stemware::pipeline
 {
@@ -43,6 +50,46 @@ Curve bound_curve(const TruncationStudy &study, double rounding)
 
 } // namespace
 
+namespace
+{
+
+/// A thin dotted line across the plot.
+std::string marker_line(const std::string &from, const std::string &to)
+{
+  return "set arrow from " + from + " to " + to + " nohead back lw 1 dt 3 lc rgb \"#555555\"\n";
+}
+
+std::string marker_label(const std::string &text, const std::string &place)
+{
+  return "set label " + gnuplot_text(text) + " at " + place + " font \",12\" textcolor rgb \"#555555\"\n";
+}
+
+/// v/R [rad/s]; 0 where the curve does not tell.
+double spin_unit_of(const TorqueCurve &curve)
+{
+  for (std::size_t i = 0; i < curve.omega.size(); ++i)
+    if (std::abs(curve.slip_ratio.at(i)) > 1e-6)
+      return curve.omega[i] / curve.slip_ratio[i];
+  return 0;
+}
+
+/// Tics at multiples of 1, 2 or 5 times a power of ten, at most six; gnuplot's own of a linked axis have many
+/// digits.
+std::string turn_tics(double low, double high)
+{
+  const double range = high - low;
+  if (!(range > 0))
+    return "0";
+  double step = std::pow(10, std::floor(std::log10(range / 5)));
+  step *= range / step > 25 ? 10 : range / step > 10 ? 5 : range / step > 5 ? 2 : 1;
+  std::string tics;
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * range; ++i)
+    tics += (tics.empty() ? "" : ", ") + to_short_text(i * step + 0.); // no -0
+  return tics;
+}
+
+} // namespace
+
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
 {
   CurvePlot plot = { "torque",
@@ -53,6 +100,15 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
                      { quantity::axis::torque },
                      {},
                      "set xzeroaxis lt 8\n" };
+  if (const double unit = spin_unit_of(curve); unit > 0)
+  {
+    plot.caption +=
+      fmt::format(FMT_STRING(" Beyond ω = ±v/R = ±{:.3g} rad/s part of the rim slides backwards."), unit);
+    for (const auto &[name, at] : { std::pair("−v/R", -unit), std::pair("+v/R", unit) })
+      if (at >= curve.omega.front() && at <= curve.omega.back())
+        plot.commands += marker_line(to_text(at) + ", graph 0", to_text(at) + ", graph 1") +
+                         marker_label(name, to_text(at) + ", graph 0.96 offset 0.5,0 left");
+  }
   std::vector<double> torques;
   for (const ring::Wrench &friction : curve.friction)
     torques.push_back(1e3 * friction.torque);
@@ -72,14 +128,44 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
   return curve_plot(plot);
 }
 
-Plot spin_up_plot(const std::vector<Curve> &curves, const std::string &caption)
+Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const std::string &caption)
 {
-  return curve_plot({ "spin_up",
-                      caption,
-                      { heading_with_unit(quantity::time) },
-                      { heading_with_unit(quantity::omega) },
-                      curves,
-                      "set xzeroaxis lt 8\n" });
+  CurvePlot plot = {
+    "spin_up",
+    caption,
+    { heading_with_unit(quantity::time) },
+    { heading_with_unit(quantity::omega) },
+    curves,
+    "set xzeroaxis lt 8\nset link y2 via y / (2 * pi) inverse y * 2 * pi\nset y2tics nomirror; "
+    "set y2label \"turns per second\"; set border 11\n"
+  };
+  if (const auto omega = all.omega_terminal())
+  {
+    const double end = curves.front().x.back();
+    plot.curves.push_back({ "", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
+    plot.caption += " Grey: the terminal spin of all harmonics";
+    plot.commands += marker_label(
+      (*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
+      "graph 0.98, first " + to_text(*omega) + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
+    if (const auto time = all.time_constant(); time && *time > 0 && *time < end)
+    {
+      plot.caption += "; dotted: the time constant with which it is approached";
+      plot.commands +=
+        marker_line(to_text(*time) + ", graph 0", to_text(*time) + ", graph 1") +
+        marker_label(format::significant<3>(*time) + " s",
+                     to_text(*time) + ", graph " + (*omega < 0 ? "0.95" : "0.06") + " offset 0.5,0 left");
+    }
+    plot.caption += ".";
+  }
+  Extent spins;
+  for (const Curve &curve : plot.curves)
+    for (const double spin : curve.y)
+      spins.include(spin);
+  plot.commands += "set y2tics (" +
+                   turn_tics(spins.least / boost::math::double_constants::two_pi,
+                             spins.most / boost::math::double_constants::two_pi) +
+                   ")\n";
+  return curve_plot(plot);
 }
 
 Plot truncation_plot(const std::vector<SpinRow> &rows)
@@ -129,33 +215,71 @@ Plot deviation_plot(const std::vector<double> &time, const std::vector<SpinRow> 
   return curve_plot(plot);
 }
 
-Plot comparison_plot(const Comparison &comparison)
+namespace
+{
+
+/// A plot with a line for each load, the first on top, and a colour for each moment balance.
+CurvePlot plot_by_load(const Comparison &comparison, const std::string &name, const std::string &caption,
+                       const std::string &label,
+                       const std::function<std::optional<double>(const SpinRow &)> &value)
 {
   std::vector<std::string> loads;
+  std::size_t longest = 0;
   for (const SpinRow &row : comparison.rows)
     if (std::find(loads.begin(), loads.end(), row.load) == loads.end())
+    {
       loads.push_back(row.load);
-  CurvePlot plot = { "terminal_spins",
-                     "Terminal spin by load, all its harmonics kept, and by moment balance (colours).",
-                     { heading_with_unit(quantity::omega_terminal) },
-                     { "", false, std::pair(0.5, static_cast<double>(loads.size()) + 0.5) },
-                     {} };
+      longest = std::max(longest, width_of(name_of_load(row.load)));
+    }
+  CurvePlot plot = {
+    name, caption, { label }, { "", false, std::pair(0.5, static_cast<double>(loads.size()) + 0.5) }, {}
+  };
   // The SVG terminal of gnuplot takes texts for wider than they are: too much room would be left for the
   // names.
-  plot.commands = "set lmargin at screen 0.3\nset key width 0\nset ytics (";
+  constexpr double points_per_character = 7.6, width_of_plot = 540;
+  const double left = (points_per_character * static_cast<double>(longest) + 15) / width_of_plot;
+  plot.commands = "set lmargin at screen " + to_short_text(left) +
+                  "; set rmargin at screen 0.95\nset key width 0\nset ytics (";
   for (std::size_t i = 0; i < loads.size(); ++i)
     plot.commands += (i ? ", '" : "'") + name_of_load(loads[i]) + "' " + std::to_string(loads.size() - i);
   plot.commands += ")\nset grid x y\n";
+  Extent extent;
   for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
   {
     Curve curve = { ring::to_string(closure), {}, {}, CurveStyle::points };
     for (std::size_t i = 0; i < loads.size(); ++i)
-      if (const SpinRow *row = comparison.find(closure, loads[i]); row && row->omega_terminal())
-        curve.add(*row->omega_terminal(), static_cast<double>(loads.size() - i));
+      if (const SpinRow *row = comparison.find(closure, loads[i]))
+        if (const std::optional<double> x = value(*row))
+        {
+          curve.add(*x, static_cast<double>(loads.size() - i));
+          extent.include(*x);
+        }
     if (!curve.x.empty())
       plot.curves.push_back(curve);
   }
-  return curve_plot(plot);
+  plot.commands += tic_commands("x", extent.least, extent.most);
+  return plot;
+}
+
+} // namespace
+
+Plot comparison_plot(const Comparison &comparison)
+{
+  return curve_plot(plot_by_load(comparison, "terminal_spins",
+                                 "Terminal spin by load, all its harmonics kept, and by moment balance "
+                                 "(colours).",
+                                 heading_with_unit(quantity::omega_terminal),
+                                 [](const SpinRow &row) { return row.omega_terminal(); }));
+}
+
+Plot harmonic_effect_plot(const Comparison &comparison)
+{
+  return curve_plot(plot_by_load(
+    comparison, "harmonic_effects",
+    "What the harmonics of each load beyond the first do to that terminal spin; less than zero is faster "
+    "where the glass spins clockwise.",
+    heading_with_unit(quantity::harmonic_effect),
+    [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; }));
 }
 
 } // namespace stemware::pipeline

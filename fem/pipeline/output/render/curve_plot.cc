@@ -114,7 +114,7 @@ std::string drawing(const Curve &curve, std::size_t index, unsigned int line_typ
   const char *style = curve.style == CurveStyle::line     ? "with lines"
                       : curve.style == CurveStyle::points ? "with points"
                                                           : "with linespoints";
-  plot << block << "1:2 " << style << type << title;
+  plot << block << "1:2 " << style << type << (curve.is_hollow ? "pt 6 " : "") << title;
   return plot.str();
 }
 

@@ -34,6 +34,7 @@ struct Curve
   std::vector<double> band = {}; ///< half-width of the error of each y; empty: none
   unsigned int line_type = 0;    ///< of figures/style.gnuplot; 0: the next one
   bool is_error = false;         ///< y is an error itself: bars reach from it up to the band
+  bool is_hollow = false;        ///< circles, of a style with points
 
   void add(double at, double value)
   {

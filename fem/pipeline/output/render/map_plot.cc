@@ -125,7 +125,7 @@ Plot tornado_plot(const std::string &name, const std::string &caption, const std
                              tic_commands("x", -widest, widest) + "set ytics (" + tics +
                              ")\nset yrange [0.4:" + std::to_string(sensitivities.size()) + R"gp(.6]
 unset border; set border 1; set grid noytics; set xzeroaxis; set yzeroaxis lt 7
-set key at screen 0.98, screen 0.97 right top horizontal; set tmargin 3
+set key at screen 0.98, screen 0.97 right top horizontal width 1; set tmargin 3
 set style fill solid noborder
 plot data using (0):1:(0):2:($1 - 0.35):($1 + 0.35) with boxxyerror lt 1 title "parameter down", \
      data using (0):1:(0):3:($1 - 0.35):($1 + 0.35) with boxxyerror lt 2 title "parameter up"

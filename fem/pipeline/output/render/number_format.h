@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -75,6 +76,19 @@ inline std::string change(double share)
 inline std::string change_fixed(double share)
 {
   return fmt::format(FMT_STRING("{:+.3f} %"), 100 * share);
+}
+
+/// Decimals that show two digits of @p spread.
+inline int decimals_of(double spread)
+{
+  constexpr int of_nothing = 6;
+  return spread > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(spread)))) : of_nothing;
+}
+
+/// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
+inline std::string to_spread(double value, double spread)
+{
+  return fmt::format(FMT_STRING("{:.{}f}"), value, decimals_of(spread));
 }
 
 /// The half-width of an error band by itself, rounded up to two digits: "4.9e-06".

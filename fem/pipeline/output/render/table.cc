@@ -78,8 +78,12 @@ std::string shown(const Column &column, std::size_t row, const std::string &miss
   const Quantity &quantity = column.quantity;
   const Cell &cell = column.cells.at(row);
   if (const auto *number = std::get_if<double>(&cell); number && std::isfinite(*number))
+  {
+    if (column.uncertainty > 0 && std::abs(*number) >= column.rounding)
+      return format::to_spread(*number, column.uncertainty);
     return (on_console && quantity.console_digits ? quantity.console_digits : quantity.digits)(
       std::abs(*number) < column.rounding ? 0 : *number);
+  }
   if (const auto *count = std::get_if<std::int64_t>(&cell))
     return std::to_string(*count);
   if (const auto *text = std::get_if<std::string>(&cell))

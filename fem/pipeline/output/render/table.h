@@ -81,14 +81,15 @@ struct Column
 {
   Quantity quantity;
   std::vector<Cell> cells;
-  double rounding = 0; ///< people read 0 where the value is smaller than this; files keep it
+  double rounding = 0;    ///< people read 0 where the value is smaller than this; files keep it
+  double uncertainty = 0; ///< where known, people read no more digits than it allows; files have all
 };
 
 /// A quantity of each of @p rows: @p value is a member, or is called with the row.
 template <typename Rows, typename Value>
 Column column(const Quantity &quantity, const Rows &rows, Value value, double rounding = 0)
 {
-  Column result = { quantity, {}, rounding };
+  Column result = { quantity, {}, rounding, 0 };
   for (const auto &row : rows)
     result.cells.push_back(to_cell(std::invoke(value, row)));
   return result;
@@ -108,7 +109,7 @@ Column numbers(const std::string &name, const std::string &unit, const std::vect
 template <typename Value>
 Column single(const Quantity &quantity, const Value &value, double rounding = 0)
 {
-  return { quantity, { to_cell(value) }, rounding };
+  return { quantity, { to_cell(value) }, rounding, 0 };
 }
 
 /// Columns of equal length under a title. Renderers (table_renderers.h) show all columns of what they are

@@ -1,9 +1,12 @@
-// The report in a real browser, on a phone and on a desk. Built where Debian's Chromium is installed.
+// The report of every verb in a real browser, on a phone and on a desk, and on paper.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace stemware::test
@@ -13,81 +16,207 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A page that shows @p html in a frame of @p width pixels and replaces itself by what it measures there: for
-/// each figure its width, height and number of visible texts, and the width of all that is in the page.
-std::string measuring_page(const std::string &html, unsigned int width)
+/// Widths of the page: a desk, a narrow window, a phone.
+const std::vector<unsigned int> widths = { 1100, 500, 400 };
+
+/// A report by the verb and the arguments that make it.
+struct Opened
+{
+  std::string name;
+  std::vector<std::string> arguments;
+  bool says_its_answer = true; ///< on the console too
+};
+
+std::ostream &operator<<(std::ostream &stream, const Opened &report)
+{
+  return stream << report.name;
+}
+
+const std::vector<Opened> &opened()
+{
+  static const std::string resting = "Load/Coupling=one-way";
+  static const std::vector<Opened> reports = {
+    { "run", { "run", "study.prm" } },
+    { "truncate", { "truncate", "study.prm" } },
+    { "compare", { "compare", "study.prm" } },
+    { "converge", { "converge", "study.prm", "--levels", "2", "--set", resting } },
+    { "sweep",
+      { "sweep", "study.prm", "--set", resting, "--vary", "Motion/Friction coefficient=0.2:0.4:5" } },
+    { "sweep_of_samples",
+      { "sweep", "study.prm", "--set", resting, "--samples", "12", "--random",
+        "Motion/Friction coefficient=0.3+-5%", "--random", "Motion/Orbit speed=0.35+-5%" } },
+    { "mesh", { "mesh", "study.prm" }, false },
+  };
+  return reports;
+}
+
+/// A page that shows @p html in a frame of each width and replaces itself by what it measures there: for each
+/// figure its width, height and number of visible texts, and the width of all that is in the page; and what
+/// the answer box says.
+std::string measuring_page(const std::string &html)
 {
   std::string quoted = nlohmann::json(html).dump();
   for (auto at = quoted.find("</"); at != std::string::npos; at = quoted.find("</", at + 3))
     quoted.insert(at + 1, "\\");
-  return R"(<!DOCTYPE html><meta charset="utf-8"/><body><iframe style="border:0;height:800px;width:)" +
-         std::to_string(width) + R"(px"></iframe><script>
-const frame = document.querySelector("iframe");
-frame.onload = () => {
+  return R"(<!DOCTYPE html><meta charset="utf-8"/><body><script>
+const widths = )" +
+         nlohmann::json(widths).dump() + R"(, measured = {};
+const measure = (frame, width) => {
   const page = frame.contentDocument;
   const figures = Array.from(page.querySelectorAll("figure")).map(figure => {
-    const svg = figure.querySelector("svg"), box = svg.getBoundingClientRect();
+    const svg = figure.querySelector("svg");
+    if (!svg)
+      return { name: figure.id, width: 0, height: 0, texts: 0 };
+    const box = svg.getBoundingClientRect();
     const texts = Array.from(svg.querySelectorAll("text")).filter(text => text.getBoundingClientRect().width > 0);
     return { name: figure.id, width: box.width, height: box.height, texts: texts.length };
   });
-  const measured = { figures: figures, width: page.documentElement.scrollWidth };
+  measured[width] = { figures: figures, width: page.documentElement.scrollWidth,
+                      answer: page.querySelector("p.answer").textContent };
+  if (Object.keys(measured).length < widths.length)
+    return;
   document.body.textContent = "MEASURED" + JSON.stringify(measured) + "MEASURED";
   console.log("the browser has measured");
 };
-frame.srcdoc = )" +
-         quoted + ";</script></body>";
+for (const width of widths) {
+  const frame = document.createElement("iframe");
+  frame.style = "border:0;height:800px;width:" + width + "px";
+  frame.onload = () => { if (frame.srcdoc) measure(frame, width); };
+  frame.srcdoc = )" +
+         quoted + R"(;
+  document.body.appendChild(frame);
+}</script></body>)";
+}
+
+/// Runs Chromium without a window in the folder.
+Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
+{
+  std::vector<std::string> command = { STEMWARE_CHROMIUM,
+                                       "--headless",
+                                       "--no-sandbox",
+                                       "--disable-gpu",
+                                       "--disable-dev-shm-usage",
+                                       "--no-first-run",
+                                       "--hide-scrollbars",
+                                       "--disable-extensions",
+                                       "--disable-background-networking",
+                                       "--user-data-dir=" + (scratch / "profile").string(),
+                                       "--enable-logging=stderr",
+                                       "--window-size=1280,1000" };
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return RunningProgram(command, scratch.path()).end();
+}
+
+std::size_t n_found(const std::string &text, const std::string &part)
+{
+  std::size_t n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++n;
+  return n;
 }
 
 /// Measures of a report, and a check that the browser had nothing to complain about.
-nlohmann::json measure(const ScratchFolder &scratch, const fs::path &report, unsigned int width)
+nlohmann::json measure(const ScratchFolder &scratch, const fs::path &report)
 {
-  const std::string page = scratch.write("measure.html", measuring_page(read_text(report), width));
-  const Ended ended =
-    RunningProgram({ STEMWARE_CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
-                     "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars", "--disable-extensions",
-                     "--disable-background-networking", "--user-data-dir=" + (scratch / "profile").string(),
-                     "--enable-logging=stderr", "--window-size=1280,1000", "--dump-dom", "file://" + page },
-                   scratch.path())
-      .end();
+  const std::string page = scratch.write("measure.html", measuring_page(read_text(report)));
+  const Ended ended = chromium(scratch, { "--dump-dom", "file://" + page });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   // Our own message shows that messages of the page would be seen.
-  std::size_t n_messages = 0;
-  for (auto at = ended.err.find(":CONSOLE"); at != std::string::npos; at = ended.err.find(":CONSOLE", at + 1))
-    ++n_messages;
-  EXPECT_EQ(n_messages, 1u) << ended.err;
+  EXPECT_EQ(n_found(ended.err, ":CONSOLE"), 1u) << ended.err;
   EXPECT_NE(ended.err.find("the browser has measured"), std::string::npos) << ended.err;
   const auto begin = ended.out.find("MEASURED");
   if (begin == std::string::npos)
     throw std::runtime_error("the browser has measured nothing: " + ended.out.substr(0, 500));
-  return nlohmann::json::parse(
-    ended.out.substr(begin + 8, ended.out.find("MEASURED", begin + 8) - begin - 8));
+  std::string text = ended.out.substr(begin + 8, ended.out.find("MEASURED", begin + 8) - begin - 8);
+  // The page is written out as HTML.
+  for (const auto &[entity, character] :
+       { std::pair("&nbsp;", " "), std::pair("&lt;", "<"), std::pair("&gt;", ">"), std::pair("&amp;", "&") })
+    boost::replace_all(text, entity, character);
+  return nlohmann::json::parse(text);
 }
 
-class Browser : public testing::TestWithParam<unsigned int>
+/// Words with one blank between them.
+std::string in_one_line(const std::string &text)
 {
+  std::istringstream words(boost::replace_all_copy(text, "\u00a0", " "));
+  std::string line;
+  for (std::string word; words >> word;)
+    line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+class Browser : public testing::TestWithParam<Opened>
+{
+protected:
+  void SetUp() override
+  {
+    if (std::string(STEMWARE_CHROMIUM).empty())
+      GTEST_SKIP() << "No Chromium is installed, so no report was opened (Debian: apt-get install chromium).";
+  }
 };
 
-TEST_P(Browser, ShowsEveryFigureAndNothingWiderThanThePage)
+TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
 {
   const ScratchFolder scratch;
-  const Ended run =
-    stemware(scratch, { "run", scratch.write("study.prm", "# defaults\n"), "--output", "results", "--set",
-                        "Contact/Body=revolution", "--set", "Motion/Closure=paper" });
+  scratch.write("study.prm", plain_study());
+  std::vector<std::string> arguments = GetParam().arguments;
+  arguments.insert(arguments.end(), { "--output", "results" });
+  const Ended run = stemware(scratch, arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto measured = measure(scratch, scratch / "results/report.html", GetParam());
-  EXPECT_EQ(measured["width"].get<double>(), GetParam()) << "the page has to be scrolled sideways";
-  EXPECT_GE(measured["figures"].size(), 6u);
-  for (const auto &figure : measured["figures"])
+  const fs::path report = scratch / "results/report.html";
+
+  std::set<std::string> drawn;
+  for (const auto &file : fs::directory_iterator(scratch / "results/figures"))
+    if (file.path().extension() == ".svg")
+      drawn.insert(file.path().stem());
+  EXPECT_GE(drawn.size(), 2u);
+  const nlohmann::json measured = measure(scratch, report);
+  for (const unsigned int width : widths)
   {
-    EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(GetParam(), 500u)) << figure;
-    EXPECT_LE(figure["width"].get<double>(), GetParam()) << figure;
-    EXPECT_GT(figure["height"].get<double>(), 0.5 * figure["width"].get<double>()) << figure;
-    EXPECT_GE(figure["texts"].get<unsigned int>(), 5u) << figure; // labels and keys
+    SCOPED_TRACE(width);
+    const nlohmann::json &page = measured[std::to_string(width)];
+    EXPECT_EQ(page["width"].get<double>(), width) << "the page has to be scrolled sideways";
+    std::set<std::string> shown;
+    for (const auto &figure : page["figures"])
+    {
+      shown.insert(figure["name"].get<std::string>());
+      EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(width, 500u)) << figure;
+      EXPECT_LE(figure["width"].get<double>(), width) << figure;
+      EXPECT_GT(figure["height"].get<double>(), 0.3 * figure["width"].get<double>()) << figure;
+      EXPECT_GE(figure["texts"].get<unsigned int>(), 2u) << figure; // labels and keys
+    }
+    EXPECT_EQ(shown, drawn);
+    EXPECT_EQ(page["figures"].size(), drawn.size());
+    const std::string answer = in_one_line(page["answer"]);
+    EXPECT_GT(answer.size(), 60u);
+    EXPECT_TRUE(!GetParam().says_its_answer || in_one_line(run.out).find(answer) != std::string::npos)
+      << answer << "\n"
+      << run.out;
   }
+
+  const fs::path pdf = scratch / "report.pdf";
+  const Ended print = chromium(scratch, { "--print-to-pdf=" + pdf.string(), "file://" + report.string() });
+  EXPECT_EQ(print.exit_code, 0) << print.err;
+  EXPECT_EQ(n_found(print.err, ":CONSOLE"), 0u) << print.err;
+  const std::string printed = read_text(pdf);
+  EXPECT_EQ(printed.rfind("%PDF", 0), 0u);
+  EXPECT_GT(printed.size(), 20000u); // pictures and text, not an empty page
 }
 
-INSTANTIATE_TEST_SUITE_P(Report, Browser, testing::Values(390u, 1200u),
-                         [](const auto &info) { return std::to_string(info.param) + "px"; });
+INSTANTIATE_TEST_SUITE_P(Report, Browser, testing::ValuesIn(opened()),
+                         [](const auto &info) { return info.param.name; });
+
+TEST(Reports, AreOpenedInABrowserForEveryVerbThatWritesOne)
+{
+  std::set<std::string> verbs;
+  for (const Opened &report : opened())
+    verbs.insert(report.arguments.front());
+  const ScratchFolder scratch;
+  for (const std::string &verb : all_verbs())
+    EXPECT_EQ(verbs.count(verb) == 1,
+              stemware(scratch, { verb, "--help" }).out.find("report.html") != std::string::npos)
+      << verb;
+}
 
 } // namespace
 } // namespace stemware::test

@@ -89,10 +89,10 @@ std::string per_cent(double change)
   return text;
 }
 
-const std::vector<std::string> figures = {
-  "waterfall", "effects",    "harmonic_torque", "load", "higher_harmonics", "spectrum", "torque",
-  "spin_up",   "truncation", "section",         "rim",  "foot_from_below",  "footprint"
-};
+const std::vector<std::string> figures = { "waterfall",       "effects",          "harmonic_torque", "load",
+                                           "line_load",       "higher_harmonics", "spectrum",        "torque",
+                                           "spin_up",         "truncation",       "section",         "rim",
+                                           "foot_from_below", "footprint" };
 
 TEST_F(RunReport, AnswersWithTheNumbersOfTheSummary)
 {
@@ -174,7 +174,10 @@ TEST(FirstHarmonicReport, OfAGlassThatDoesNotSpinUp)
   EXPECT_EQ(ended.err, "");
   const std::string html = read_text(scratch / "results/report.html");
   EXPECT_NE(html.find("The glass does not spin up."), std::string::npos);
-  EXPECT_NE(html.find("<figure id=\"spin_up\">"), std::string::npos);
+  EXPECT_NE(html.find("<figure id=\"torque\">"), std::string::npos);
+  for (const char *of_the_spin : { "spin_up", "waterfall", "effects", "truncation" })
+    EXPECT_EQ(html.find(std::string("<figure id=\"") + of_the_spin + "\">"), std::string::npos)
+      << of_the_spin;
 }
 
 /// Another PATH for a while.

@@ -23,20 +23,20 @@ TEST(ConvergenceByHand, Console)
 {
   const Results results = made_convergence();
   EXPECT_EQ(console_text(results), R"(
-meridional mesh (* the study's own)
-  halvings of every cell          0        1 *  order     band
-  b_2/a_0                 1.3801235  1.3901235      -  1.5e-03
-  terminal spin           1.4301235  1.4401235   1.45  1.5e-03
-  time constant           1.4901235  1.5001235      -  1.6e-03
-
-error bands of the study as it is; harmonics not listed are zero
-  quantity            value  Richardson value     band  unit
-  b_2/a_0        1.01012346        1.03012346  1.1e-03  1
-  terminal spin  1.04012346        1.06012346  1.1e-03  rad/s
-  time constant  1.07012346        1.09012346  1.1e-03  s
-
 Terminal spin 1.0401 ± 0.0011 rad/s (discretisation only); it converges with order 1.45 in the
-meridional mesh, Richardson value 1.06012346 rad/s.
+meridional mesh, Richardson value 1.0601 rad/s.
+
+Error band of the terminal spin, axis by axis
+                                                 band
+  what is refined  the study has              (rad/s)  order
+  meridional mesh  halvings of every cell: 1  1.5e-03   1.45
+  all together                                1.1e-03      -
+
+Error bands of the main quantities; the report has all of them
+  quantity        value  Richardson value     band  unit
+  terminal spin  1.0401            1.0601  1.1e-03  rad/s
+  time constant  1.0701            1.0901  1.1e-03  s
+  b_2/a_0        1.0101            1.0301  1.1e-03  –
 
 )");
 }
@@ -75,13 +75,19 @@ TEST(ConvergenceByHand, Report)
   EXPECT_EQ(results.report.title, R"(Refinement study of glass)");
   EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
 quantity: b2/a0 | terminal spin | time constant
-value: 1.01012346 | 1.04012346 | 1.07012346
+value: 1.0101 | 1.0401 | 1.0701
 band: 1.1e-03 | 1.1e-03 | 1.1e-03
-Richardson value: 1.03012346 | 1.06012346 | 1.09012346
-unit: 1 | rad/s | s
+Richardson value: 1.0301 | 1.0601 | 1.0901
+unit: – | rad/s | s
 )");
-  EXPECT_EQ(report_lines(results, "Refinement: meridional mesh"),
-            R"(Values on each level; * the study&#39;s own
+  EXPECT_EQ(report_lines(results, "What the discretisation leaves open", true),
+            R"(Error band of the terminal spin, axis by axis
+what is refined | the study has | band (rad/s) | observed order
+meridional mesh | halvings of every cell: 1 | 1.5e-03 | 1.45
+all together |  | 1.1e-03 | –
+)");
+  EXPECT_EQ(report_lines(results, "All levels"),
+            R"(Values on each level of the meridional mesh; * the study&#39;s own
 quantity: b2/a0 | terminal spin | time constant
 0: 1.38012346 | 1.43012346 | 1.49012346
 1 *: 1.39012346 | 1.44012346 | 1.50012346
@@ -89,43 +95,52 @@ observed order: – | 1.45 | –
 band: 1.5e-03 | 1.5e-03 | 1.6e-03
 )");
   EXPECT_EQ(plot_data(results, "converge_meridional_mesh"), R"(# terminal spin
-# 1: halvings of every cell (1)
+# 1: size of the cells over that without halvings, h / h_0 (1)
 # 2: relative error (1)
 # 3: half-width of the error band (1)
-                       0     0.020546207830810768    0.0010068487359436037
-                       1     0.013697471887207177     0.001013697471887207
+                       1     0.020546207830810768    0.0010068487359436037
+                     0.5     0.013697471887207177     0.001013697471887207
 
 
 # time constant
-# 1: halvings of every cell (1)
+# 1: size of the cells over that without halvings, h / h_0 (1)
 # 2: relative error (1)
 # 3: half-width of the error band (1)
-                       0     0.013243950295100412    0.0010066219751475502
-                       1     0.006621975147550206    0.0010132439502951002
+                       1     0.013243950295100412    0.0010066219751475502
+                     0.5     0.006621975147550206    0.0010132439502951002
 
 
 # b_2/a_0
-# 1: halvings of every cell (1)
+# 1: size of the cells over that without halvings, h / h_0 (1)
 # 2: relative error (1)
 # 3: half-width of the error band (1)
-                       0     0.014284454634549668    0.0010071422273172747
-                       1     0.007142227317274834    0.0010142844546345497
+                       1     0.014284454634549668    0.0010071422273172747
+                     0.5     0.007142227317274834    0.0010142844546345497
 
 
 # a3
-# 1: halvings of every cell (1)
+# 1: size of the cells over that without halvings, h / h_0 (1)
 # 2: relative error (1)
 # 3: half-width of the error band (1)
-                       0     0.016947379434289332    0.0010084736897171447
-                       1     0.008473689717144666    0.0010169473794342894
+                       1     0.016947379434289332    0.0010084736897171447
+                     0.5     0.008473689717144666    0.0010169473794342894
 
 
 # a4
-# 1: halvings of every cell (1)
+# 1: size of the cells over that without halvings, h / h_0 (1)
 # 2: relative error (1)
 # 3: half-width of the error band (1)
-                       0     0.015502392345580564    0.0010077511961727903
-                       1     0.007751196172790282    0.0010155023923455804
+                       1     0.015502392345580564    0.0010077511961727903
+                     0.5     0.007751196172790282    0.0010155023923455804
+
+
+# order 1.5
+# 1: size of the cells over that without halvings, h / h_0 (1)
+# 2: relative error (1)
+                     0.5     0.005478988754882871
+                       1     0.014970319421215168
+                       1     0.005478988754882871
+                     0.5     0.005478988754882871
 )");
 }
 

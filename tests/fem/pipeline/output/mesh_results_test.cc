@@ -20,11 +20,11 @@ TEST(MeshByHand, Console)
 {
   const Results results = made_mesh();
   EXPECT_EQ(mesh_text(mesh_by_hand()), R"(Mesh      foot.msh, 101 hexahedra, 102 vertices
-Box       x -1.01012 to 1.04012, y -1.02012 to 1.05012, z -1.03012 to 1.06012 (m)
+Box       x -1010.12 to 1040.12, y -1020.12 to 1050.12, z -1030.12 to 1060.12 (mm)
 Faces     104 stem cut (id 1), 105 contact zone (id 2), 103 free, 106 of other ids
-Contact   r 1.07012 to 1.08012, z 1.09012 to 1.10012 (m), area 1.11012 m^2
-Rim       not round, middle radius 1.19012 m: straight edges cut off about 1.2e+02 % of the land
-Quality   scaled Jacobian at least 0.057, near (1.16, 1.17, 1.18), 1.15 on average
+Contact   r 1070.12 to 1080.12, z 1090.12 to 1100.12 (mm), area 1.11012e+06 mm²
+Rim       not round, middle radius 1190.12 mm: straight edges cut off about 1.2e+02 % of the land
+Quality   scaled Jacobian at least 0.057, near (1160, 1170, 1180) mm, 1.15 on average
 Remark    The worst cell's scaled Jacobian is 0.0570062, below 0.1: stresses near it are poor.
 Remark    Faces with ids other than 1 and 2 are taken as free.
 Remark    The contact zone has a radius of 1.08012 m: is the mesh in metres?
@@ -40,11 +40,11 @@ TEST(MeshByHand, Report)
 {
   const Results results = made_mesh();
   EXPECT_EQ(report_lines(results, "What it is like", true), R"(Mesh | foot.msh, 101 hexahedra, 102 vertices
-Box | x -1.01012 to 1.04012, y -1.02012 to 1.05012, z -1.03012 to 1.06012 (m)
+Box | x -1010.12 to 1040.12, y -1020.12 to 1050.12, z -1030.12 to 1060.12 (mm)
 Faces | 104 stem cut (id 1), 105 contact zone (id 2), 103 free, 106 of other ids
-Contact | r 1.07012 to 1.08012, z 1.09012 to 1.10012 (m), area 1.11012 m^2
-Rim | not round, middle radius 1.19012 m: straight edges cut off about 1.2e+02 % of the land
-Quality | scaled Jacobian at least 0.057, near (1.16, 1.17, 1.18), 1.15 on average
+Contact | r 1070.12 to 1080.12, z 1090.12 to 1100.12 (mm), area 1.11012e+06 mm²
+Rim | not round, middle radius 1190.12 mm: straight edges cut off about 1.2e+02 % of the land
+Quality | scaled Jacobian at least 0.057, near (1160, 1170, 1180) mm, 1.15 on average
 Remark | The worst cell&#39;s scaled Jacobian is 0.0570062, below 0.1: stresses near it are poor.
 Remark | Faces with ids other than 1 and 2 are taken as free.
 Remark | The contact zone has a radius of 1.08012 m: is the mesh in metres?

@@ -85,6 +85,32 @@ TEST(Plots, LoadOfOneHarmonicWithoutSamples)
   EXPECT_EQ(columns[1][361 + 270], 1);
 }
 
+TEST(Plots, LineLoad)
+{
+  const ScratchFolder scratch;
+  const Plot plot = line_load_plot(lifted, {}, ring::OrbitSense::counterclockwise);
+  EXPECT_EQ(draw(plot, scratch), "");
+  // N/m: N/rad over the ring's radius. All harmonics, the first, the mean.
+  const auto columns = data_of(plot, scratch);
+  ASSERT_EQ(columns[0].size(), 2u * 361 + 2);
+  const double radius = lifted.radius();
+  EXPECT_NEAR(columns[1][90], (1 - 1.3 + 0.4 - 0.1 + 0.05) / radius, 1e-9);
+  EXPECT_NEAR(columns[1][361 + 90], (1 - 1.3) / radius, 1e-9);
+  EXPECT_NEAR(columns[1].back(), 1 / radius, 1e-9);
+  EXPECT_NE(plot.script.find("90\\norbit's centre"), std::string::npos); // to the left of v
+  EXPECT_NE(line_load_plot(lifted, {}, ring::OrbitSense::clockwise).script.find("270\\norbit's centre"),
+            std::string::npos);
+  EXPECT_NE(words_of(plot, scratch).find("orbit's centre"), std::string::npos);
+}
+
+TEST(Plots, TruncationsAreDrawnWhereTheyCanBeSeen)
+{
+  // The third harmonic is 0.5 % of the mean, and a quarter of what is beyond the first.
+  const ring::RingStack load({ 1, 0, 0.02, 0.005 }, { 0, 0.5, 0, 0 }, 0.03);
+  EXPECT_EQ(load_plot(load, {}).script.find("n ≤ 2"), std::string::npos);
+  EXPECT_NE(higher_harmonics_plot(load).script.find("n ≤ 2"), std::string::npos);
+}
+
 TEST(Plots, HigherHarmonics)
 {
   const ScratchFolder scratch;
@@ -107,9 +133,13 @@ TEST(Plots, Spectrum)
   const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns.size(), 3u);
   EXPECT_NEAR(columns[1][1], 0.4, 1e-15);
-  // n = 3, of amplitude 0.1, is hidden by its band; n = 4 has none.
-  EXPECT_EQ(draw(spectrum_plot(lifted, { 0, 0.01, 0.01, 0.2, 0 }), scratch), "");
-  EXPECT_EQ(data_of(plot, scratch)[0], (std::vector<double>{ 1, 2, 4 }));
+  // n = 3, of amplitude 0.1, is smaller than its band; n = 4 has none, and is smaller than that of n = 3:
+  // both are hollow, and stand in a block of their own.
+  const Plot hollow = spectrum_plot(lifted, { 0, 0.01, 0.01, 0.2, 0 });
+  EXPECT_EQ(draw(hollow, scratch), "");
+  EXPECT_EQ(data_of(plot, scratch)[0], (std::vector<double>{ 1, 2, 3, 4 }));
+  EXPECT_NE(hollow.script.find("pt 6 title \"not resolved\""), std::string::npos) << hollow.script;
+  EXPECT_EQ(plot.script.find("pt 6"), std::string::npos);
   EXPECT_EQ(draw(spectrum_plot(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
 }
 
@@ -167,6 +197,8 @@ TEST(Plots, TorqueAndTruncation)
   const auto columns = data_of(torque, scratch);
   EXPECT_EQ(columns[0], (std::vector<double>{ -5, 5, -5, 5, -3, -3.5 }));
   EXPECT_EQ(columns[1], (std::vector<double>{ 1, -2, 3, -4, 0, 0 })); // mN m
+  EXPECT_NE(words_of(torque, scratch).find("+v/R"), std::string::npos);
+  EXPECT_NE(torque.caption.find("±v/R = ±5 rad/s"), std::string::npos) << torque.caption;
   EXPECT_EQ(draw(truncation_plot(two_rows()), scratch), "");
   EXPECT_EQ(data_of(truncation_plot(two_rows()), scratch)[1], std::vector<double>{ 0.02 });
 }
@@ -181,9 +213,13 @@ TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
   const Plot plot = spin_up_plot(
-    { { "elastic foot", { 0, 1, 2 }, { 0, -1, -1.5 } }, { "the paper", { 0, 1, 2 }, { 0, -0.9, -1.4 } } });
+    { { "elastic foot", { 0, 1, 2 }, { 0, -1, -1.5 } }, { "the paper", { 0, 1, 2 }, { 0, -0.9, -1.4 } } },
+    two_rows().back());
   EXPECT_EQ(draw(plot, scratch), "");
-  EXPECT_NE(words_of(plot, scratch).find("the paper"), std::string::npos);
+  const std::string words = words_of(plot, scratch);
+  EXPECT_NE(words.find("the paper"), std::string::npos);
+  EXPECT_NE(words.find("turns per second"), std::string::npos);
+  EXPECT_NE(words.find("−3.5 rad/s"), std::string::npos) << words; // the terminal spin
 }
 
 TEST(Plots, Convergence)

@@ -365,10 +365,10 @@ TEST(RunByHand, ErrorBands)
   const Results results = made_run();
   EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
 quantity: b1/a0 | a2/a0 | terminal spin
-value: 2.43012346 | 2.46012346 | 2.49012346
+value: 2.4301 | 2.4601 | 2.4901
 band: 2.5e-03 | 2.5e-03 | 2.6e-03
-Richardson value: 2.45012346 | 2.48012346 | 2.51012346
-unit: 1 | 1 | rad/s
+Richardson value: 2.4501 | 2.4801 | 2.5101
+unit: – | – | rad/s
 What the bands are made of
 quantity: b1/a0 | a2/a0 | terminal spin
 mesh: – | – | 3.2e-04

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -70,6 +72,83 @@ TEST(SweepFindings, RangesNameTheirCases)
     "to 1 % "
     "faster (Load/Moment ratio = 1, Motion/Closure = paper) and up to 2 % slower (Load/Moment ratio = 1, "
     "Motion/Closure = full). 1 of 4 cases failed; the column message of sweep.csv says why.");
+}
+
+/// nan among the values of the plot of the terminal spin, in a sweep of the moment ratio from -1 to 1.
+std::size_t n_gaps(const std::function<double(double)> &spin_at)
+{
+  SweepRequest request;
+  request.varied = { "Load/Moment ratio=-1:1:41" };
+  const SweepPlan plan = make_plan(request);
+  FinishedCases cases;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i)
+    cases[i] = with_spin(spin_at(std::stod(plan.cases[i][0])), 0);
+  for (const ReportSection &section : tabulate(plan, cases, find_out(plan, cases)).report.sections)
+    for (const Plot &plot : section.plots)
+      if (plot.name == "terminal_spin")
+      {
+        std::size_t n = 0;
+        for (auto at = plot.data.find(" nan"); at != std::string::npos; at = plot.data.find(" nan", at + 1))
+          ++n;
+        return n;
+      }
+  throw std::logic_error("the terminal spin has no plot");
+}
+
+TEST(SweepFindings, CurvesBreakWhereTheyJumpAndNowhereElse)
+{
+  const auto sign = [](double x) { return x > 0 ? 1. : x < 0 ? -1. : 0.; };
+  EXPECT_EQ(n_gaps([](double x) { return 3 * x; }), 0u);
+  EXPECT_EQ(n_gaps([](double x) { return std::tanh(8 * x); }), 0u); // steep, but seen
+  EXPECT_EQ(n_gaps([](double x) { return std::abs(x); }), 0u);      // a kink
+  EXPECT_EQ(n_gaps([](double x) { return 0.1 / (1.1 + x); }), 0u);  // steep at its end
+  EXPECT_EQ(n_gaps([&](double x) { return 5 * sign(x) + x; }), 2u); // on both sides of a value at 0
+  EXPECT_EQ(n_gaps([&](double x) { return 5 * sign(x - 0.01) + x; }), 1u);
+  EXPECT_EQ(n_gaps([&](double x) { return 1e-15 * x + sign(x - 0.01); }), 0u); // nothing to compare with
+}
+
+TEST(SweepFindings, SpinsThatChangeSignAreComparedInRadiansPerSecond)
+{
+  SweepRequest request;
+  request.varied = { "Load/Moment ratio=-1,1" };
+  const SweepPlan plan = make_plan(request);
+  FinishedCases cases = { { 0, with_spin(-3, 1e9) }, { 1, with_spin(2, -1e9) } };
+  cases[0].values[quantity_index("absolute harmonic effect")] = 0.25;
+  cases[1].values[quantity_index("absolute harmonic effect")] = -0.125;
+  const SweepFindings findings = find_out(plan, cases);
+  EXPECT_TRUE(findings.spin_changes_sign());
+  EXPECT_EQ(sweep_answer(plan, findings),
+            "In 2 cases the glass spins up to between -3 rad/s (Load/Moment ratio = -1) and 2 rad/s "
+            "(Load/Moment ratio = 1). The harmonics of the load beyond the first change it by between -0.125 "
+            "rad/s (Load/Moment ratio = 1) and +0.25 rad/s (Load/Moment ratio = -1). For scale: what the "
+            "paper's moment balance leaves out changes the spin of a first-harmonic load by +0.5 rad/s.");
+  EXPECT_FALSE(find_out(grid_of_four(), four_cases()).spin_changes_sign());
+}
+
+TEST(SweepFindings, SharesOfTheVarianceNeedAHundredSamples)
+{
+  SweepRequest request;
+  request.random = { "Load/Moment ratio=0.5+-10%", "Motion/Mass=0.2..0.4" };
+  for (const unsigned int n_samples : { 99u, 100u })
+  {
+    request.n_samples = n_samples;
+    const SweepPlan plan = make_plan(request);
+    FinishedCases cases;
+    for (std::size_t i = 0; i < plan.cases.size(); ++i)
+      cases[i] = with_spin(std::pow(std::stod(plan.cases[i][0]) - 0.5, 2), 0); // no line fits
+    const SweepFindings findings = find_out(plan, cases);
+    const auto &sensitivity = findings.about("terminal spin")->sensitivity;
+    ASSERT_TRUE(sensitivity);
+    EXPECT_LT(sensitivity->r_squared, 0.5);
+    EXPECT_EQ(sensitivity->first_order.empty(), n_samples < 100);
+    const Results results = tabulate(plan, cases, findings);
+    EXPECT_EQ(results.report.answer.find("of the variance is due to") == std::string::npos, n_samples < 100);
+    EXPECT_EQ(
+      results.findings
+        .summary["quantities"]["terminal spin"]["sensitivity"]["entries"]["Load/Moment ratio"]["first_order"]
+        .is_null(),
+      n_samples < 100);
+  }
 }
 
 TEST(SweepFindings, SpreadsByFactorsCountInTheLogarithm)

@@ -41,31 +41,20 @@ sweep.csv says why.
 )");
   EXPECT_EQ(console_text(sample), R"(
 In 7 samples the glass spins up to 2.36 ± 0.80 rad/s (mean and standard deviation; 95 % of them lie
-between 1.31 and 3.41 rad/s). 29 % of the variance is due to Table/Foundation modulus alone. In some
-of them the fingers hold the glass at rest (Motion/Mass = 0.290243, Table/Foundation modulus =
-2.4434e9); see the column "held by the grip" of sweep.csv. The harmonics of the load beyond the
-first change it by 2.44 % (mean; 95 % of the samples: 1.39 % to 3.49 %). 1 of 8 cases failed; the
-column message of sweep.csv says why.
+between 1.31 and 3.41 rad/s). In some of them the fingers hold the glass at rest (Motion/Mass =
+0.290243, Table/Foundation modulus = 2.4434e9); see the column "held by the grip" of sweep.csv. The
+harmonics of the load beyond the first change it by 2.44 % (mean; 95 % of the samples: 1.39 % to
+3.49 %). 1 of 8 cases failed; the column message of sweep.csv says why.
 
-                                                                                 standard
-  quantity                                             least     mean     most  deviation    2.5 %
-  moment ratio (1)                                   1.02012  2.13012  3.24012   0.799291  1.07562
-  contact fraction (1)                               1.03012  2.14012  3.25012   0.799291  1.08562
-  torque at rest (N m)                               1.24012  2.35012  3.46012   0.799291  1.29562
-  terminal spin (rad/s)                              1.25012  2.36012  3.47012   0.799291  1.30562
-  terminal spin of the first harmonic alone (rad/s)  1.26012  2.37012  3.48012   0.799291  1.31562
-  absolute harmonic effect (rad/s)                   1.32012  2.43012  3.54012   0.799291  1.37562
-  harmonic effect (%)                                1.33012  2.44012  3.55012   0.799291  1.38562
-
-
-  quantity                                            97.5 %
-  moment ratio (1)                                   3.18462
-  contact fraction (1)                               3.19462
-  torque at rest (N m)                               3.40462
-  terminal spin (rad/s)                              3.41462
-  terminal spin of the first harmonic alone (rad/s)  3.42462
-  absolute harmonic effect (rad/s)                   3.48462
-  harmonic effect (%)                                3.49462
+                                                               standard
+  quantity                                              mean  deviation    2.5 %   97.5 %
+  moment ratio (1)                                   2.13012   0.799291  1.07562  3.18462
+  contact fraction (1)                               2.14012   0.799291  1.08562  3.19462
+  torque at rest (N m)                               2.35012   0.799291  1.29562  3.40462
+  terminal spin (rad/s)                              2.36012   0.799291  1.30562  3.41462
+  terminal spin of the first harmonic alone (rad/s)  2.37012   0.799291  1.31562  3.42462
+  absolute harmonic effect (rad/s)                   2.43012   0.799291  1.37562  3.48462
+  harmonic effect (%)                                2.44012   0.799291  1.38562  3.49462
 
 )");
 }
@@ -141,7 +130,7 @@ where the foot touches (rad/s) | 1.30012 | Load/Moment ratio = 1, Motion/Closure
 tilt (rad/s) | 1.31012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.05012 | Load/Moment ratio = 1.5, Motion/Closure = full
 absolute harmonic effect (rad/s) | 1.32012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.06012 | Load/Moment ratio = 1.5, Motion/Closure = full
 harmonic effect (%) | 1.33012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.07012 | Load/Moment ratio = 1.5, Motion/Closure = full
-held by the grip (1) | 0 | Load/Moment ratio = 1, Motion/Closure = paper | 1 | Load/Moment ratio = 1, Motion/Closure = full
+held by the grip (1) | 0 | 2 cases | 1 | Load/Moment ratio = 1, Motion/Closure = full
 time constant (s) | 1.36012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.10012 | Load/Moment ratio = 1.5, Motion/Closure = full
 contact iterations (1) | 1.37012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.11012 | Load/Moment ratio = 1.5, Motion/Closure = full
 )");
@@ -179,13 +168,13 @@ TEST(SweepByHand, BandsOfASample)
   const Results sample = made(sample_by_hand());
   EXPECT_EQ(report_lines(sample, "Bands and sensitivities", true),
             R"(What the terminal spin depends on; the linear fit explains 41.5 % of its variance
-entry | standardised regression coefficient | first-order share of the variance
-Motion/Mass | 0.415 | -0.500
-Table/Foundation modulus | 0.533 | 0.286
+entry | standardised regression coefficient
+Motion/Mass | 0.415
+Table/Foundation modulus | 0.533
 What the harmonic effect depends on; the linear fit explains 41.5 % of its variance
-entry | standardised regression coefficient | first-order share of the variance
-Motion/Mass | 0.415 | -0.500
-Table/Foundation modulus | 0.533 | 0.286
+entry | standardised regression coefficient
+Motion/Mass | 0.415
+Table/Foundation modulus | 0.533
 Bands of all samples
 quantity | samples | mean | standard deviation | 2.5 % | 97.5 %
 normal force (N) | 7 | 2.12012 | 0.799 | 1.06562 | 3.17462
@@ -260,7 +249,9 @@ TEST(SweepByHand, StatisticsOfASample)
     const std::string &path = plan.entries[i].path;
     const auto &entry = json["sensitivity"]["entries"][path];
     expect("regression on " + path + " (1)", entry["regression"], spin.sensitivity->regression[i]);
-    expect("first-order share of " + path + " (1)", entry["first_order"], spin.sensitivity->first_order[i]);
+    // Seven samples are too few for shares of the variance.
+    EXPECT_EQ(table.text(row, "first-order share of " + path + " (1)"), "");
+    EXPECT_TRUE(entry["first_order"].is_null());
   }
   EXPECT_EQ(results.findings.key_figures["omega_terminal"],
             (nlohmann::ordered_json{ spin.band->lower, spin.band->upper }));

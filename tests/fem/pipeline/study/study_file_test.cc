@@ -232,7 +232,7 @@ TEST(StudyFile, NamesTheLineOfWhatIsWrong)
     "radius? (`stemware defaults` lists what there is.)");
   expect_refusal("subsection Table\n  set Interface = " + std::string(100000, 'x') + "\nend\n",
                  ", line 2: Table/Interface = " + std::string(80, 'x') +
-                   "... is not allowed; give one of hard, Winkler or rough.");
+                   "... is not allowed; give hard, Winkler or rough.");
 }
 
 TEST(StudyFile, SaysWhatWasGivenAndWhatIsAllowed)
