@@ -17,8 +17,9 @@ namespace stemware::ring
 {
 namespace
 {
-/// Integrated over sigma: angle between sliding and spinning, heading, yaw, x, y, time, friction's work.
-using State = std::array<double, 7>;
+/// Integrated over sigma: angle between sliding and spinning, heading, yaw, x, y, time, friction's work,
+/// length of the path.
+using State = std::array<double, 8>;
 
 /// The body's motion at the scale S = sqrt(v^2 + k^2 omega^2), k the gyration radius: v = S cos share, k
 /// omega = S sin share.
@@ -48,6 +49,7 @@ struct SlidingFlow
     rate[4] = s * c * std::sin(state[1]) * clock;
     rate[5] = clock;
     rate[6] = -(friction.force_x * s * c + friction.torque * omega) * clock;
+    rate[7] = s * c * clock;
   }
 
   SlidingState physical(const State &state, double s) const
@@ -59,7 +61,8 @@ struct SlidingFlow
              s * std::cos(state[0]),
              state[1],
              s * std::sin(state[0]) / gyration_radius,
-             state[6] };
+             state[6],
+             state[7] };
   }
 };
 
@@ -155,7 +158,7 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
 
   namespace odeint = boost::numeric::odeint;
   auto stepper = odeint::make_controlled(accuracy * 1e-2, accuracy, odeint::runge_kutta_dopri5<State>());
-  State state{ std::atan2(gyration_radius * omega, speed), 0., 0., 0., 0., 0., 0. };
+  State state{ std::atan2(gyration_radius * omega, speed), 0., 0., 0., 0., 0., 0., 0. };
   SlidingPath path{ { flow.physical(state, flow.initial_scale) }, 0. };
   double sigma = 0., step = 1e-3;
   const double end = 44.; // S has fallen below the rounding of its initial value squared

@@ -50,6 +50,7 @@ struct SlidingState
   double omega;   ///< spin [rad/s]
   /// What friction has taken so far, the integral of its power -(T.v + tau_z omega) over time [J].
   double friction_loss;
+  double distance; ///< along the path [m]
 };
 
 /// From the start to the stop.

@@ -95,8 +95,6 @@ void follow(const TiltingFriction &tilting, const ring::SlidingPath &path, Slide
       { state, moving.omega * inertia.outer_radius / moving.speed, friction, friction.force_y / inertia.mass,
         (inertia.mass * state.speed * state.speed + inertia.yaw_inertia * state.omega * state.omega) / 2,
         tilting.moment_ratio(moving.speed, moving.omega) });
-    if (i > 0)
-      slide.distance += std::hypot(state.x - path.states[i - 1].x, state.y - path.states[i - 1].y);
   }
   slide.points.back().slip_ratio = path.final_slip_ratio;
   const double energy = slide.start().kinetic_energy;
@@ -206,8 +204,8 @@ void check_slide(const Study &study, const SlideQuestion &question)
   else
     require(question.inner_radius == 0,
             "--inner-radius belongs to --body annulus; set that, or leave --inner-radius away.");
-  require(study.motion.orbit.friction_coefficient > 0,
-          "Motion/Friction coefficient = 0 never stops a sliding body; give a number greater than 0.");
+  require(study.motion.orbit.has_constant_friction(),
+          "A slide knows friction with one coefficient; set Motion/Friction law = Coulomb.");
   if (question.body != SlidingBodyKind::glass)
     return;
   require_flat(study, "slide");

@@ -53,7 +53,6 @@ struct SlideStudy
   std::vector<SlidePoint> points; ///< from the push to the stop
   /// omega R / v in the limit of the stop: 0 where the spin, infinite where the sliding dies first.
   double final_slip_ratio = 0;
-  double distance = 0;           ///< along the path [m]
   double energy_error = 0;       ///< largest |kinetic energy + friction loss - its start| over the start
   double load_error = 0;         ///< of the glass's load between solved slip ratios, over a_0
   bool inertia_is_given = false; ///< by the study, else that of the body's own pressure

@@ -64,7 +64,7 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
 {
   const SpinRow &all = spin.all();
   return { { "tau_at_rest", all.at_rest.value().friction.torque },
-           { "tau_closed_form", study.motion.orbit.friction_coefficient * report.load.moment.x() },
+           { "tau_closed_form", study.motion.orbit.friction_at_rest() * report.load.moment.x() },
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
            { "no_lift_off", has_no_lift_off(report) },
@@ -226,7 +226,7 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
   std::string text = fmt::format(
     FMT_STRING("Friction turns the glass at rest with τ_z = {:.6g} N m; μ M_Nx, which no harmonic beyond the "
                "first can change, is {:.6g} N m. The torque vanishes at the terminal spin ω = {:.6g} rad/s"),
-    all.at_rest.value().friction.torque, study.motion.orbit.friction_coefficient * report.load.moment.x(),
+    all.at_rest.value().friction.torque, study.motion.orbit.friction_at_rest() * report.load.moment.x(),
     all.omega_terminal().value());
   if (const auto time_constant = all.time_constant())
     text +=

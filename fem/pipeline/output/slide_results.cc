@@ -90,14 +90,14 @@ Findings findings_of(const SlideStudy &slide)
                                     { "y", stop.y },
                                     { "heading", stop.heading },
                                     { "yaw_angle", stop.yaw },
-                                    { "distance", slide.distance } } },
+                                    { "distance", slide.stop().state.distance } } },
                                 { "final_slip_ratio", finite_or_null(eps) },
                                 { "final_speed_over_rim_speed", inverse },
                                 { "largest_moment_ratio", slide.largest_moment_ratio() },
                                 { "formal", slide.is_formal() },
                                 { "energy_error", slide.energy_error },
                                 { "load_error", slide.load_error } };
-  findings.key_figures = { { "distance", slide.distance },
+  findings.key_figures = { { "distance", slide.stop().state.distance },
                            { "time", stop.time },
                            { "drift", stop.y },
                            { "yaw_angle", stop.yaw },
@@ -213,7 +213,7 @@ std::string side_of(double y)
 /// Whether the path bends by more than rounding.
 bool drifts(const SlideStudy &slide)
 {
-  return std::abs(slide.stop().state.y) > 1e-9 * slide.distance;
+  return std::abs(slide.stop().state.y) > 1e-9 * slide.stop().state.distance;
 }
 
 std::string end_sentence(const SlideStudy &slide)
@@ -268,16 +268,13 @@ Plot path_plot(const SlideStudy &slide)
   Curve path = { "path of the centre" }, outlines = { "outline and mark" };
   path.line_type = 1;
   outlines.line_type = 7;
-  double passed = 0;
   unsigned int n_drawn = 0;
-  for (std::size_t i = 0; i < slide.points.size(); ++i)
+  for (const SlidePoint &point : slide.points)
   {
-    const ring::SlidingState &state = slide.points[i].state;
+    const ring::SlidingState &state = point.state;
     const double x = 1e3 * state.x, y = 1e3 * state.y;
     path.add(x, y);
-    if (i > 0)
-      passed += std::hypot(state.x - slide.points[i - 1].state.x, state.y - slide.points[i - 1].state.y);
-    if (passed < slide.distance * n_drawn / (n_outlines - 1) * (1 - 1e-9))
+    if (state.distance < slide.stop().state.distance * n_drawn / (n_outlines - 1) * (1 - 1e-9))
       continue;
     // From the centre to the mark, round, and a gap.
     outlines.add(x, y);
@@ -299,7 +296,7 @@ std::string slide_answer(const SlideStudy &slide)
   const std::string start = fmt::format(
     FMT_STRING("A {} pushed with {} m/s and spinning at {} rad/s slides {} m in {} s and makes {} turns."),
     to_string(slide.question.body), format::significant<6>(slide.question.speed),
-    format::significant<6>(slide.question.spin), format::significant<6>(slide.distance),
+    format::significant<6>(slide.question.spin), format::significant<6>(slide.stop().state.distance),
     format::significant<6>(stop.time), format::significant<4>(std::abs(stop.yaw) / turn));
   const std::string drift =
     drifts(slide) ? fmt::format(FMT_STRING("The spin bends the path {}: it ends {} mm beside the line of the "

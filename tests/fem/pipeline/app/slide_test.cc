@@ -134,7 +134,7 @@ TEST(SlideVerb, RefusesWhatCannotSlide)
   refused({ "--body", "annulus" }, "--inner-radius = 0 m");
   refused({ "--body", "annulus", "--inner-radius", "40 mm" }, "outer radius");
   refused({ "--body", "disc", "--inner-radius", "10 mm" }, "belongs to --body annulus");
-  refused({ "--set", "Motion/Friction coefficient=0" }, "never stops");
+  refused({ "--set", "Motion/Friction law=Stribeck" }, "Motion/Friction law = Coulomb");
   refused({ "--set", "Load/Moment ratio=0.3" }, "moment of its friction");
   refused({ "--set", "Motion/Centre of mass height=12 cm" }, "tips");
   refused({ "--body", "ring", "--set", "Motion/Centre of mass height=12 cm" }, "tips over", 2);
