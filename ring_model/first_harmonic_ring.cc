@@ -18,6 +18,8 @@ FirstHarmonicRing::FirstHarmonicRing(Closure closure, const Motion &motion, doub
     , ring(motion.friction_coefficient)
 {
   motion.validate();
+  require(motion.has_constant_friction(), "the closed form of the first harmonic needs one coefficient of "
+                                          "friction; use SelfConsistentRing for Stribeck's law");
   require_positive(radius, "the ring radius", "m");
   coupling = motion.friction_coefficient * friction_arm(closure, motion) / (pi * radius);
   const Eigen::Vector2d moment = required_moment(closure, motion, Eigen::Vector2d::Zero());

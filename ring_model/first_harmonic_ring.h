@@ -21,7 +21,8 @@ namespace stemware::ring
 class FirstHarmonicRing
 {
 public:
-  /// @throws std::invalid_argument if the motion or the radius [m] is not allowed.
+  /// @throws std::invalid_argument if the motion or the radius [m] is not allowed, or the friction depends on
+  /// the slip.
   FirstHarmonicRing(Closure closure, const Motion &motion, double radius);
 
   /// The self-consistent load at the spin @p omega [rad/s].

@@ -17,14 +17,16 @@ namespace stemware::ring
 {
 namespace
 {
-/// Integrated over sigma: angle between sliding and spinning, heading, yaw, x, y, time.
-using State = std::array<double, 6>;
+/// Integrated over sigma: angle between sliding and spinning, heading, yaw, x, y, time, friction's work,
+/// length of the path.
+using State = std::array<double, 8>;
 
 /// The body's motion at the scale S = sqrt(v^2 + k^2 omega^2), k the gyration radius: v = S cos share, k
 /// omega = S sin share.
 struct SlidingFlow
 {
-  const FreeSlider &slider;
+  const SlidingFriction &friction_at;
+  double mass;
   double gyration_radius;
   double initial_scale;
 
@@ -34,17 +36,20 @@ struct SlidingFlow
   {
     const double s = scale(sigma), c = std::cos(state[0]), sine = std::sin(state[0]);
     // Friction depends on the ratio of the two speeds only.
-    const Wrench friction = sliding_friction(slider, std::max(c, 0.), sine / gyration_radius);
-    const double push = friction.force_x / slider.mass;
-    const double twist = friction.torque / (slider.mass * gyration_radius);
+    const Wrench friction = friction_at(std::max(c, 0.), sine / gyration_radius);
+    const double push = friction.force_x / mass;
+    const double twist = friction.torque / (mass * gyration_radius);
     const double loss = -(c * push + sine * twist); // -dS/dt > 0
     rate[0] = (c * twist - sine * push) / loss;
-    rate[1] = c > 0. ? friction.force_y / (slider.mass * c * loss) : 0.;
+    rate[1] = c > 0. ? friction.force_y / (mass * c * loss) : 0.;
     const double clock = s / loss; // dt / dsigma
-    rate[2] = s * sine / gyration_radius * clock;
+    const double omega = s * sine / gyration_radius;
+    rate[2] = omega * clock;
     rate[3] = s * c * std::cos(state[1]) * clock;
     rate[4] = s * c * std::sin(state[1]) * clock;
     rate[5] = clock;
+    rate[6] = -(friction.force_x * s * c + friction.torque * omega) * clock;
+    rate[7] = s * c * clock;
   }
 
   SlidingState physical(const State &state, double s) const
@@ -55,23 +60,62 @@ struct SlidingFlow
              state[2],
              s * std::cos(state[0]),
              state[1],
-             s * std::sin(state[0]) / gyration_radius };
+             s * std::sin(state[0]) / gyration_radius,
+             state[6],
+             state[7] };
   }
 };
-/// Rate at which eps = omega R / v grows, up to a positive factor, for eps >= 0: R (tau / I - (omega / v) T_x
-/// / m).
-double slip_ratio_growth(const FreeSlider &slider, double eps)
+
+/// Rate at which eps = omega R / v grows, up to a positive factor, for eps of either sign: R (tau / I -
+/// (omega / v) T_x / m).
+double slip_ratio_growth(const SlidingInertia &inertia, const SlidingFriction &friction_at, double eps)
 {
-  const double outer = slider.body.outer_radius();
-  const Wrench friction = sliding_friction(slider, 1., eps / outer);
-  return friction.torque * (outer / slider.yaw_inertia) - eps * friction.force_x / slider.mass;
+  const Wrench friction = friction_at(1., eps / inertia.outer_radius);
+  return friction.torque * (inertia.outer_radius / inertia.yaw_inertia) -
+         eps * friction.force_x / inertia.mass;
+}
+
+SlidingInertia inertia_of(const FreeSlider &slider)
+{
+  return { slider.mass, slider.yaw_inertia, slider.body.outer_radius() };
+}
+
+SlidingFriction friction_of(const FreeSlider &slider)
+{
+  return [slider](double speed, double omega) { return sliding_friction(slider, speed, omega); };
+}
+
+/// Slip ratios by a parameter that is even in eps up to 1 and in 1/eps beyond, without 0 and infinity.
+double slip_ratio_at(double t)
+{
+  return t <= 1. ? t : 1. / (2. - t);
+}
+
+/// The slip ratio at which @p growth(t) vanishes between two parameters, where it has the values @p left and
+/// @p right of opposite sign.
+double root_between(const std::function<double(double)> &growth, double from, double to, double left,
+                    double right)
+{
+  if (left == 0.)
+    return slip_ratio_at(from);
+  std::uintmax_t n_iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(
+    growth, from, to, left, right, boost::math::tools::eps_tolerance<double>(52), n_iterations);
+  const bool first_is_better = std::abs(growth(bracket.first)) <= std::abs(growth(bracket.second));
+  return slip_ratio_at(first_is_better ? bracket.first : bracket.second);
 }
 } // namespace
 
-void FreeSlider::validate() const
+void SlidingInertia::validate() const
 {
   require_positive(mass, "the mass of the slider", "kg");
   require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
+  require_positive(outer_radius, "the outer radius", "m");
+}
+
+void FreeSlider::validate() const
+{
+  inertia_of(*this).validate();
   require_positive(friction_coefficient, "the friction coefficient", "");
   require_positive(gravity, "gravity", "m/s^2");
   require(std::isfinite(centre_of_mass_height) && centre_of_mass_height >= 0., "the centre of mass is ",
@@ -101,20 +145,21 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega)
            mu * force * alpha * side_1 };
 }
 
-SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy)
+SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &friction, double speed,
+                          double omega, double accuracy)
 {
-  slider.validate();
+  inertia.validate();
   require_positive(speed, "the initial speed", "m/s");
   require_finite(omega, "the initial spin [rad/s]");
   require_positive(accuracy, "the requested accuracy", "");
-  const double gyration_radius = std::sqrt(slider.yaw_inertia / slider.mass);
-  const SlidingFlow flow{ slider, gyration_radius, std::hypot(speed, gyration_radius * omega) };
+  const double gyration_radius = std::sqrt(inertia.yaw_inertia / inertia.mass);
+  const SlidingFlow flow{ friction, inertia.mass, gyration_radius,
+                          std::hypot(speed, gyration_radius * omega) };
 
   namespace odeint = boost::numeric::odeint;
   auto stepper = odeint::make_controlled(accuracy * 1e-2, accuracy, odeint::runge_kutta_dopri5<State>());
-  State state{ std::atan2(gyration_radius * omega, speed), 0., 0., 0., 0., 0. };
-  SlidingPath path{ { flow.physical(state, flow.initial_scale) },
-                    ring::final_slip_ratio(slider, omega * slider.body.outer_radius() / speed) };
+  State state{ std::atan2(gyration_radius * omega, speed), 0., 0., 0., 0., 0., 0., 0. };
+  SlidingPath path{ { flow.physical(state, flow.initial_scale) }, 0. };
   double sigma = 0., step = 1e-3;
   const double end = 44.; // S has fallen below the rounding of its initial value squared
   for (unsigned int n_trials = 0; sigma < end; ++n_trials)
@@ -128,34 +173,33 @@ SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, 
       path.states.push_back(flow.physical(state, flow.scale(sigma)));
   }
   path.states.push_back(flow.physical(state, 0.));
+  path.final_slip_ratio = final_slip_ratio(inertia, friction, omega * inertia.outer_radius / speed);
   return path;
+}
+
+SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy)
+{
+  slider.validate();
+  return slide_to_stop(inertia_of(slider), friction_of(slider), speed, omega, accuracy);
 }
 
 std::vector<double> self_similar_slip_ratios(const FreeSlider &slider)
 {
   slider.validate();
-  // Slip ratios on a grid that is even in eps up to 1 and in 1/eps beyond, without 0 and infinity.
   const unsigned int n_intervals = 200;
-  const auto slip_ratio = [](double t) { return t <= 1. ? t : 1. / (2. - t); };
   const auto grid = [](unsigned int i) { return static_cast<double>(i) / n_intervals; };
-  const auto growth = [&](double t) { return slip_ratio_growth(slider, slip_ratio(t)); };
+  const SlidingInertia inertia = inertia_of(slider);
+  const SlidingFriction friction = friction_of(slider);
+  const std::function<double(double)> growth = [&](double t)
+  { return slip_ratio_growth(inertia, friction, slip_ratio_at(t)); };
 
   std::vector<double> ratios;
   double left = growth(grid(1));
   for (unsigned int i = 1; i + 2 < 2 * n_intervals; ++i)
   {
     const double right = growth(grid(i + 1));
-    std::uintmax_t n_iterations = 200;
-    if (left == 0.)
-      ratios.push_back(slip_ratio(grid(i)));
-    else if (left * right < 0.)
-    {
-      const auto bracket =
-        boost::math::tools::toms748_solve(growth, grid(i), grid(i + 1), left, right,
-                                          boost::math::tools::eps_tolerance<double>(52), n_iterations);
-      const bool first_is_better = std::abs(growth(bracket.first)) <= std::abs(growth(bracket.second));
-      ratios.push_back(slip_ratio(first_is_better ? bracket.first : bracket.second));
-    }
+    if (left == 0. || left * right < 0.)
+      ratios.push_back(root_between(growth, grid(i), grid(i + 1), left, right));
     left = right;
   }
   return ratios;
@@ -163,15 +207,38 @@ std::vector<double> self_similar_slip_ratios(const FreeSlider &slider)
 
 double final_slip_ratio(const FreeSlider &slider, double slip_ratio)
 {
+  return final_slip_ratio(inertia_of(slider), friction_of(slider), slip_ratio);
+}
+
+double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
+                        unsigned int n_intervals)
+{
   require_finite(slip_ratio, "the initial slip ratio");
-  const double start = std::abs(slip_ratio), growth = slip_ratio_growth(slider, start);
-  if (start == 0. || growth == 0.)
+  require(n_intervals > 0, "the grid of slip ratios has no intervals; give at least one");
+  const double start = std::abs(slip_ratio), sense = std::copysign(1., slip_ratio);
+  const std::function<double(double)> growth = [&](double t)
+  { return sense * slip_ratio_growth(inertia, friction, sense * slip_ratio_at(t)); };
+  double from = start <= 1. ? start : 2. - 1. / start, left = growth(from);
+  if (start == 0. || left == 0.)
     return slip_ratio;
   // The ratio obeys an autonomous equation of its own: it moves one way up to the next root.
-  double final_ratio = growth > 0. ? std::numeric_limits<double>::infinity() : 0.;
-  for (const double root : self_similar_slip_ratios(slider))
-    if (growth > 0. ? root > start && root < final_ratio : root < start)
-      final_ratio = root;
-  return std::copysign(final_ratio, slip_ratio);
+  const double way = left > 0. ? 1. : -1.;
+  const auto next = [&](double t)
+  {
+    return (way > 0. ? std::floor(t * n_intervals * (1. + 1e-12))
+                     : std::ceil(t * n_intervals * (1. - 1e-12))) +
+           way;
+  };
+  for (double i = next(from); 0. < i && i < 2. * n_intervals; i += way)
+  {
+    const double to = i / n_intervals, right = growth(to);
+    if (left * right <= 0.)
+      return sense * (right == 0. ? slip_ratio_at(to)
+                      : way > 0.  ? root_between(growth, from, to, left, right)
+                                  : root_between(growth, to, from, right, left));
+    from = to;
+    left = right;
+  }
+  return sense * (way > 0. ? std::numeric_limits<double>::infinity() : 0.);
 }
 } // namespace stemware::ring

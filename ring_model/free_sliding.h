@@ -3,6 +3,7 @@
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/sliding_body.h"
 
+#include <functional>
 #include <vector>
 
 namespace stemware::ring
@@ -22,6 +23,21 @@ struct FreeSlider
   void validate() const;
 };
 
+/// Friction of the table on a sliding body, in the slip frame, at the speed v >= 0 [m/s] and the spin omega
+/// [rad/s], one of them not 0. It depends on their ratio only, as Coulomb's does.
+using SlidingFriction = std::function<Wrench(double speed, double omega)>;
+
+/// What friction has to stop; SI units.
+struct SlidingInertia
+{
+  double mass;         ///< m [kg]
+  double yaw_inertia;  ///< I [kg m^2]
+  double outer_radius; ///< R [m], of the slip ratio omega R / v
+
+  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  void validate() const;
+};
+
 /// Position and motion on the table. The frame is fixed: x along the initial velocity, y to its left, z up.
 struct SlidingState
 {
@@ -32,6 +48,9 @@ struct SlidingState
   double speed;   ///< |v| [m/s]
   double heading; ///< direction of v from x [rad]
   double omega;   ///< spin [rad/s]
+  /// What friction has taken so far, the integral of its power -(T.v + tau_z omega) over time [J].
+  double friction_loss;
+  double distance; ///< along the path [m]
 };
 
 /// From the start to the stop.
@@ -60,6 +79,10 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
  * @throws std::invalid_argument for values that are not allowed, std::runtime_error if the step control gives
  * up.
  */
+SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &friction, double speed,
+                          double omega, double accuracy = 1e-12);
+
+/// The same for a body of rings under sliding_friction().
 SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
 
 /**
@@ -73,4 +96,11 @@ std::vector<double> self_similar_slip_ratios(const FreeSlider &slider);
  * the direction in which the ratio moves; 0 if the spin dies first, +-infinity if the sliding does.
  */
 double final_slip_ratio(const FreeSlider &slider, double slip_ratio);
+
+/**
+ * The same for any friction: the first root after @p slip_ratio on a grid of @p n_intervals in each of 0 <
+ * |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots within one interval are not seen.
+ */
+double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
+                        unsigned int n_intervals = 200);
 } // namespace stemware::ring

@@ -3,6 +3,8 @@
 #include "ring_model/constants.h"
 #include "ring_model/require.h"
 
+#include <Eigen/Core>
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <algorithm>
@@ -90,6 +92,8 @@ EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double ome
 {
   if (law.is_constant())
     return { CoulombRing(law.coefficient(0.)).wrench(load, omega, speed), { 0., 0., 0. } };
+  require(load.rings().size() == 1, "the load has ", load.rings().size(),
+          " rings, but the quadrature with an error estimate is that of one");
   require_positive(tolerance, "the requested accuracy", "");
   require(std::isfinite(omega) && std::isfinite(speed) && speed >= 0. && (omega != 0. || speed > 0.),
           "the ring slides with ", speed, " m/s and spins with ", omega,
@@ -134,5 +138,194 @@ EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double ome
                                       " rad/s has the estimated error ", worst,
                                       " N, more than ten times the tolerance ", tolerance, " asked for"));
   return result;
+}
+
+namespace
+{
+/// Places on half the rim, psi measured from the point of least slip, with the weights of their sum.
+struct HalfRim
+{
+  Eigen::ArrayXd psi;
+  Eigen::ArrayXd weight;
+};
+
+/// The trapezoidal rule: errors fall exponentially with the number of places where the slip vanishes nowhere
+/// near.
+HalfRim even_places(unsigned int n_intervals)
+{
+  HalfRim places{ Eigen::ArrayXd::LinSpaced(n_intervals + 1, 0., pi),
+                  Eigen::ArrayXd::Constant(n_intervals + 1, pi / n_intervals) };
+  places.weight(0) *= 0.5;
+  places.weight(n_intervals) *= 0.5;
+  return places;
+}
+
+/// Gauss rules on panels of y, psi = width sinh y, which spread the neighbourhood of the least slip; no panel
+/// is longer than @p longest in psi. A width of 0: panels of psi.
+HalfRim clustered_places(double width, unsigned int n_panels, double longest)
+{
+  using Rule = boost::math::quadrature::gauss<double, 20>;
+  std::vector<double> ends{ 0. };
+  const double end = width > 0. ? std::asinh(pi / width) : pi;
+  const auto psi_at = [&](double y) { return width > 0. ? width * std::sinh(y) : y; };
+  for (unsigned int i = 1; i <= n_panels; ++i)
+  {
+    const double from = end * (i - 1) / n_panels, to = end * i / n_panels;
+    const auto n_parts = static_cast<unsigned int>(std::ceil((psi_at(to) - psi_at(from)) / longest));
+    for (unsigned int part = 1; part <= std::max(n_parts, 1u); ++part)
+      ends.push_back(from + (to - from) * part / std::max(n_parts, 1u));
+  }
+  const std::size_t n_half = Rule::abscissa().size();
+  HalfRim places{ Eigen::ArrayXd((ends.size() - 1) * 2 * n_half),
+                  Eigen::ArrayXd((ends.size() - 1) * 2 * n_half) };
+  Eigen::Index k = 0;
+  for (std::size_t panel = 1; panel < ends.size(); ++panel)
+    for (std::size_t i = 0; i < n_half; ++i)
+      for (const double sign : { -1., 1. })
+      {
+        const double half = 0.5 * (ends[panel] - ends[panel - 1]);
+        const double y = ends[panel - 1] + half * (1. + sign * Rule::abscissa()[i]);
+        places.psi(k) = std::min(pi, psi_at(y));
+        places.weight(k++) = half * Rule::weights()[i] * (width > 0. ? width * std::cosh(y) : 1.);
+      }
+  return places;
+}
+
+/// Integrals over the rim of friction per unit of load: row n is that of harmonic n, columns torque over r,
+/// drag, side.
+Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const HalfRim &places,
+                            unsigned int n_max)
+{
+  const Eigen::ArrayXd half_sine = (0.5 * places.psi).sin().square();
+  Eigen::ArrayXd per_slip(places.psi.size());
+  for (Eigen::Index i = 0; i < places.psi.size(); ++i)
+  {
+    const double magnitude = slip.magnitude(places.psi(i));
+    per_slip(i) = magnitude > 0. ? 2. * places.weight(i) * law.coefficient(magnitude) / magnitude : 0.;
+  }
+  const Eigen::ArrayXd torque = per_slip * ((slip.speed - slip.rim) - 2. * slip.speed * half_sine);
+  const Eigen::ArrayXd drag = per_slip * ((slip.speed - slip.rim) + 2. * slip.rim * half_sine);
+  const Eigen::ArrayXd side = per_slip * slip.rim * places.psi.sin();
+  Eigen::ArrayX3d kernels(n_max + 1, 3);
+  // cos n psi and sin n psi by their recurrence.
+  const Eigen::ArrayXd twice = 2. * places.psi.cos();
+  Eigen::ArrayXd cosine = Eigen::ArrayXd::Ones(places.psi.size()), cosine_before = 0.5 * twice;
+  Eigen::ArrayXd sine = Eigen::ArrayXd::Zero(places.psi.size()), sine_before = -places.psi.sin();
+  for (unsigned int n = 0; n <= n_max; ++n)
+  {
+    kernels.row(n) << (torque * cosine).sum(), (drag * cosine).sum(), (side * sine).sum();
+    cosine_before = twice * cosine - cosine_before;
+    cosine.swap(cosine_before);
+    sine_before = twice * sine - sine_before;
+    sine.swap(sine_before);
+  }
+  return kernels;
+}
+
+/// law_kernels() on ever more places.
+Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
+{
+  constexpr unsigned int most_doublings = 8;
+  constexpr double near_stagnation = 0.25;
+  const double product = std::sqrt(slip.speed * slip.rim);
+  const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
+  const auto places = [&](unsigned int level)
+  {
+    const unsigned int factor = 1u << level;
+    if (width > near_stagnation)
+      return even_places(factor * (32 + n_max));
+    // 20 points of Gauss for at most two waves of the highest harmonic.
+    return clustered_places(
+      width, factor * (2 + static_cast<unsigned int>(width > 0. ? std::asinh(pi / width) : 1.)),
+      4. * pi / std::max(n_max, 2u) / factor);
+  };
+  Eigen::ArrayX3d kernels = law_kernels(law, slip, places(0), n_max);
+  for (unsigned int level = 1; level <= most_doublings; ++level)
+  {
+    const Eigen::ArrayX3d before = kernels;
+    kernels = law_kernels(law, slip, places(level), n_max);
+    if ((kernels - before).abs().maxCoeff() <= 1e-12 * kernels.abs().maxCoeff())
+      return kernels;
+  }
+  throw std::runtime_error(sentence("friction at v = ", slip.speed, " m/s and a rim of ", slip.rim,
+                                    " m/s did not converge: its coefficient changes within too little slip; "
+                                    "give a larger decay speed"));
+}
+} // namespace
+
+FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega, double speed)
+{
+  if (law.is_constant())
+    return friction_functionals(law.coefficient(0.), radii, n_max, omega, speed);
+  require(std::isfinite(omega) && std::isfinite(speed) && speed >= 0. && (omega != 0. || speed > 0.),
+          "the rings slide with ", speed, " m/s and spin with ", omega,
+          " rad/s, but both must be finite, the speed not negative and one of them not zero");
+  const std::vector<std::vector<double>> zeros(radii.size(), std::vector<double>(n_max + 1, 0.));
+  const LoadFunctional none{ zeros, zeros };
+  FrictionFunctionals friction{ none, none, none };
+  const double sense = omega < 0. ? -1. : 1.;
+  for (std::size_t j = 0; j < radii.size(); ++j)
+  {
+    const SlipField slip{ std::abs(omega) * radii[j], speed };
+    const Eigen::ArrayX3d kernels = converged_kernels(law, slip, n_max);
+    for (unsigned int n = 0; n <= n_max; ++n)
+    {
+      // cos n theta and sin n theta at theta = sense 90 deg + psi: one of the two factors is zero.
+      const double even = n % 2 == 0 ? (n % 4 == 0 ? 1. : -1.) : 0.;
+      const double odd = n % 2 == 1 ? sense * (n % 4 == 1 ? 1. : -1.) : 0.;
+      friction.torque.a[j][n] = sense * radii[j] * even * kernels(n, 0);
+      friction.torque.b[j][n] = sense * radii[j] * odd * kernels(n, 0);
+      friction.drag.a[j][n] = -even * kernels(n, 1);
+      friction.drag.b[j][n] = -odd * kernels(n, 1);
+      friction.side.a[j][n] = -odd * kernels(n, 2);
+      friction.side.b[j][n] = even * kernels(n, 2);
+    }
+  }
+  return friction;
+}
+
+StribeckLaw friction_law_of(const Motion &motion)
+{
+  const double mu = motion.friction_coefficient;
+  if (motion.friction_law == FrictionLawKind::coulomb)
+    return StribeckLaw({ mu, mu, 1. });
+  return StribeckLaw({ motion.static_coefficient, mu, motion.friction_decay_speed, motion.viscous_friction });
+}
+
+FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega)
+{
+  return friction_functionals(friction_law_of(motion), radii, n_max, omega, motion.orbit_speed);
+}
+
+namespace
+{
+std::vector<double> radii_of(const RingStack &load)
+{
+  std::vector<double> radii;
+  for (const RingStack::Ring &ring : load.rings())
+    radii.push_back(ring.radius);
+  return radii;
+}
+} // namespace
+
+Wrench wrench(const Motion &motion, const RingStack &load, double omega)
+{
+  const FrictionFunctionals friction =
+    friction_functionals(motion, radii_of(load), load.n_harmonics(), omega);
+  return { friction.torque(load), friction.drag(load), friction.side(load) };
+}
+
+double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega)
+{
+  const LoadFunctional torque =
+    friction_functionals(motion, radii_of(load), load.n_harmonics(), omega).torque;
+  double bound = 0.;
+  for (std::size_t j = 0; j < load.rings().size(); ++j)
+    for (unsigned int n = n_max + 1; n <= load.n_harmonics(); ++n)
+      bound +=
+        std::hypot(load.rings()[j].a[n], load.rings()[j].b[n]) * std::hypot(torque.a[j][n], torque.b[j][n]);
+  return bound;
 }
 } // namespace stemware::ring

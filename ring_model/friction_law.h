@@ -1,6 +1,10 @@
 #pragma once
 
 #include "ring_model/coulomb_ring.h"
+#include "ring_model/load_functional.h"
+#include "ring_model/motion.h"
+
+#include <vector>
 
 namespace stemware::ring
 {
@@ -63,15 +67,42 @@ struct EstimatedWrench
   Wrench error; ///< estimated absolute error of each component, >= 0; zero where the kernels served
 };
 
+/// The law of a motion; Coulomb's is Stribeck's with equal coefficients.
+StribeckLaw friction_law_of(const Motion &motion);
+
 /**
- * Torque and friction force under @p law: by the kernels if it is constant, else by adaptive Gauss-Kronrod
- * quadrature in a variable that resolves the point of least slip at every slip ratio.
+ * T_x, T_y and tau_z of a stack as functions of its load under @p law: friction stays linear in the load when
+ * its coefficient depends on the slip. By the kernels where the law is constant, else by quadrature of all
+ * harmonics at once, refined until the coefficients agree to 1e-12 of the largest.
  * docs/theory/friction_laws.md.
+ *
+ * @throws std::invalid_argument as friction_functionals() of a constant coefficient, std::runtime_error where
+ * the refinement does not end.
+ */
+FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega, double speed);
+
+/// The same under the law of @p motion, at its orbit speed.
+FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
+                                         unsigned int n_max, double omega);
+
+/// Friction on a stack of rings under the law of @p motion, at its orbit speed: the one place where a load
+/// becomes a torque and a force. @throws as friction_functionals().
+Wrench wrench(const Motion &motion, const RingStack &load, double omega);
+
+/// CoulombRing::truncation_bound() under the law of @p motion [N m].
+double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
+
+/**
+ * Torque and friction force of one ring under @p law: by the kernels if it is constant, else by adaptive
+ * Gauss-Kronrod quadrature in a variable that resolves the point of least slip at every slip ratio. It says
+ * how well, and shares no quadrature with friction_functionals(). docs/theory/friction_laws.md.
  *
  * @param omega     Spin [rad/s].
  * @param speed     Sliding speed v >= 0 [m/s].
  * @param tolerance Requested relative accuracy (of mu N and mu N R).
- * @throws std::invalid_argument if a value is not allowed or the ring neither slides nor spins,
+ * @throws std::invalid_argument if a value is not allowed, the ring neither slides nor spins, or there are
+ *         several rings under a law that is not constant,
  *         std::runtime_error if the error estimate stays above ten times the tolerance.
  */
 EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double omega, double speed,

@@ -31,7 +31,7 @@ double friction_arm(Closure closure, const Motion &motion);
 /**
  * The moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
  * from tilting when the table's friction is @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T
- * with F = m a - T, cut down to what @p closure keeps. At omega = 0 the friction is exactly (-mu N, 0).
+ * with F = m a - T, cut down to what @p closure keeps. At omega = 0 the friction is exactly (-mu(v) N, 0).
  */
 Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eigen::Vector2d &friction);
 

@@ -1,5 +1,6 @@
 #include "ring_model/motion.h"
 
+#include "ring_model/friction_law.h"
 #include "ring_model/require.h"
 
 namespace stemware::ring
@@ -16,7 +17,19 @@ void Motion::validate() const
   require_finite(orbit_acceleration, "the acceleration along the orbit [m/s^2]");
   require(std::isfinite(friction_coefficient) && friction_coefficient >= 0., "the friction coefficient is ",
           friction_coefficient, ", but must be finite and not negative");
+  if (friction_law == FrictionLawKind::stribeck)
+    friction_law_of(*this); // refuses what is not allowed
   require_positive(gravity, "gravity", "m/s^2");
+}
+
+double Motion::friction_at(double slip_speed) const
+{
+  return friction_law_of(*this).coefficient(slip_speed);
+}
+
+bool Motion::has_constant_friction() const
+{
+  return friction_law_of(*this).is_constant();
 }
 
 Eigen::Vector2d Motion::acceleration() const

@@ -11,6 +11,13 @@ enum class OrbitSense
   clockwise         ///< the orbit's centre lies to the right of the motion (-y)
 };
 
+/// How the coefficient of friction depends on the slip speed.
+enum class FrictionLawKind
+{
+  coulomb, ///< not at all
+  stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
+};
+
 /// The glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
 /// them.
 struct Motion
@@ -23,7 +30,11 @@ struct Motion
   double orbit_speed = 0.35;           ///< v > 0 [m/s]
   double orbit_acceleration = 0.;      ///< dv/dt along the motion [m/s^2]; the closure `paper` ignores it
   OrbitSense orbit_sense = OrbitSense::counterclockwise;
-  double friction_coefficient = 0.30; ///< mu
+  double friction_coefficient = 0.30; ///< mu; of Stribeck's law the kinetic one, mu_k
+  FrictionLawKind friction_law = FrictionLawKind::coulomb;
+  double static_coefficient = 0.40;   ///< mu_s of Stribeck's law
+  double friction_decay_speed = 0.10; ///< v_s of Stribeck's law [m/s]
+  double viscous_friction = 0.;       ///< c of Stribeck's law [s/m]
   double gravity = 9.81;              ///< g [m/s^2]
 
   /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
@@ -31,6 +42,15 @@ struct Motion
 
   /// N = m g [N].
   double normal_force() const { return mass * gravity; }
+
+  /// mu at the slip speed |v_rel| >= 0 [m/s].
+  double friction_at(double slip_speed) const;
+
+  /// mu without spin, where every point of the rim slips with the orbit speed.
+  double friction_at_rest() const { return friction_at(orbit_speed); }
+
+  /// Whether mu is the same at every slip speed.
+  bool has_constant_friction() const;
 
   /// +1 for a counter-clockwise orbit, -1 for a clockwise one.
   double sense_sign() const { return orbit_sense == OrbitSense::counterclockwise ? 1. : -1.; }

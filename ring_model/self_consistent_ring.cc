@@ -3,6 +3,7 @@
 #include "ring_model/constants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_kernels.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/require.h"
 
 #include <Eigen/LU>
@@ -47,7 +48,6 @@ SelfConsistentRing::SelfConsistentRing(Closure closure, const Motion &motion,
     : closure(closure)
     , motion(motion)
     , model(std::move(model))
-    , ring(motion.friction_coefficient)
 {
   motion.validate();
   require(this->model != nullptr, "the ring has no load model");
@@ -67,7 +67,7 @@ SelfConsistentRing::Trial SelfConsistentRing::attempt(double omega, const Orient
                                                       const Eigen::Vector2d &moment) const
 {
   RingStack load = model->rings(motion.normal_force(), moment, { omega / motion.orbit_speed, orientation });
-  const Wrench friction = ring.wrench(load, omega, motion.orbit_speed);
+  const Wrench friction = ring::wrench(motion, load, omega);
   const Eigen::Vector2d required = required_moment(closure, motion, { friction.force_x, friction.force_y });
   const Eigen::Vector2d carried = model->follows_moment() ? moment : load.moment();
   return { std::move(load), friction, required - carried };
@@ -93,10 +93,12 @@ BalanceStart SelfConsistentRing::first_harmonic_start(double omega) const
 {
   // The residual G(M) - M of a first harmonic: G_x depends on M_y through T_y, G_y on M_x through T_x.
   const FrictionKernels kernels(omega * model->radius(), motion.orbit_speed, 1);
-  const double coupling =
-    motion.friction_coefficient * friction_arm(closure, motion) / (pi * model->radius());
+  const double coupling = motion.friction_at_rest() * friction_arm(closure, motion) / (pi * model->radius());
   BalanceStart start;
-  start.moment = FirstHarmonicRing(closure, motion, model->radius()).load(omega).moment();
+  Motion constant = motion;
+  constant.friction_coefficient = motion.friction_at_rest();
+  constant.friction_law = FrictionLawKind::coulomb;
+  start.moment = FirstHarmonicRing(closure, constant, model->radius()).load(omega).moment();
   start.jacobian << -1., coupling * kernels.P(1), -coupling * kernels.U(1), -1.;
   return start;
 }

@@ -102,6 +102,5 @@ private:
   Closure closure;
   Motion motion;
   std::shared_ptr<const LoadModel> model;
-  CoulombRing ring;
 };
 } // namespace stemware::ring

@@ -1,6 +1,6 @@
 #include "ring_model/terminal_spin.h"
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/require.h"
 
 #include <boost/math/differentiation/finite_difference.hpp>
@@ -77,9 +77,8 @@ TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, dou
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion)
 {
   motion.validate();
-  const CoulombRing ring(motion.friction_coefficient);
-  return terminal_spin([&](double omega) { return ring.wrench(load, omega, motion.orbit_speed).torque; },
-                       motion.yaw_inertia, motion.orbit_speed / load.radius());
+  return terminal_spin([&](double omega) { return wrench(motion, load, omega).torque; }, motion.yaw_inertia,
+                       motion.orbit_speed / load.radius());
 }
 
 std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, double yaw_inertia, double lower,

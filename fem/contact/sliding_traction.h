@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace stemware::fem
 {
 
@@ -17,6 +19,8 @@ struct SlidingTraction
   /// omega / v [1/m], counter-clockwise > 0; 0: at rest in yaw. eps = spin_per_speed * R.
   double spin_per_speed = 0;
   double axes_turned_by = 0; ///< azimuths count from this direction, counter-clockwise from that of travel
+  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  std::function<double(double relative_slip)> coefficient_by_slip = {};
 
   /// Radial and azimuthal traction on the foot per unit of pressure at (r, theta): at omega = 0 (-mu cos
   /// theta, mu sin theta). Zero where nothing slips.

@@ -313,7 +313,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   {
     if (setup.friction_coefficient > 0)
       zones.back()->body.set_sliding(
-        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis });
+        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
     return solve_from_before(demand);
   };
   state.solution = press();

@@ -8,6 +8,7 @@
 #include "fem/geometry/waviness.h"
 #include "fem/revolution/contact_compliance.h"
 
+#include <functional>
 #include <memory>
 
 namespace stemware::fem
@@ -23,6 +24,8 @@ struct RevolutionSetup
   bool foot_is_rigid = false; ///< the foot has no compliance
   /// mu of the friction that deforms foot and substrate; 0: friction does not act back on the pressure.
   double friction_coefficient = 0;
+  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  std::function<double(double relative_slip)> friction_by_slip;
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 

@@ -46,6 +46,74 @@ TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
   }
 }
 
+TEST(FrictionLaw, FunctionalsOfADisguisedConstantAreThoseOfTheKernels)
+{
+  const std::vector<double> radii = { 0.027, 0.03, 0.033 };
+  const unsigned int n_max = 40;
+  for (const double eps : { 0., 1e-6, -0.27, 0.5, 0.8, -0.95, 1. - 1e-9, 1., 1.3, -5., 1e3 })
+  {
+    const double speed = 0.35, omega = eps * speed / 0.03;
+    const FrictionFunctionals exact = friction_functionals(0.3, radii, n_max, omega, speed);
+    const FrictionFunctionals found = friction_functionals(DisguisedCoulombLaw(), radii, n_max, omega, speed);
+    const auto expect_equal = [&](const LoadFunctional &one, const LoadFunctional &other, double scale)
+    {
+      for (std::size_t j = 0; j < radii.size(); ++j)
+        for (unsigned int n = 0; n <= n_max; ++n)
+        {
+          EXPECT_NEAR(one.a[j][n], other.a[j][n], 2e-12 * scale) << "eps " << eps << " a " << n;
+          EXPECT_NEAR(one.b[j][n], other.b[j][n], 2e-12 * scale) << "eps " << eps << " b " << n;
+        }
+    };
+    expect_equal(found.torque, exact.torque, 0.03);
+    expect_equal(found.drag, exact.drag, 1.);
+    expect_equal(found.side, exact.side, 1.);
+  }
+}
+
+TEST(FrictionLaw, FunctionalsOfAStackAgreeWithTheAdaptiveQuadratureRingByRing)
+{
+  // Each ring by itself through the other quadrature; T, tau of the stack are their sums.
+  Motion motion;
+  motion.friction_law = FrictionLawKind::stribeck;
+  motion.friction_coefficient = 0.2;
+  motion.static_coefficient = 0.5;
+  motion.viscous_friction = 0.1;
+  const RingStack inner({ 0.2, 0.05, -0.03, 0.01 }, { 0., -0.06, 0.02, 0.01 }, 0.028), outer = some_load();
+  std::vector<RingStack::Ring> rings = { inner.rings().front(), outer.rings().front() };
+  rings[0].a.push_back(0.);
+  rings[0].b.push_back(0.);
+  for (const double decay : { 0.02, 0.1, 1. })
+    for (const double omega : { 0., 2., -5., 11., 12.5, -13., 60. })
+    {
+      motion.friction_decay_speed = decay;
+      const StribeckLaw law({ 0.5, 0.2, decay, 0.1, 2. });
+      const Wrench one = wrench(law, inner, omega, motion.orbit_speed).value,
+                   other = wrench(law, outer, omega, motion.orbit_speed).value;
+      const Wrench both = wrench(motion, RingStack(rings), omega);
+      EXPECT_NEAR(both.torque, one.torque + other.torque, 1e-12 * 0.05) << decay << " " << omega;
+      EXPECT_NEAR(both.force_x, one.force_x + other.force_x, 1e-11) << decay << " " << omega;
+      EXPECT_NEAR(both.force_y, one.force_y + other.force_y, 1e-11) << decay << " " << omega;
+    }
+}
+
+TEST(FrictionLaw, TheTruncationBoundHoldsUnderStribecksLaw)
+{
+  Motion motion;
+  motion.friction_law = FrictionLawKind::stribeck;
+  const RingStack load = some_load();
+  for (const double omega : { -3., 4., 11. })
+    for (const unsigned int n : { 1u, 2u, 3u })
+    {
+      const double change =
+        wrench(motion, load, omega).torque - wrench(motion, load.truncated(n), omega).torque;
+      EXPECT_LE(std::abs(change), truncation_bound(motion, load, n, omega) * (1. + 1e-12));
+      EXPECT_GT(truncation_bound(motion, load, n, omega), 0.);
+    }
+  motion.friction_law = FrictionLawKind::coulomb;
+  EXPECT_NEAR(truncation_bound(motion, load, 1, -3.),
+              CoulombRing(0.3).truncation_bound(load, 1, -3., motion.orbit_speed), 1e-17);
+}
+
 TEST(FrictionLaw, ConstantLawsUseTheKernels)
 {
   const RingStack load = some_load();

@@ -27,11 +27,16 @@ struct Model
   Study study;
 };
 
-/// The models in front of those that are told apart by their harmonics: 1, 2, 2a and 3, all of them with a
-/// first harmonic.
+/// The models in front of those that are told apart by their harmonics: 1, 1a, 2, 2a and 3, all of them with
+/// a first harmonic.
 std::vector<Model> first_models(const Study &study)
 {
   std::vector<Model> models = { { "1", "paper", paper_study(study) } };
+  if (!study.motion.orbit.has_constant_friction())
+  {
+    models.push_back({ "1a", "friction law", models.back().study });
+    models.back().study.motion.orbit = study.motion.orbit;
+  }
   if (study.load.source != LoadSource::file)
   {
     models.push_back(
@@ -61,6 +66,7 @@ struct ChainLink
 {
   BudgetRow row;
   std::optional<BalancedLoad> load;
+  ring::Motion motion;
 };
 
 /// Puts the answer to a model under those in @p chain.
@@ -73,7 +79,7 @@ void add_link(const std::string &step, const std::string &name, const Study &stu
     added.difference = *added.omega_terminal - *chain.back().row.omega_terminal + 0.; // no -0
   added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
   added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
-  chain.push_back({ added, answer.load });
+  chain.push_back({ added, answer.load, study.motion.orbit });
 }
 
 /// Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
@@ -110,14 +116,13 @@ std::vector<ChainLink> chain_of(const Study &study, const std::shared_ptr<Elasti
 }
 
 /// The row of a link with its torques.
-BudgetRow row_with_torques(const ChainLink &link, const ring::Motion &motion,
-                           const std::array<double, 3> &spins)
+BudgetRow row_with_torques(const ChainLink &link, const std::array<double, 3> &spins)
 {
   BudgetRow row = link.row;
   if (!link.load)
     return row;
   const std::vector<double> torques =
-    yaw_torques(*link.load, motion, { spins.begin(), spins.end() }, row.reason);
+    yaw_torques(*link.load, link.motion, { spins.begin(), spins.end() }, row.reason);
   for (std::size_t i = 0; i < torques.size(); ++i)
     row.torques[i] = unless_nan(torques[i]);
   return row;
@@ -216,7 +221,7 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
   Budget budget;
   budget.shown_spins = { 0, terminal / 2, terminal };
   for (const ChainLink &link : chain_of(study, foot, by_harmonics))
-    budget.rows.push_back(row_with_torques(link, study.motion.orbit, budget.shown_spins));
+    budget.rows.push_back(row_with_torques(link, budget.shown_spins));
   progress.pieces_done("budget", ++n_done, n_pieces);
   for (const ModelVariant &variant : variants)
   {

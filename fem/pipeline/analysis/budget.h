@@ -14,9 +14,10 @@ namespace stemware::pipeline
 /// One model of the chain from the paper's to the study's.
 struct BudgetRow
 {
-  std::string step; ///< "1", "2", "2a", "3", "3a", "4", ...
-  /// Of the difference to the row above: "paper" in the first one, then "moment balance" or "given moment",
-  /// "grip", "where the foot touches", "tilt", "harmonics".
+  std::string step; ///< "1", "1a", "2", "2a", "3", "3a", "4", ...
+  /// Of the difference to the row above: "paper" in the first one, then "friction law" (where friction
+  /// depends on the slip), "moment balance" or "given moment", "grip", "where the foot touches", "tilt",
+  /// "harmonics".
   std::string name;
   std::optional<unsigned int> harmonics = {}; ///< that act on the ring; nothing: all
   std::optional<double> omega_terminal = {};  ///< [rad/s]
@@ -46,8 +47,8 @@ struct HarmonicEffect
 
 /// What each step from the paper's model to the study's does to the terminal spin.
 ///
-/// Rows 1, 2 and 2a are first harmonics on a ring of the contact radius, in closed form. In rows 3 and on the
-/// contact is solved with its whole pressure; the friction force and the torque, also in the balance of
+/// Rows 1, 1a, 2 and 2a are first harmonics on a ring of the contact radius, in closed form. In rows 3 and on
+/// the contact is solved with its whole pressure; the friction force and the torque, also in the balance of
 /// moments, are those of the rings' harmonics up to BudgetRow::harmonics. A study without a contact ends
 /// where its load does: a first harmonic with row 2 or 2a; one from a file has no row 2, and no "without".
 struct Budget

@@ -1,12 +1,22 @@
 #include "fem/pipeline/analysis/model_variants.h"
 
 #include <functional>
+#include <utility>
 
 namespace stemware::pipeline
 {
 
+Study with_constant_friction(Study study)
+{
+  ring::Motion &motion = study.motion.orbit;
+  motion.friction_coefficient = motion.friction_at_rest();
+  motion.friction_law = ring::FrictionLawKind::coulomb;
+  return study;
+}
+
 Study paper_study(Study study)
 {
+  study = with_constant_friction(std::move(study));
   study.motion.closure = ring::Closure::paper;
   study.motion.grip_torque = 0;
   study.load = {};
@@ -49,6 +59,8 @@ std::vector<ModelVariant> variants_without(const Study &study)
          [](Study &other) { other.table.substrate = TableSubstrate::rigid; });
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Study &other) { other.table.interface = TableInterface::hard; });
+  add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
+         [](Study &other) { other = with_constant_friction(std::move(other)); });
   add_if(study.tilts(), "tilt", [](Study &other) { other.motion.tilt = false; });
   add_if(study.motion.grip_torque > 0, "grip", [](Study &other) { other.motion.grip_torque = 0; });
   add_if(study.has_waviness(), "waviness", [](Study &other) { other.model.waviness = false; });

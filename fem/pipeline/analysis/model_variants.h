@@ -8,8 +8,12 @@
 namespace stemware::pipeline
 {
 
+/// The study with one coefficient of friction: that at the orbit speed, mu(v), with which the torque at rest
+/// stays what it is.
+Study with_constant_friction(Study study);
+
 /// The paper's model of a study's glass: its moment balance, a first harmonic on a ring of the contact
-/// radius, no grip.
+/// radius, constant friction, no grip.
 Study paper_study(Study study);
 
 /// The study with a first harmonic on a ring of the contact radius, of its moment balance or given moment.
@@ -19,7 +23,7 @@ Study first_harmonic_study(Study study);
 struct ModelVariant
 {
   /// "friction in the foot", "friction in the substrate", "elasticity of the foot", "elasticity of the
-  /// substrate", "compliance of the interface", "tilt", "grip" or "waviness".
+  /// substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip" or "waviness".
   std::string name;
   Study study;
 };

@@ -3,6 +3,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
+#include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +36,7 @@ RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, dou
 {
   RingState state = { load.at(omega) };
   const ring::Motion &motion = question.motion;
-  state.friction =
-    ring::CoulombRing(motion.friction_coefficient).wrench(state.load, omega, motion.orbit_speed);
+  state.friction = ring::wrench(motion, state.load, omega);
   state.moment_ratio = state.load.moment_ratio();
   if (question.with_minima)
   {
@@ -118,28 +118,23 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
   const LeaningLoad at_spin = load.leaning(omega);
-  return ring::CoulombRing(motion.friction_coefficient)
-           .wrench(at_spin.rings, omega, motion.orbit_speed)
-           .torque +
-         at_spin.lean_torque();
+  return ring::wrench(motion, at_spin.rings, omega).torque + at_spin.lean_torque();
 }
 
 ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
                                            double grip_torque)
 {
-  const ring::CoulombRing friction(motion.friction_coefficient);
   return [=](double time, double yaw_angle, double omega)
   {
     const LeaningLoad at_phase = load.leaning(omega, orientation_of_marks(motion, time, yaw_angle));
-    const double torque =
-      friction.wrench(at_phase.rings, omega, motion.orbit_speed).torque + at_phase.lean_torque();
+    const double torque = ring::wrench(motion, at_phase.rings, omega).torque + at_phase.lean_torque();
     return grip_torque > 0 ? against_grip(torque, omega, grip_torque) : torque;
   };
 }
 
 ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
-  return ring::CoulombRing(motion.friction_coefficient).wrench(load.at(omega), omega, motion.orbit_speed);
+  return ring::wrench(motion, load.at(omega), omega);
 }
 
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
@@ -234,8 +229,7 @@ void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQ
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (row.terminal && std::abs(omega) > 1e-9 * scale)
     row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
-  row.bound = ring::CoulombRing(motion.friction_coefficient)
-                .truncation_bound(whole, row.harmonics, omega, motion.orbit_speed);
+  row.bound = ring::truncation_bound(motion, whole, row.harmonics, omega);
   if (row.spin_up.empty() || all.spin_up.empty())
     return;
   double largest = 0;

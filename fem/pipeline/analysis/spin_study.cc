@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,9 @@ double half_range(const std::vector<double> &values)
 
 std::vector<double> torques_at(double omega, const PhaseLoads &loads, const ring::Motion &motion)
 {
-  const ring::CoulombRing friction(motion.friction_coefficient);
   std::vector<double> torques;
   for (const ring::RingStack &load : loads.samples(omega))
-    torques.push_back(friction.wrench(load, omega, motion.orbit_speed).torque);
+    torques.push_back(ring::wrench(motion, load, omega).torque);
   return torques;
 }
 
@@ -175,7 +175,8 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
 
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times)
 {
-  return spins_of(spin_up(find_load(paper_study(study), nullptr), study.motion.orbit, times));
+  const Study paper = paper_study(study);
+  return spins_of(spin_up(find_load(paper, nullptr), paper.motion.orbit, times));
 }
 
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,

@@ -4,6 +4,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,8 @@ void note_failure(SpinRow &row)
 /// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
 void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, double omega, SpinRow &row)
 {
-  const ring::CoulombRing friction(motion.friction_coefficient);
   for (const ring::RingStack &load : whole.phases()->samples(omega))
-    row.bound =
-      std::max(*row.bound, friction.truncation_bound(load, row.harmonics, omega, motion.orbit_speed));
+    row.bound = std::max(*row.bound, ring::truncation_bound(motion, load, row.harmonics, omega));
   for (const ring::RingStack &load : whole.phases()->samples(0))
     row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
 }

@@ -27,6 +27,7 @@ int main(int argc, char *argv[])
     add_truncate_verb(program, chosen);
     add_compare_verb(program, chosen);
     add_sweep_verb(program, chosen);
+    add_slide_verb(program, chosen);
     add_mesh_verb(program, chosen);
     add_converge_verb(program, chosen);
     add_defaults_verb(program, chosen);

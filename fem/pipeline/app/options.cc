@@ -46,7 +46,7 @@ void note_strange_entries(Study study, const std::string &verb)
 {
   for (const std::string &note : implausible_notes(study))
     console() << wrapped(note, "Check     ") << std::endl;
-  if (verb == "sweep")
+  if (verb == "sweep" || verb == "slide") // a slide names its own
     return;
   if (verb == "compare") // asks for every moment balance
     study.motion.closure = ring::Closure::full;
@@ -101,7 +101,8 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
-  study.required_resultants(); // refuses a glass that would tip
+  if (options.verb != "slide") // no hand leads it
+    study.required_resultants(); // refuses a glass that would tip
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place

@@ -36,6 +36,9 @@ void add_compare_verb(CLI::App &program, Verb &chosen);
 /// `stemware sweep`: a study many times, with other values each time.
 void add_sweep_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware slide`: a glass, a ring or a disc that is pushed and let go.
+void add_slide_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware mesh`: a foot mesh, written or looked at.
 void add_mesh_verb(CLI::App &program, Verb &chosen);
 

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/balanced_contact.h"
 
-#include "ring_model/load_functional.h"
+#include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +52,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
     return demand;
   // The friction's part of M_N is h k x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
-    ring::friction_functionals(motion.friction_coefficient, radii,
-                               std::min(balance.n_harmonics, foot->n_harmonics()), omega, motion.orbit_speed);
+    ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
   demand.friction_x = load_function(friction.side, -arm, rotation);
   demand.friction_y = load_function(friction.drag, arm, rotation);
   return demand;

@@ -23,8 +23,13 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.material = study.glass.material;
   setup.table = study.table.make();
   setup.imperfection = imperfection_of(study);
-  if (study.friction_deforms())
-    setup.friction_coefficient = study.motion.orbit.friction_coefficient;
+  if (const ring::Motion &motion = study.motion.orbit; study.friction_deforms())
+  {
+    setup.friction_coefficient = motion.friction_coefficient;
+    if (!motion.has_constant_friction())
+      setup.friction_by_slip = [motion](double relative_slip)
+      { return motion.friction_at(relative_slip * motion.orbit_speed); };
+  }
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
   setup.resolution.land_cells = study.contact.resolution.radial_cells;

@@ -345,7 +345,16 @@ MomentBalance moment_balance(const Study &study)
 
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure)
 {
-  const ring::FirstHarmonicRing ring(closure, study.motion.orbit, study.glass.profile.contact_radius);
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius;
+  if (!motion.has_constant_friction())
+  {
+    const ring::RingStack at_rest = ring::RingStack::first_harmonic(
+      motion.normal_force(), ring::required_moment_at_rest(closure, motion), radius);
+    return balance(std::make_shared<ring::FirstHarmonicModel>(radius),
+                   { motion, closure, orientation_of_marks(motion, 0, 0) }, report_of(at_rest));
+  }
+  const ring::FirstHarmonicRing ring(closure, motion, radius);
   return BalancedLoad({ report_of(ring.load(0)), [ring](double omega) { return ring.load(omega); } });
 }
 

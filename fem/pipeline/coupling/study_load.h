@@ -40,7 +40,7 @@ BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<Elasti
 MomentBalance moment_balance(const Study &study);
 
 /// The paper's load for a glass: a first harmonic on a ring of the contact radius, in balance with @p closure
-/// at every spin, in closed form.
+/// at every spin; in closed form where the friction does not depend on the slip.
 BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// What a contact state reports about its load; its tilt where that is part of the moment balance.

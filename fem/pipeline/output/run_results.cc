@@ -66,7 +66,7 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
 {
   const SpinRow &all = spin.all();
   return { { "tau_at_rest", all.at_rest.value().friction.torque },
-           { "tau_closed_form", study.motion.orbit.friction_coefficient * report.load.moment.x() },
+           { "tau_closed_form", study.motion.orbit.friction_at_rest() * report.load.moment.x() },
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
            { "no_lift_off", has_no_lift_off(report) },
@@ -228,7 +228,7 @@ ReportSection load_section(const Study &study, const LoadReport &load,
 ReportSection spin_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
-  const double friction = study.motion.orbit.friction_coefficient;
+  const double friction = study.motion.orbit.friction_at_rest();
   const double rounding = 1e-9 * friction * report.load.normal_force * report.load.rings.radius();
   const auto torque = [=](double value)
   { return format::significant<6>(std::abs(value) < rounding ? 0 : value) + " N m"; };

@@ -57,7 +57,7 @@ Table contact_table(const FootReport &foot)
 Table friction_table(const Study &study, const SpinRow &all)
 {
   const ring::RingStack &load = all.at_rest.value().load;
-  const double force = study.motion.orbit.friction_coefficient * load.normal_force();
+  const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
   const double torque = force * load.radius();
   const std::vector<std::string> names = { "at rest", "at the terminal spin" };
   const std::vector<ring::Wrench> friction = { all.at_rest->friction, all.at_terminal.value().friction };

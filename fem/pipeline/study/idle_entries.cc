@@ -33,6 +33,9 @@ std::vector<Condition> conditions_of_motion(const Study &study)
   return { { has_balance, "Motion", { "Closure" } },
            { is_full, "Motion", { "Centre of mass height" } },
            { is_full && study.load.is_from_contact(), "Motion", { "Tilt" } },
+           { study.motion.orbit.friction_law == ring::FrictionLawKind::stribeck,
+             "Motion",
+             { "Static friction coefficient", "Friction decay speed", "Viscous friction" } },
            { has_balance && study.load.is_from_contact(), "Load", { "Coupling" } },
            { study.load.is_static(), "Load", { "Moment direction" } } };
 }

@@ -168,7 +168,19 @@ void add_motion(EntryList &list, MotionSection &motion)
     { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },
     "Which way round, seen from above: counterclockwise or clockwise");
   list.number("Friction coefficient", motion.orbit.friction_coefficient, positive, "",
-              "Coulomb friction between foot and table");
+              "Friction between foot and table; of Stribeck's law the kinetic coefficient");
+  list.choice(
+    "Friction law", motion.orbit.friction_law,
+    { { "Coulomb", ring::FrictionLawKind::coulomb }, { "Stribeck", ring::FrictionLawKind::stribeck } },
+    "How friction depends on the slip speed s of each place. Coulomb: not at all; Stribeck: "
+    "mu_k + (mu_s - mu_k) exp(-(s/v_s)^2) + c s with the kinetic coefficient mu_k in Friction "
+    "coefficient and the three entries below");
+  list.number("Static friction coefficient", motion.orbit.static_coefficient, positive, "",
+              "mu_s of Stribeck's law, in the limit of no slip");
+  list.number("Friction decay speed", motion.orbit.friction_decay_speed, positive, "m/s",
+              "v_s of Stribeck's law, the slip speed at which the static part has fallen to 1/e");
+  list.number("Viscous friction", motion.orbit.viscous_friction, not_negative, "s/m",
+              "c of Stribeck's law, the growth of the coefficient with the slip speed");
   list.number("Gravity", motion.orbit.gravity, positive, "m/s^2", "Acceleration of free fall");
   list.choice("Closure", motion.closure,
               { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },

@@ -90,7 +90,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   QuantityNoise noise;
   noise.n_azimuths = study.contact.azimuth_lines;
   std::vector<QuantityOfInterest> quantities = load_quantities(found.at_rest, noise);
-  const double torque_noise = noise.relative * motion.friction_coefficient * found.at_rest.normal_force *
+  const double torque_noise = noise.relative * motion.friction_at_rest() * found.at_rest.normal_force *
                               study.glass.profile.contact_radius;
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", found.torques[0], torque_noise });
   quantities.push_back({ "tau_at_spin_1", "torque at " + to_short_text(probe.spins[1]) + " rad/s", "N m",

@@ -51,7 +51,7 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
   question.with_minima = false;
   const SpinRow row = spin_row(load, question);
   const double torque_noise =
-    noise.relative * motion.friction_coefficient * at_rest.normal_force * at_rest.rings.radius();
+    noise.relative * motion.friction_at_rest() * at_rest.normal_force * at_rest.rings.radius();
   quantities.push_back(
     { "tau_at_rest", "torque at rest", "N m", row.at_rest->friction.torque, torque_noise });
   for (std::size_t i = 0; i < spins.size(); ++i)

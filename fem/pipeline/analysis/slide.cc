@@ -1,0 +1,251 @@
+#include "fem/pipeline/analysis/slide.h"
+
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr double largest_slip_ratio = 64; ///< to which the contact of a glass is followed
+
+/// Friction, and the moment ratio m with which it tilts the pressure.
+struct TiltingFriction
+{
+  ring::SlidingFriction friction;
+  std::function<double(double speed, double omega)> moment_ratio;
+};
+
+/// Shares of the weight instead of the contact: kernels alone.
+TiltingFriction friction_of_body(const ring::FreeSlider &slider)
+{
+  const auto friction = [slider](double speed, double omega)
+  { return ring::sliding_friction(slider, speed, omega); };
+  // p ~ 1 + r (alpha cos + beta sin) with N <r^2> / 2 |(alpha, beta)| = h |T|.
+  const auto moment_ratio = [slider](double speed, double omega)
+  {
+    const ring::Wrench wrench = ring::sliding_friction(slider, speed, omega);
+    return 2 * slider.centre_of_mass_height * slider.body.outer_radius() *
+           std::hypot(wrench.force_x, wrench.force_y) /
+           (slider.mass * slider.gravity * slider.body.mean_square_radius());
+  };
+  return { friction, moment_ratio };
+}
+
+/// The load depends on the ratio of spin and speed: it is asked for at the orbit's speed.
+TiltingFriction friction_of_load(const BalancedLoad &load, const ring::Motion &motion)
+{
+  const auto load_at = [load, reference = motion.orbit_speed](double speed, double omega)
+  { return load.at(omega / speed * reference); };
+  const auto friction =
+    [load_at, ring = ring::CoulombRing(motion.friction_coefficient)](double speed, double omega)
+  { return ring.wrench(load_at(speed, omega), omega, speed); };
+  return { friction, [load_at](double speed, double omega) { return load_at(speed, omega).moment_ratio(); } };
+}
+
+ring::FreeSlider slider_of(const Study &study, const SlideQuestion &question)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius;
+  const auto is_given = [&](const char *entry) { return study.given_entries.count(entry) > 0; };
+  ring::FreeSlider slider{ question.body == SlidingBodyKind::ring
+                             ? ring::SlidingBody::ring(radius)
+                             : ring::SlidingBody::annulus(question.inner_radius, radius),
+                           motion.mass, motion.yaw_inertia, motion.friction_coefficient, motion.gravity };
+  if (!is_given("Motion/Yaw inertia"))
+    slider.yaw_inertia = slider.mass * slider.body.mean_square_radius();
+  if (is_given("Motion/Centre of mass height"))
+    slider.centre_of_mass_height = motion.centre_of_mass_height;
+  return slider;
+}
+
+void require_standing(const SlideStudy &slide, double speed, double omega, const ring::Wrench &friction)
+{
+  const double moment = slide.centre_of_mass_height * std::hypot(friction.force_x, friction.force_y);
+  const double most = slide.inertia.mass * slide.gravity * slide.inertia.outer_radius;
+  if (!(moment < most))
+    throw std::runtime_error(fmt::format(
+      FMT_STRING("The {} tips over: at {} m/s and {} rad/s the friction's moment about the centre of mass is "
+                 "{} N m, but its weight holds {}; lower Motion/Centre of mass height or the friction."),
+      to_string(slide.question.body), to_short_text(speed), to_short_text(omega), to_short_text(moment),
+      to_short_text(most)));
+}
+
+/// Fills in the path, point by point.
+void follow(const TiltingFriction &tilting, const ring::SlidingPath &path, SlideStudy &slide)
+{
+  const ring::SlidingInertia &inertia = slide.inertia;
+  slide.final_slip_ratio = path.final_slip_ratio;
+  for (std::size_t i = 0; i < path.states.size(); ++i)
+  {
+    const ring::SlidingState &state = path.states[i];
+    // At the stop only the ratio is left of the two speeds.
+    const ring::SlidingState &moving = state.speed > 0 || state.omega != 0 ? state : path.states[i - 1];
+    const ring::Wrench friction = tilting.friction(moving.speed, moving.omega);
+    require_standing(slide, moving.speed, moving.omega, friction);
+    slide.points.push_back(
+      { state, moving.omega * inertia.outer_radius / moving.speed, friction, friction.force_y / inertia.mass,
+        (inertia.mass * state.speed * state.speed + inertia.yaw_inertia * state.omega * state.omega) / 2,
+        tilting.moment_ratio(moving.speed, moving.omega) });
+  }
+  slide.points.back().slip_ratio = path.final_slip_ratio;
+  const double energy = slide.start().kinetic_energy;
+  for (const SlidePoint &point : slide.points)
+    slide.energy_error = std::max(
+      slide.energy_error, std::abs(point.kinetic_energy + point.state.friction_loss - energy) / energy);
+}
+
+/// The load of a glass between two slip ratios, interpolated, in balance with its friction.
+BalancedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, double radius, double one,
+                          double other)
+{
+  const double unit = motion.orbit_speed / radius, margin = 1e-3;
+  const auto [least, most] = std::minmax({ one, other });
+  return load.interpolated(unit * (least - margin * std::abs(least)),
+                           unit * (most + margin * std::abs(most)));
+}
+
+void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
+{
+  const Study study = without_hand(given);
+  const ring::Motion &motion = study.motion.orbit;
+  slide.inertia = { motion.mass, motion.yaw_inertia, study.glass.profile.contact_radius };
+  slide.centre_of_mass_height = motion.centre_of_mass_height;
+  fem::ComplianceCache cache;
+  const BalancedLoad load = find_load(study, study_foot(study, cache, progress), progress);
+  const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
+  const TiltingFriction exact = friction_of_load(load, motion);
+  constexpr unsigned int n_intervals = 20;
+  const double end =
+    start == 0
+      ? 0
+      : ring::final_slip_ratio(
+          slide.inertia,
+          [&](double speed, double omega)
+          {
+            if (std::abs(omega) * slide.inertia.outer_radius > largest_slip_ratio * speed)
+              throw std::runtime_error("The spin of the glass outlasts its sliding, through which its "
+                                       "contact is not followed; give a "
+                                       "Motion/Yaw inertia of less than about 2 m R^2, or slide a ring.");
+            return exact.friction(speed, omega);
+          },
+          start, n_intervals);
+  progress.stage_done("final slip ratio");
+  const BalancedLoad on_the_way = load_between(load, motion, slide.inertia.outer_radius, start, end);
+  if (const auto statistics = on_the_way.statistics())
+    slide.load_error = statistics->interpolation_error.value_or(0);
+  const TiltingFriction tilting = friction_of_load(on_the_way, motion);
+  ring::SlidingPath path =
+    ring::slide_to_stop(slide.inertia, tilting.friction, slide.question.speed, slide.question.spin, 1e-10);
+  path.final_slip_ratio = end;
+  follow(tilting, path, slide);
+}
+
+void slide_body(const Study &study, SlideStudy &slide)
+{
+  const ring::FreeSlider slider = slider_of(study, slide.question);
+  slide.inertia = { slider.mass, slider.yaw_inertia, slider.body.outer_radius() };
+  slide.centre_of_mass_height = slider.centre_of_mass_height;
+  const TiltingFriction tilting = friction_of_body(slider);
+  follow(tilting, ring::slide_to_stop(slider, slide.question.speed, slide.question.spin), slide);
+}
+
+} // namespace
+
+std::string to_string(SlidingBodyKind kind)
+{
+  switch (kind)
+  {
+  case SlidingBodyKind::glass:
+    return "glass";
+  case SlidingBodyKind::ring:
+    return "ring";
+  case SlidingBodyKind::annulus:
+    return "annulus";
+  case SlidingBodyKind::disc:
+    return "disc";
+  }
+  throw std::logic_error("a sliding body without a name");
+}
+
+double SlideStudy::largest_moment_ratio() const
+{
+  return std::max_element(points.begin(), points.end(),
+                          [](const SlidePoint &a, const SlidePoint &b)
+                          { return a.moment_ratio < b.moment_ratio; })
+    ->moment_ratio;
+}
+
+Study without_hand(Study study)
+{
+  study.motion.closure = ring::Closure::full;
+  study.motion.orbit.force_offset = 0;
+  study.motion.orbit.orbit_acceleration = 0;
+  study.motion.grip_torque = 0;
+  return study;
+}
+
+void check_slide(const Study &study, const SlideQuestion &question)
+{
+  const double radius = study.glass.profile.contact_radius;
+  if (question.body == SlidingBodyKind::annulus)
+    require(0 < question.inner_radius && question.inner_radius < radius,
+            fmt::format(FMT_STRING("--inner-radius = {} m is not allowed for an annulus of the outer radius "
+                                   "Glass/Contact radius = {} m; give a length between 0 and that."),
+                        to_text(question.inner_radius), to_text(radius)));
+  else
+    require(question.inner_radius == 0,
+            "--inner-radius belongs to --body annulus; set that, or leave --inner-radius away.");
+  require(study.motion.orbit.has_constant_friction(),
+          "A slide knows friction with one coefficient; set Motion/Friction law = Coulomb.");
+  if (question.body != SlidingBodyKind::glass)
+    return;
+  require_flat(study, "slide");
+  require(study.load.source != LoadSource::file && !study.load.is_static(),
+          "A sliding glass balances the moment of its friction, but Load/Moment ratio or Load/File give "
+          "another; leave them away.");
+  without_hand(study).required_resultants(); // refuses a glass that would tip
+}
+
+SlideStudy study_slide(const Study &study, const SlideQuestion &question, Progress &progress)
+{
+  check_slide(study, question);
+  SlideStudy slide;
+  slide.question = question;
+  slide.friction_coefficient = study.motion.orbit.friction_coefficient;
+  slide.gravity = study.motion.orbit.gravity;
+  slide.inertia_is_given = study.given_entries.count("Motion/Yaw inertia") > 0;
+  slide.height_is_given = study.given_entries.count("Motion/Centre of mass height") > 0;
+  if (question.body == SlidingBodyKind::glass)
+    slide_glass(study, slide, progress);
+  else
+    slide_body(study, slide);
+  progress.stage_done("slide");
+  return slide;
+}
+
+std::vector<std::string> idle_in_slide(const Study &study, SlidingBodyKind body)
+{
+  static const std::set<std::string> of_every_body = {
+    "Motion/Mass",    "Motion/Yaw inertia",  "Motion/Centre of mass height", "Motion/Friction coefficient",
+    "Motion/Gravity", "Glass/Contact radius"
+  };
+  std::vector<std::string> idle;
+  for (const std::string &entry : study.given_entries)
+  {
+    const bool is_of_contact = entry.rfind("Motion/", 0) != 0 || entry == "Motion/Tilt";
+    if (of_every_body.count(entry) == 0 && !(body == SlidingBodyKind::glass && is_of_contact))
+      idle.push_back(entry);
+  }
+  return idle;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,149 @@
+// Friction that depends on the slip speed, in every verb that asks for a spin.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::test
+{
+namespace
+{
+
+using Settings = std::vector<std::string>;
+
+Settings with_law(const std::string &kinetic, const std::string &fixed, const std::string &decay_speed,
+                  const std::string &viscous = "0")
+{
+  return { "Motion/Friction law=Stribeck", "Motion/Friction coefficient=" + kinetic,
+           "Motion/Static friction coefficient=" + fixed, "Motion/Friction decay speed=" + decay_speed,
+           "Motion/Viscous friction=" + viscous };
+}
+
+nlohmann::json solved(const std::string &verb, const Settings &settings)
+{
+  const ScratchFolder scratch;
+  std::vector<std::string> command = { verb, "--output", "out", "--quiet" };
+  for (const std::string &setting : settings)
+    command.insert(command.end(), { "--set", setting });
+  const Ended ended = stemware(scratch, command);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  return ended.exit_code == 0 ? read_summary(scratch / "out") : nlohmann::json();
+}
+
+double spin_of(const nlohmann::json &summary)
+{
+  return summary["ring"]["omega_terminal"];
+}
+
+double spin_without(const nlohmann::json &summary, const std::string &name)
+{
+  for (const nlohmann::json &row : summary["without"])
+    if (row["name"] == name)
+      return row["omega_terminal"];
+  ADD_FAILURE() << "no row " << name;
+  return 0;
+}
+
+} // namespace
+
+TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
+{
+  const nlohmann::json coulomb = solved("run", {});
+  const auto expect_equal = [&](const nlohmann::json &stribeck)
+  {
+    EXPECT_NEAR(spin_of(stribeck), spin_of(coulomb), 1e-10 * std::abs(spin_of(coulomb)));
+    EXPECT_NEAR(stribeck["ring"]["tau_at_rest"].get<double>(), coulomb["ring"]["tau_at_rest"].get<double>(),
+                1e-13);
+    for (unsigned int n = 0; n <= 8; ++n)
+      for (const char *part : { "a", "b" })
+        EXPECT_NEAR(stribeck["load_at_terminal"][part][n].get<double>(),
+                    coulomb["load_at_terminal"][part][n].get<double>(), 1e-10)
+          << part << n;
+  };
+  expect_equal(solved("run", with_law("0.3", "0.3", "0.1")));
+  // Not equal, and so by quadrature, with the friction in the foot place by place.
+  expect_equal(solved("run", with_law("0.3", "0.300000000000001", "0.1")));
+}
+
+TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
+{
+  // T = -c int lambda v_rel is linear: tau_z = c (v M_Nx - omega N <r^2>), so with the moment balance of the
+  // paper omega = v M_Nx / (N <r^2>), on a ring and on the rings of a contact.
+  Settings viscous = with_law("1e-14", "1e-14", "0.1", "1 s/m");
+  viscous.push_back("Motion/Closure=paper");
+  const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
+  const nlohmann::json elastic = solved("run", viscous);
+  double square = 0, force = 0;
+  const nlohmann::json &load = elastic["load_at_terminal"];
+  for (std::size_t j = 0; j < load["radii"].size(); ++j)
+  {
+    const double a0 = load["rings"][j]["a"][0];
+    square += a0 * std::pow(load["radii"][j].get<double>(), 2);
+    force += a0;
+  }
+  EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
+  viscous.push_back("Load/Source=first harmonic");
+  EXPECT_NEAR(spin_of(solved("run", viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 1e-10);
+  // With all moments: M_N = (M - h T_y, h T_x) and T = -c (v N - omega M_Nx', ...), h the height of the hand.
+  viscous[5] = "Motion/Closure=full";
+  const double h = 0.03, R = 0.03;
+  double omega = 0;
+  for (unsigned int i = 0; i < 200; ++i)
+  {
+    // M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega = v M_x / (N R^2).
+    const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
+    omega = v * moment_x / (N * R * R);
+  }
+  EXPECT_NEAR(spin_of(solved("run", viscous)) / omega, 1, 1e-9);
+}
+
+TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)
+{
+  const Settings law = with_law("0.2", "0.5", "0.3 m/s");
+  const nlohmann::json run = solved("run", law);
+  const double spin = spin_of(run), mu = 0.2 + 0.3 * std::exp(-std::pow(0.35 / 0.3, 2));
+  // At rest every place slips with v.
+  EXPECT_NEAR(run["ring"]["tau_at_rest"].get<double>() / (mu * run["load"]["moment"][0].get<double>()), 1,
+              1e-9);
+  const nlohmann::json truncated = solved("truncate", law);
+  EXPECT_NEAR(truncated["truncation"].back()["omega_terminal"].get<double>(), spin, 1e-9 * std::abs(spin));
+
+  // Without it: the coefficient at the orbit speed.
+  const nlohmann::json constant =
+    solved("run", { "Motion/Friction coefficient=" + nlohmann::json(mu).dump() });
+  EXPECT_NEAR(spin_without(run, "dependence of friction on slip"), spin_of(constant), 1e-8);
+  EXPECT_GT(std::abs(spin), 1.1 * std::abs(spin_of(constant)));
+  EXPECT_EQ(run["budget"][1]["name"], "friction law");
+  EXPECT_EQ(run["budget"][0]["omega_terminal"], constant["budget"][0]["omega_terminal"]);
+
+  const ScratchFolder scratch;
+  std::vector<std::string> sets;
+  for (const std::string &setting : law)
+    sets.insert(sets.end(), { "--set", setting });
+  std::vector<std::string> compare = { "compare", "--output", "compared", "--quiet" }, sweep = {
+    "sweep", "--output", "swept", "--quiet", "--vary", "Motion/Mass=0.3,0.4"
+  };
+  compare.insert(compare.end(), sets.begin(), sets.end());
+  sweep.insert(sweep.end(), sets.begin(), sets.end());
+  ASSERT_EQ(stemware(scratch, compare).exit_code, 0);
+  ASSERT_EQ(stemware(scratch, sweep).exit_code, 0);
+  const std::string spin_text = nlohmann::json(spin).dump().substr(0, 10);
+  for (const char *table : { "compared/compare.csv", "swept/sweep.csv" })
+    EXPECT_NE(read_text(scratch / table).find(spin_text), std::string::npos) << table << spin_text;
+}
+
+TEST(FrictionLawStudy, EntriesOfALawThatIsNotChosenAreNamed)
+{
+  const ScratchFolder scratch;
+  const Ended idle = stemware(
+    scratch, { "run", "--set", "Load/Source=first harmonic", "--set", "Motion/Viscous friction=0.1 s/m" });
+  EXPECT_EQ(idle.exit_code, 0);
+  EXPECT_NE(idle.out.find("Motion/Viscous friction has no effect"), std::string::npos) << idle.out;
+  const Ended refused = stemware(scratch, { "run", "--set", "Motion/Friction decay speed=0" });
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+}
+
+} // namespace stemware::test
