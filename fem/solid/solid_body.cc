@@ -20,15 +20,10 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Whether a body works on the meshes that its own was refined from. A mesh of cells of one degree has about
-/// as many unknowns as cells times 3 degree^3.
+/// Whether a body works on the meshes that its own was refined from.
 bool uses_hierarchy(const Triangulation<3> &triangulation, const SolidOptions &options)
 {
-  if (triangulation.n_global_levels() == 1 || options.linear_solver == LinearSolver::direct)
-    return false;
-  const auto per_cell = 3ull * options.degree * options.degree * options.degree;
-  return options.linear_solver == LinearSolver::multigrid ||
-         per_cell * triangulation.n_global_active_cells() > largest_direct_system;
+  return triangulation.n_global_levels() > 1 && options.linear_solver != LinearSolver::direct;
 }
 
 std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,

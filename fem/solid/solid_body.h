@@ -19,7 +19,7 @@ namespace stemware::fem
 /// How the linear systems of a SolidBody are preconditioned. The outer method is always conjugate gradients.
 enum class LinearSolver
 {
-  automatic, ///< direct up to largest_direct_system unknowns, multigrid above
+  automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
   direct,    ///< factorisation (MUMPS) of a recent tangent
   multigrid  ///< geometric on a mesh that was refined from a coarser one (MeshHierarchy), else algebraic (ML)
 };
