@@ -168,6 +168,26 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
   return curve_plot(plot);
 }
 
+Plot phase_plot(const PhaseStudy &phases)
+{
+  const bool glass = phases.n_glass_phases > 1;
+  const auto curve = [&](const std::string &title, const std::vector<double> &torques)
+  {
+    Curve points = { title, {}, in_milli(torques), CurveStyle::points };
+    for (const ring::Orientation &phase : phases.phases)
+      points.x.push_back((glass ? phase.glass : phase.table) / boost::math::double_constants::degree);
+    return points;
+  };
+  return curve_plot(
+    { "phases",
+      std::string("Torque of friction by the place of the mark of the ") + (glass ? "glass" : "table") +
+        ", at rest and at the mean spin in the long run.",
+      { quantity::axis::azimuth, false, std::pair(0., 360.) },
+      { quantity::axis::torque },
+      { curve("at rest", phases.torque_at_rest), curve("at the mean spin", phases.torque_at_terminal) },
+      "set xtics 90; set xzeroaxis lt 8; set key width 0\n" });
+}
+
 Plot truncation_plot(const std::vector<SpinRow> &rows)
 {
   const Curve change = change_curve("terminal spin, relative change", rows, 1e-12);
