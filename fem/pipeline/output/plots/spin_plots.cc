@@ -142,20 +142,18 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
   if (const auto omega = all.omega_terminal())
   {
     const double end = curves.front().x.back();
-    plot.curves.push_back({ "", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
-    plot.caption += " Grey: the terminal spin of all harmonics";
+    plot.curves.push_back({ "terminal spin", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
     plot.commands += marker_label(
       (*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
       "graph 0.98, first " + to_text(*omega) + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
     if (const auto time = all.time_constant(); time && *time > 0 && *time < end)
     {
-      plot.caption += "; dotted: the time constant with which it is approached";
+      plot.caption += " Dotted: the time constant with which the terminal spin is approached.";
       plot.commands +=
         marker_line(to_text(*time) + ", graph 0", to_text(*time) + ", graph 1") +
         marker_label(format::significant<3>(*time) + " s",
                      to_text(*time) + ", graph " + (*omega < 0 ? "0.95" : "0.06") + " offset 0.5,0 left");
     }
-    plot.caption += ".";
   }
   Extent spins;
   for (const Curve &curve : plot.curves)

@@ -359,7 +359,7 @@ TEST(RunByHand, SpinUpPlotDrawsTheCurvesThatItNames)
             2.2601234567             2.3101234567
 
 
-# Spin-up of the glass from rest. Grey: the terminal spin of all harmonics; dotted: the time constant with which it is approached.
+# terminal spin
 # 1: time (s)
 # 2: spin ω (rad/s)
                        0            -1.8901234567
