@@ -179,11 +179,11 @@ Plot phase_plot(const PhaseStudy &phases)
   return curve_plot(
     { "phases",
       std::string("Torque of friction by the place of the mark of the ") + (glass ? "glass" : "table") +
-        ", at rest and at the mean spin in the long run.",
-      { quantity::axis::azimuth, false, std::pair(0., 360.) },
+        ", at rest and at the mean spin in the long run; over a whole turn this repeats.",
+      { quantity::axis::azimuth },
       { quantity::axis::torque },
       { curve("at rest", phases.torque_at_rest), curve("at the mean spin", phases.torque_at_terminal) },
-      "set xtics 90; set xzeroaxis lt 8; set key width 0\n" });
+      "set xzeroaxis lt 8; set key width 0\n" });
 }
 
 Plot truncation_plot(const std::vector<SpinRow> &rows)
