@@ -239,6 +239,8 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
                               torque(friction * report.load.moment.x()) + ".",
                             { torque_plot(spin.torque, spin.rows) },
                             { friction_table(study, all) } };
+  if (spin.phases)
+    section.plots.push_back(phase_plot(*spin.phases));
   const double omega = all.omega_terminal().value();
   if (!is_spin(study, omega))
     return section;

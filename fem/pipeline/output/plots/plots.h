@@ -49,6 +49,10 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows);
 Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all,
                   const std::string &caption = "Spin-up of the glass from rest.");
 
+/// tau_z by the place of the mark of the glass, or of the table where the rim is flat, at rest and at the
+/// mean spin in the long run.
+Plot phase_plot(const PhaseStudy &phases);
+
 /// How fast the terminal spin approaches that of all harmonics.
 Plot truncation_plot(const std::vector<SpinRow> &rows);
 

@@ -142,20 +142,18 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
   if (const auto omega = all.omega_terminal())
   {
     const double end = curves.front().x.back();
-    plot.curves.push_back({ "", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
-    plot.caption += " Grey: the terminal spin of all harmonics";
+    plot.curves.push_back({ "terminal spin", { 0, end }, { *omega, *omega }, CurveStyle::line, {}, 8 });
     plot.commands += marker_label(
       (*omega < 0 ? "−" : "") + format::significant<5>(std::abs(*omega)) + " rad/s",
       "graph 0.98, first " + to_text(*omega) + " offset 0," + (*omega < 0 ? "0.7" : "-0.7") + " right");
     if (const auto time = all.time_constant(); time && *time > 0 && *time < end)
     {
-      plot.caption += "; dotted: the time constant with which it is approached";
+      plot.caption += " Dotted: the time constant with which the terminal spin is approached.";
       plot.commands +=
         marker_line(to_text(*time) + ", graph 0", to_text(*time) + ", graph 1") +
         marker_label(format::significant<3>(*time) + " s",
                      to_text(*time) + ", graph " + (*omega < 0 ? "0.95" : "0.06") + " offset 0.5,0 left");
     }
-    plot.caption += ".";
   }
   Extent spins;
   for (const Curve &curve : plot.curves)
@@ -166,6 +164,26 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
                              spins.most / boost::math::double_constants::two_pi) +
                    ")\n";
   return curve_plot(plot);
+}
+
+Plot phase_plot(const PhaseStudy &phases)
+{
+  const bool glass = phases.n_glass_phases > 1;
+  const auto curve = [&](const std::string &title, const std::vector<double> &torques)
+  {
+    Curve points = { title, {}, in_milli(torques), CurveStyle::points };
+    for (const ring::Orientation &phase : phases.phases)
+      points.x.push_back((glass ? phase.glass : phase.table) / boost::math::double_constants::degree);
+    return points;
+  };
+  return curve_plot(
+    { "phases",
+      std::string("Torque of friction by the place of the mark of the ") + (glass ? "glass" : "table") +
+        ", at rest and at the mean spin in the long run; over a whole turn this repeats.",
+      { quantity::axis::azimuth },
+      { quantity::axis::torque },
+      { curve("at rest", phases.torque_at_rest), curve("at the mean spin", phases.torque_at_terminal) },
+      "set xzeroaxis lt 8; set key width 0\n" });
 }
 
 Plot truncation_plot(const std::vector<SpinRow> &rows)

@@ -333,11 +333,11 @@ TEST(RunAnswer, SaysOneWayInEverySentence)
     wrapped(one_way.answer()),
     R"(With the load of rest kept at every spin (one-way), the glass spins clockwise, against its orbit,
 one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the paper's model it makes one turn in 2.09 s:
--3.00000 rad/s. The harmonics of the one-way load beyond the first make it 4.41 % slower (+0.15
-rad/s). The largest other step from the paper's model to this one-way one is "moment balance": -0.5
-rad/s (16.7 % faster). The band is that of the discretisation; it does not contain what the one-way
-model leaves open. Left out one at a time, these change the spin by (rad/s): tilt +0.01 and grip
--0.05.)");
+-3.00000 rad/s. The harmonics of the one-way load beyond the first make it 4.41 % slower
+(+0.15 rad/s). The largest other step from the paper's model to this one-way one is "moment
+balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not contain
+what the one-way model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
++0.01 and grip -0.05.)");
   one_way.study.load.moment_ratio = 0.5;
   EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
   one_way.study.load.source = LoadSource::file;
@@ -355,8 +355,8 @@ TEST(RunAnswer, WithoutBandsAndEffects)
     wrapped(plain.answer()),
     R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.25000 rad/s. In the paper's
 model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the first do not
-change that. The largest other step from the paper's model to this one is "moment balance": -0.5
-rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
+change that. The largest other step from the paper's model to this one is "moment balance":
+-0.5 rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
 }
 
 TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)

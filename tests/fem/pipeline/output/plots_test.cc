@@ -222,6 +222,22 @@ TEST(Plots, SpinUp)
   EXPECT_NE(words.find("−3.5 rad/s"), std::string::npos) << words; // the terminal spin
 }
 
+TEST(Plots, Phases)
+{
+  const ScratchFolder scratch;
+  PhaseStudy phases;
+  phases.n_table_phases = 2;
+  phases.phases = { { 0, 0 }, { 0, full_turn / 4 } };
+  phases.torque_at_rest = { -1e-3, -2e-3 };
+  phases.torque_at_terminal = { 1e-3, -1e-3 };
+  const Plot plot = phase_plot(phases);
+  EXPECT_EQ(draw(plot, scratch), "");
+  const auto columns = data_of(plot, scratch);
+  EXPECT_NEAR(columns[0][1], 90, 1e-12); // the glass is flat: by the mark of the table
+  EXPECT_EQ(columns[1], (std::vector<double>{ -1, -2, 1, -1 }));
+  EXPECT_NE(plot.caption.find("mark of the table"), std::string::npos);
+}
+
 TEST(Plots, Convergence)
 {
   const ScratchFolder scratch;

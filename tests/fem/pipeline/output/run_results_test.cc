@@ -357,6 +357,13 @@ TEST(RunByHand, SpinUpPlotDrawsTheCurvesThatItNames)
 # 2: spin ω (rad/s)
                        0                        0
             2.2601234567             2.3101234567
+
+
+# terminal spin
+# 1: time (s)
+# 2: spin ω (rad/s)
+                       0            -1.8901234567
+            2.2601234567            -1.8901234567
 )");
 }
 
