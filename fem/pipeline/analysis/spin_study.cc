@@ -2,8 +2,10 @@
 
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/driven_load.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/orbit_speed_file.h"
 #include "ring_model/friction_law.h"
 
 #include <algorithm>
@@ -120,6 +122,24 @@ ring::Wrench wrench_or_nan(const BalancedLoad &load, const ring::Motion &motion,
   }
 }
 
+/// All terminal spins, that which is reached from rest as @p all has it.
+std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const BalancedLoad &load,
+                                                  const SpinRow &all)
+{
+  if (load.phases() || (study.load.is_in_balance() && abilities(study.contact.body).is_collective))
+    return {};
+  const double unit = load.spin_scale(study.motion.orbit);
+  std::vector<ring::TerminalSpin> spins =
+    all_terminal_spins(load, study.motion.orbit, study.motion.grip_torque);
+  const auto is_reached = [&](const ring::TerminalSpin &spin)
+  { return std::abs(spin.omega - all.terminal->omega) < 1e-4 * unit; };
+  spins.erase(std::remove_if(spins.begin(), spins.end(), is_reached), spins.end());
+  spins.push_back(*all.terminal);
+  std::sort(spins.begin(), spins.end(),
+            [](const ring::TerminalSpin &a, const ring::TerminalSpin &b) { return a.omega < b.omega; });
+  return spins;
+}
+
 /// The study on one ring.
 std::optional<SpinRow> row_on_one_ring(Study study, const SpinRow &all, fem::ComplianceCache &cache)
 {
@@ -179,6 +199,31 @@ std::vector<double> paper_spin_up(const Study &study, const std::vector<double> 
   return spins_of(spin_up(find_load(paper, nullptr), paper.motion.orbit, times));
 }
 
+std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                           const std::vector<double> &times)
+{
+  if (study.motion.orbit_speed_file.empty())
+    return std::nullopt;
+  // A contact is known to 1e-10 of its load: the step control is not to chase what lies below.
+  const double accuracy = study.load.is_from_contact() ? 1e-9 : 1e-10;
+  const ring::Motion &motion = study.motion.orbit;
+  const ring::OrbitSpeedTable speeds = read_orbit_speed_file(study.motion.orbit_speed_file);
+  const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
+  const auto torque = [&](double time, double omega)
+  { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };
+  DrivenSpinUp driven;
+  driven.time = times;
+  for (const double time : times)
+  {
+    driven.speed.push_back(speeds.speed(time));
+    driven.acceleration.push_back(speeds.acceleration(time));
+  }
+  for (const ring::SpinSample &sample :
+       ring::spin_up(torque, motion.yaw_inertia, 0, times, accuracy, spin_unit(study)))
+    driven.omega.push_back(sample.omega);
+  return driven;
+}
+
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                      fem::ComplianceCache &cache, Progress &progress)
 {
@@ -192,9 +237,11 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, solved);
+  result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
   result.budget = find_budget(study, foot, solved, cache, progress);
   result.torque = torque_curve(study, solved, 1);
   result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load);
+  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   return result;
 }
 

@@ -21,6 +21,15 @@ struct TorqueCurve
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
 };
 
+/// omega(t) from rest while the hand's speed changes.
+struct DrivenSpinUp
+{
+  std::vector<double> time;         ///< [s]
+  std::vector<double> speed;        ///< v(t) [m/s]
+  std::vector<double> acceleration; ///< dv/dt [m/s^2]
+  std::vector<double> omega;        ///< all harmonics, error control [rad/s]
+};
+
 /// omega(t) from rest at equally spaced times, each load in its own balance.
 struct SpinUpCurves
 {
@@ -31,6 +40,7 @@ struct SpinUpCurves
     first_harmonic;              ///< first harmonic alone, error control [rad/s]; empty without a balance
   std::vector<double> yaw_angle; ///< all harmonics, error control [rad]
   std::vector<double> paper; ///< the paper's model of the same glass: its moment balance, its load [rad/s]
+  std::optional<DrivenSpinUp> driven = {}; ///< with the speeds of Motion/Orbit speed file, where there is one
 };
 
 /// What a load that depends on the phase adds to a study of the spin.
@@ -61,6 +71,9 @@ struct SpinStudy
   Budget budget;
   TorqueCurve torque; ///< of the first harmonic and of all
   SpinUpCurves spin_up;
+  /// all_terminal_spins(), that of the last row among them; nothing where rim or table are wavy, or a torque
+  /// takes minutes (a solid body in balance at every spin).
+  std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
 
   const SpinRow &all() const { return rows.back(); }
@@ -75,6 +88,11 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
 
 /// The spins of torque_curve(), lowest first [rad/s].
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows);
+
+/// The spin-up with the speeds of Motion/Orbit speed file, contact in balance at every instant, at @p times;
+/// nothing without such a file. @p foot is study_foot() with its rings chosen. Throws what the torque throws.
+std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                           const std::vector<double> &times);
 
 /// omega(t) [rad/s] of the paper's own model for the glass of a study, at @p times: its moment balance, its
 /// load.

@@ -3,6 +3,7 @@
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/common_sections.h"
+#include "fem/pipeline/output/driven_spin.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
@@ -10,6 +11,7 @@
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/output/run_tables.h"
 #include "fem/pipeline/output/spin_table.h"
+#include "fem/pipeline/output/terminal_spins.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -69,6 +71,8 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "tau_closed_form", study.motion.orbit.friction_at_rest() * report.load.moment.x() },
            { "omega_terminal", all.omega_terminal().value() },
            { "time_constant", json_number(all.time_constant()) },
+           { "terminal_spins", terminal_spins_summary(spin) },
+           { "driven", spin.spin_up.driven ? driven_spin_summary(*spin.spin_up.driven) : Json(nullptr) },
            { "no_lift_off", has_no_lift_off(report) },
            { "force_at_terminal",
              { all.at_terminal.value().friction.force_x, all.at_terminal->friction.force_y } },
@@ -314,6 +318,9 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
     { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
     { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations }
   };
+  if (spin.spin_up.driven)
+    files.push_back({ "driven_spin_up.dat", "the spin against time with the hand's own speeds",
+                      driven_spin_table(*spin.spin_up.driven) });
   if (spin.phases)
     files.push_back({ "phases.dat", "τ_z by the orientation of glass and table", phase_table(*spin.phases) });
   if (const auto &foot = report.foot)
@@ -339,6 +346,10 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
                     run_answer(study, spin, bands),
                     { budget_section(study, contact, spin), load_section(study, contact.load, bands),
                       spin_section(study, contact, spin) } };
+  if (const auto section = terminal_spins_section(spin))
+    report.sections.push_back(*section);
+  if (spin.spin_up.driven)
+    report.sections.push_back(driven_spin_section(spin.spin_up));
   if (contact.load.rings.n_harmonics() > 1 && spin.spins_up())
     report.sections.push_back(truncation_section(spin));
   if (is_one_way(study))
@@ -364,10 +375,10 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   Results results;
   results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files);
-  const std::vector<std::string> remarks = { lift_off_remark(report.load),
-                                             narrow_contact_remark(study, report.foot),
-                                             layer_remark(study, report.half_width),
-                                             waviness_remark(study, spin.phases) };
+  const std::vector<std::string> remarks = {
+    lift_off_remark(report.load), narrow_contact_remark(study, report.foot),
+    layer_remark(study, report.half_width), waviness_remark(study, spin.phases), terminal_spins_remark(spin)
+  };
   Budget steps = spin.budget;
   steps.rows = named_steps(spin.budget.rows);
   results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };

@@ -23,11 +23,12 @@ struct MotionSection
 {
   ring::Motion orbit;
   ring::Closure closure = ring::Closure::full;
-  bool tilt = true;         ///< the glass leans on its foot; see Study::tilts()
-  double grip_torque = 0;   ///< of the fingers, against the spin [N m]
-  double end_time = 2;      ///< of the spin-up [s]
-  double euler_step = 1e-3; ///< largest step of the forward Euler method [s]
-  double step_limit = 1e6;  ///< estimated steps of the spin-up above which a study is refused
+  bool tilt = true;             ///< the glass leans on its foot; see Study::tilts()
+  double grip_torque = 0;       ///< of the fingers, against the spin [N m]
+  std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
+  double end_time = 2;          ///< of the spin-up [s]
+  double euler_step = 1e-3;     ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;      ///< estimated steps of the spin-up above which a study is refused
 };
 
 /// Subsection Glass: shape and material of the foot, by default the foot of a wine glass.

@@ -1,3 +1,4 @@
+#include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
@@ -160,6 +161,7 @@ void check_study(const Study &study)
   {
     throw BadInput(error.what());
   }
+  check_orbit_speed_file(study);
   require_affordable(study);
 }
 

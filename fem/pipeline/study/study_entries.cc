@@ -163,6 +163,11 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.number("Orbit radius", motion.orbit.orbit_radius, positive, "m",
               "Radius of the circle on which the glass is led");
   list.number("Orbit speed", motion.orbit.orbit_speed, positive, "m/s", "Speed along that circle");
+  list.path(
+    "Orbit speed file", motion.orbit_speed_file,
+    "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v (m/s)\" "
+    "and a row for each time, from 0 to End time at least. All else belongs to Orbit speed. A relative "
+    "path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
     { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },

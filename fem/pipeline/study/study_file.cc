@@ -144,7 +144,8 @@ void forget_stated_defaults(Study &study)
 /// The entries that name files.
 std::vector<std::string *> paths_of(Study &study)
 {
-  return { &study.glass.profile_file, &study.contact.mesh_file, &study.load.file };
+  return { &study.motion.orbit_speed_file, &study.glass.profile_file, &study.contact.mesh_file,
+           &study.load.file };
 }
 
 } // namespace

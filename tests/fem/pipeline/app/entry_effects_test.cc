@@ -43,6 +43,9 @@ const EntryValues foot = { { "Glass/Shape", "foot" } };
 const EntryValues elastic = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
 const EntryValues rough = { { "Table/Interface", "rough" } };
 const EntryValues two_way = { { "Load/Coupling", "two-way" } };
+const EntryValues slow_decay = { { "Motion/Friction decay speed", "0.3" } };
+const EntryValues stribeck = { { "Motion/Friction law", "Stribeck" },
+                               { "Motion/Friction decay speed", "0.3" } };
 const EntryValues given_moment = { { "Load/Moment ratio", "0.5" } };
 const EntryValues from_file = { { "Load/Source", "file" }, { "Load/File", "one.dat" } };
 const EntryValues solid = { { "Contact/Body", "solid" },
@@ -80,7 +83,12 @@ const std::vector<Effect> effects = {
   { "Motion/Orbit radius", "0.2", "/load/moment/0" },
   { "Motion/Orbit speed", "0.3", "/ring/omega_terminal" },
   { "Motion/Orbit sense", "clockwise", "/ring/omega_terminal" },
+  { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
   { "Motion/Friction coefficient", "0.2", "/ring/tau_at_rest" },
+  { "Motion/Friction law", "Stribeck", "/ring/omega_terminal", slow_decay },
+  { "Motion/Static friction coefficient", "0.5", "/ring/omega_terminal", stribeck },
+  { "Motion/Friction decay speed", "0.2", "/ring/omega_terminal", stribeck },
+  { "Motion/Viscous friction", "0.1", "/ring/omega_terminal", stribeck },
   { "Motion/Gravity", "9", "/load/normal_force" },
   { "Motion/Closure", "paper", "/load/moment/1" },
   { "Motion/Tilt", "neglected", "/load/moment_ratio" },
@@ -195,7 +203,7 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   if (with_value)
     values.emplace_back(effect.entry, effect.value);
   for (auto &[entry, value] : values)
-    if (entry == "Load/File" || entry == "Glass/Profile file")
+    if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file")
       value = scratch / value;
   return with_values(Study(), "the list of effects", values);
 }
@@ -208,6 +216,7 @@ TEST_P(EntryEffects, ChangeWhatTheyAreFor)
 {
   const test::ScratchFolder scratch;
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
+  scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.2\n3, 0.4\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
   const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
   scratch.write("thick.csv", plate + "0.034,0.006\n0.006,0.006\n0.006,0.02\n0,0.02\n");

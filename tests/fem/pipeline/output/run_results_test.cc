@@ -265,6 +265,8 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
  "tau_closed_form": 0.34203703701,
  "omega_terminal": -1.8901234567,
  "time_constant": 1.9101234567,
+ "terminal_spins": [],
+ "driven": null,
  "no_lift_off": false,
  "force_at_terminal": [
   1.9901234567,

@@ -1,0 +1,178 @@
+// A hand whose speed changes: the spin-up with Motion/Orbit speed file.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// Columns of a data file without its comments.
+std::vector<std::vector<double>> columns_of_table(const std::string &text, std::size_t n_columns)
+{
+  std::vector<std::vector<double>> columns(n_columns);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.empty() || line.front() == '#')
+      continue;
+    std::istringstream words(line);
+    for (std::vector<double> &column : columns)
+    {
+      double value = 0;
+      words >> value;
+      column.push_back(value);
+    }
+  }
+  return columns;
+}
+
+/// Time, v, dv/dt and omega of a run with that speed file.
+std::vector<std::vector<double>> driven(const std::string &speeds, std::vector<std::string> settings,
+                                        std::vector<double> *steady = nullptr)
+{
+  const ScratchFolder scratch;
+  std::vector<std::string> command = {
+    "run",     "--output", "out",
+    "--quiet", "--set",    "Motion/Orbit speed file=" + scratch.write("speeds.csv", speeds)
+  };
+  for (const std::string &setting : settings)
+    command.insert(command.end(), { "--set", setting });
+  const Ended ended = stemware(scratch, command);
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  if (steady)
+    *steady = columns_of_table(read_text(scratch / "out/spin_up.dat"), 2)[1];
+  return columns_of_table(read_text(scratch / "out/driven_spin_up.dat"), 4);
+}
+
+/// omega at equally spaced times up to @p end by the classical Runge-Kutta scheme, for the first harmonic in
+/// balance with all moments while v = v0 + a t: sums over the rim, and a linear system for a_1, b_1.
+std::vector<double> ramp_by_hand(double v0, double a, double end, bool with_acceleration)
+{
+  const double pi = std::acos(-1.), m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
+  const double a0 = m * 9.81 / (2 * pi);
+  const unsigned int n = 720;
+  const auto torque = [&](double t, double omega)
+  {
+    const double v = v0 + a * t;
+    // Friction (T_x, T_y, tau) of loads 1, cos, sin.
+    std::array<std::array<double, 3>, 3> unit = {};
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double theta = 2 * pi * (i + 0.5) / n;
+      const double x = v - omega * R * std::sin(theta), y = omega * R * std::cos(theta);
+      const double f = mu * 2 * pi / n / std::hypot(x, y);
+      const std::array<double, 3> shape = { 1, std::cos(theta), std::sin(theta) };
+      for (unsigned int k = 0; k < 3; ++k)
+      {
+        unit[k][0] -= f * shape[k] * x;
+        unit[k][1] -= f * shape[k] * y;
+        unit[k][2] += f * shape[k] * R * (std::sin(theta) * x - std::cos(theta) * y);
+      }
+    }
+    // M_N = -offset m k x acceleration + h k x T; pi R (b_1, -a_1) = M_N.
+    const double ax = with_acceleration ? a : 0, ay = v * v / 0.15;
+    const double mx = offset * m * ay, my = -offset * m * ax, p = pi * R;
+    // a_1 (p + h ux1) + b_1 h ux2 = -my - h a0 ux0;  a_1 h uy1 + b_1 (p + h uy2) = mx - h a0 uy0
+    const double c11 = p + h * unit[1][0], c12 = h * unit[2][0], c21 = h * unit[1][1],
+                 c22 = p + h * unit[2][1];
+    const double r1 = -my - h * a0 * unit[0][0], r2 = mx - h * a0 * unit[0][1];
+    const double det = c11 * c22 - c12 * c21;
+    const double a1 = (r1 * c22 - r2 * c12) / det, b1 = (c11 * r2 - c21 * r1) / det;
+    return a0 * unit[0][2] + a1 * unit[1][2] + b1 * unit[2][2];
+  };
+  std::vector<double> omegas = { 0 };
+  const unsigned int n_outputs = 200, n_steps = 10;
+  const double dt = end / n_outputs / n_steps;
+  for (unsigned int i = 0; i < n_outputs * n_steps; ++i)
+  {
+    static double omega;
+    omega = i % n_steps == 0 ? omegas.back() : omega;
+    const double t = i * dt;
+    const double k1 = torque(t, omega) / inertia, k2 = torque(t + dt / 2, omega + dt / 2 * k1) / inertia,
+                 k3 = torque(t + dt / 2, omega + dt / 2 * k2) / inertia,
+                 k4 = torque(t + dt, omega + dt * k3) / inertia;
+    omega += dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    if (i % n_steps == n_steps - 1)
+      omegas.push_back(omega);
+  }
+  return omegas;
+}
+
+double largest_difference(const std::vector<double> &one, const std::vector<double> &other)
+{
+  EXPECT_EQ(one.size(), other.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+    largest = std::max(largest, std::abs(one[i] - other[i]));
+  return largest;
+}
+
+} // namespace
+
+TEST(OrbitSpeed, AConstantSpeedIsTheRunWithoutAFile)
+{
+  std::vector<double> steady;
+  const std::string constant = "# a motor\nt (s), v (cm/s)\n0, 35\n1, 35\n3, 35\n";
+  const auto ring = driven(constant, { "Load/Source=first harmonic" }, &steady);
+  EXPECT_LT(largest_difference(ring[3], steady), 1e-10 * 0.35 / 0.03);
+  const auto foot = driven(constant, {}, &steady);
+  // The run without a file interpolates its loads to 1e-9 of their mean.
+  EXPECT_LT(largest_difference(foot[3], steady), 2e-9);
+}
+
+TEST(OrbitSpeed, ARampIsThatOfAnIndependentIntegration)
+{
+  const auto ramp = driven("time (ms); speed (m/s)\n0; 0.2\n2000; 0.5\n",
+                           { "Load/Source=first harmonic", "Motion/Orbit speed=0.2" });
+  EXPECT_NEAR(ramp[2][77], 0.15, 1e-12);
+  EXPECT_LT(largest_difference(ramp[3], ramp_by_hand(0.2, 0.15, 2, true)), 1e-6);
+  // Without the force that accelerates the glass it would be another spin.
+  EXPECT_GT(largest_difference(ramp[3], ramp_by_hand(0.2, 0.15, 2, false)), 1e-3);
+}
+
+TEST(OrbitSpeed, AnElasticFootFollowsTheRingAndFeelsTheAcceleration)
+{
+  const std::string speeds = "t (s), v (m/s)\n0, 0.2\n2, 0.5\n";
+  const auto foot = driven(speeds, { "Motion/Orbit speed=0.2" });
+  const std::vector<double> ring = ramp_by_hand(0.2, 0.15, 2, true);
+  EXPECT_LT(largest_difference(foot[3], ring), 0.05 * std::abs(ring.back()));
+  EXPECT_GT(largest_difference(foot[3], ring), 1e-3);
+}
+
+TEST(OrbitSpeed, WrongFilesEndInOneSentence)
+{
+  const ScratchFolder scratch;
+  const auto refused =
+    [&](const std::string &text, const std::string &why, std::vector<std::string> more = {})
+  {
+    std::vector<std::string> command = { "run", "--set",
+                                         "Motion/Orbit speed file=" + scratch.write("speeds.csv", text) };
+    command.insert(command.end(), more.begin(), more.end());
+    const Ended ended = stemware(scratch, command);
+    EXPECT_EQ(ended.exit_code, 1) << why;
+    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  };
+  const std::string good = "t (s), v (m/s)\n0, 0.2\n2, 0.5\n";
+  refused("", "fewer than two rows");
+  refused("0, 0.2\n2, 0.5\n", "with their units");
+  refused("t (s), v (kg)\n0, 0.2\n2, 0.5\n", "line 1");
+  refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
+  refused("t (s), v (m/s)\n0, 0.2\n2, fast\n", "line 3");
+  refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
+  refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
+  refused(good, "Load/Coupling = two-way", { "--set", "Load/Moment ratio=0.3" });
+  refused(good, "Motion/Friction law = Coulomb", { "--set", "Motion/Friction law=Stribeck" });
+  const Ended missing = stemware(scratch, { "run", "--set", "Motion/Orbit speed file=none.csv" });
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "speeds.csv" });
+}
+
+} // namespace stemware::test
