@@ -41,13 +41,16 @@ void add_solid_body(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
   const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
-  size.cells = contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
+  size.cells =
+    contact.resolution.azimuthal_cells * std::max(per_sector, 16.) * std::pow(8., contact.refinements);
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
-  constexpr double largest_direct = 150000, factorised = 25e3, iterated = 8e3; // bytes per unknown
+  // Bytes per unknown; a refined mesh is solved over its hierarchy (docs/method/solid_at_scale.md).
+  constexpr double largest_direct = 150000, factorised = 25e3, iterated = 8e3, over_hierarchy = 500;
   const bool is_direct =
     contact.linear_solver == fem::LinearSolver::direct ||
     (contact.linear_solver == fem::LinearSolver::automatic && size.unknowns < largest_direct);
-  size.memory += size.unknowns * (is_direct ? factorised : iterated);
+  const bool has_hierarchy = contact.refinements > 0 && contact.linear_solver != fem::LinearSolver::direct;
+  size.memory += size.unknowns * (has_hierarchy ? over_hierarchy : is_direct ? factorised : iterated);
 }
 
 /// The entry whose default would lower the size most.

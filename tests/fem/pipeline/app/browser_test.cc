@@ -46,6 +46,7 @@ const std::vector<Opened> &opened()
       { "sweep", "study.prm", "--set", resting, "--samples", "12", "--random",
         "Motion/Friction coefficient=0.3+-5%", "--random", "Motion/Orbit speed=0.35+-5%" } },
     { "mesh", { "mesh", "study.prm" }, false },
+    { "slide", { "slide" } },
   };
   return reports;
 }
