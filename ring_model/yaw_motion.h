@@ -57,8 +57,8 @@ struct LongTimeSpin
  *
  * @param window   First length of a window [s]: a dozen of the motion's slowest period. Doubled twice if
  * means do not agree.
- * @param accuracy Of the mean, relative to @p spin_scale. Where the longest windows still differ by more, their
- *        difference is the result's uncertainty.
+ * @param accuracy Of the mean, relative to @p spin_scale. Where the longest windows still differ by more,
+ * their difference is the result's uncertainty.
  * @throws std::invalid_argument for values out of range, std::runtime_error if the longest windows differ by
  *         more than 1e-5 of @p spin_scale, or as yaw_motion().
  */

@@ -23,7 +23,8 @@ Study first_harmonic_study(Study study);
 struct ModelVariant
 {
   /// "friction in the foot", "friction in the substrate", "elasticity of the foot", "elasticity of the
-  /// substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip" or "waviness".
+  /// substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip" or
+  /// "waviness".
   std::string name;
   Study study;
 };

@@ -101,7 +101,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
-  if (options.verb != "slide") // no hand leads it
+  if (options.verb != "slide")   // no hand leads it
     study.required_resultants(); // refuses a glass that would tip
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();

@@ -70,13 +70,11 @@ std::vector<Condition> conditions_of_body(const Study &study)
 {
   const bool is_of_revolution = abilities(study.contact.body).is_of_revolution;
   const bool is_generated = study.contact.mesh_file.empty();
-  return {
-    { is_generated, "Contact", { "Radial cells" } },
-    { is_generated && !is_of_revolution, "Contact", { "Azimuthal cells", "Foot layers" } },
-    { !is_of_revolution, "Contact", { "Linear solver" } },
-    { is_of_revolution, "Contact", { "Harmonics", "Azimuth lines", "Friction coupling" } },
-    { is_of_revolution && study.glass.profile.crown_radius > 0, "Contact", { "Land grading" } }
-  };
+  return { { is_generated, "Contact", { "Radial cells" } },
+           { is_generated && !is_of_revolution, "Contact", { "Azimuthal cells", "Foot layers" } },
+           { !is_of_revolution, "Contact", { "Linear solver" } },
+           { is_of_revolution, "Contact", { "Harmonics", "Azimuth lines", "Friction coupling" } },
+           { is_of_revolution && study.glass.profile.crown_radius > 0, "Contact", { "Land grading" } } };
 }
 
 /// Without a contact only the radius of the rim is left of glass, table and body.

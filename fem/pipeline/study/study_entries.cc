@@ -312,9 +312,10 @@ void add_contact(EntryList &list, ContactSection &contact)
              "Cells across the land of a generated mesh, an even number");
   list.count("Foot layers", contact.resolution.foot_layers, 1, 100,
              "Cells through the thickness of the foot of the generated mesh of a solid body");
-  list.count("Refinements", contact.refinements, 0, 6,
-             "Halvings of every cell of the mesh with these counts; the way to a large solid body, which is then "
-             "solved by multigrid over the meshes between");
+  list.count(
+    "Refinements", contact.refinements, 0, 6,
+    "Halvings of every cell of the mesh with these counts; the way to a large solid body, which is then "
+    "solved by multigrid over the meshes between");
   list.number("Land grading", contact.land_grading,
               { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
               "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
