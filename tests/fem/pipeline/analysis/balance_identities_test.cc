@@ -2,6 +2,7 @@
 // symmetry, the moment balance written out, point quadrature.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "ring_model/friction_law.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 
@@ -142,16 +143,25 @@ TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
   }
 }
 
-TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyAndFriction)
+/// mu at a slip speed, written out.
+double coefficient_at(const ring::Motion &motion, double slip_speed)
 {
-  // Without tilt. The hand's force F = m a - T on a glass at constant speed has the power -T_x v; what the
-  // spin takes of it is I omega^2 / 2, the rest is mu int p |v_rel|, here by quadrature of the pressure where
-  // it lies.
-  Study study = study_on(GetParam());
+  if (motion.friction_law == ring::FrictionLawKind::coulomb)
+    return motion.friction_coefficient;
+  return motion.friction_coefficient +
+         (motion.static_coefficient - motion.friction_coefficient) *
+           std::exp(-std::pow(slip_speed / motion.friction_decay_speed, 2)) +
+         motion.viscous_friction * slip_speed;
+}
+
+/// Without tilt. The hand's force F = m a - T on a glass at constant speed has the power -T_x v; what the
+/// spin takes of it is I omega^2 / 2, the rest is int mu p |v_rel|, here by quadrature of the pressure where
+/// it lies.
+void expect_energy_balance(Study study)
+{
   study.motion.tilt = false;
   const SolvedStudy solved(study);
   const ring::Motion &motion = study.motion.orbit;
-  const ring::CoulombRing friction(motion.friction_coefficient);
   constexpr double end = 0.3; // s, beyond the time constant
   using Quadrature = boost::math::quadrature::gauss<double, 20>;
   std::vector<double> times = { 0 }, weights = { 0 };
@@ -172,16 +182,37 @@ TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyAndFriction)
     if (weights[i] > 0)
     {
       const double omega = spins[i].omega;
-      work -= weights[i] * motion.orbit_speed *
-              friction.wrench(solved.load.at(omega), omega, motion.orbit_speed).force_x;
+      work -= weights[i] * motion.orbit_speed * ring::wrench(motion, solved.load.at(omega), omega).force_x;
       double power = 0;
       for (const fem::PointForce &point : solved.foot->body().point_forces(solved.load.contact_at()(omega)))
-        power += point.force * std::hypot(motion.orbit_speed - omega * point.y, omega * point.x);
-      heat += weights[i] * motion.friction_coefficient * power;
+      {
+        const double slip_speed = std::hypot(motion.orbit_speed - omega * point.y, omega * point.x);
+        power += coefficient_at(motion, slip_speed) * point.force * slip_speed;
+      }
+      heat += weights[i] * power;
     }
   const double omega = spins.back().omega;
   EXPECT_GT(omega / terminal, 0.5);
   EXPECT_NEAR(work, motion.yaw_inertia * omega * omega / 2 + heat, 1e-7 * work);
+}
+
+TEST_P(BalanceOnTables, WorkOfTheHandIsKineticEnergyAndFriction)
+{
+  expect_energy_balance(study_on(GetParam()));
+}
+
+TEST(BalanceWithStribeck, WorkOfTheHandIsKineticEnergyAndFriction)
+{
+  for (const Surface &surface : { surfaces[0], surfaces[3] })
+  {
+    Study study = study_on(surface);
+    study.motion.orbit.friction_law = ring::FrictionLawKind::stribeck;
+    study.motion.orbit.friction_coefficient = 0.25;
+    study.motion.orbit.static_coefficient = 0.35;
+    study.motion.orbit.friction_decay_speed = 0.3;
+    study.motion.orbit.viscous_friction = 0.02;
+    expect_energy_balance(study);
+  }
 }
 
 } // namespace

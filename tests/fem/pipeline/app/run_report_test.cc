@@ -234,6 +234,8 @@ TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
   // Empty when it has ended, whether or not anybody has taken notice.
   const std::string number = read_text(scratch / "number");
   const fs::path command_line = "/proc/" + number.substr(0, number.find('\n')) + "/cmdline";
+  for (unsigned int i = 0; i < 500 && read_text(command_line).find("sleep") == std::string::npos; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10)); // it is empty while the shell becomes sleep
   ASSERT_NE(read_text(command_line), "");
   program.send(SIGTERM);
   EXPECT_EQ(program.end().exit_code, 130);
