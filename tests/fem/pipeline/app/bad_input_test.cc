@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
     BadSetting{ "Glass/Poisson ratio=0.5", "is not allowed" },
     BadSetting{ "Glass/Crown radius=-1", "not less than 0" },
     BadSetting{ "Glass/Stem radius=0.029", "Glass/Stem radius = 0.029 m does not fit the foot" },
-    BadSetting{ "Glass/Shape=round", "give step or foot" },
+    BadSetting{ "Glass/Shape=round", "give step, foot or profile" },
     BadSetting{ "Glass/Edge thickness=0", "greater than 0" },
     BadSetting{ "Glass/Underside rise=-1e-3", "not less than 0" },
     BadSetting{ "Table/Foundation modulus=nan", "is not allowed" },
