@@ -94,7 +94,16 @@ void add_slide_verb(CLI::App &program, Verb &chosen)
   verb
     ->add_option("--body", options->question.body,
                  "What slides: glass, ring, annulus or disc; default: glass")
-    ->transform(CLI::CheckedTransformer(kinds, CLI::ignore_case).description(""))
+    ->transform(CLI::Validator(
+      [](std::string &name)
+      {
+        const auto kind = kinds.find(CLI::detail::to_lower(name));
+        if (kind == kinds.end())
+          return shortened(name) + " is not allowed; give glass, ring, annulus or disc";
+        name = std::to_string(static_cast<int>(kind->second));
+        return std::string();
+      },
+      ""))
     ->type_name("BODY");
   verb->add_option("--speed", options->speed, "Speed of the push; default: 1 m/s")->type_name("\"1 m/s\"");
   verb->add_option("--spin", options->spin, "Spin of the push, positive counter-clockwise; default: 20 rad/s")

@@ -127,7 +127,7 @@ TEST(SlideVerb, RefusesWhatCannotSlide)
     EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   };
-  refused({ "--body", "cup" }, "cup");
+  refused({ "--body", "cup" }, "cup is not allowed; give glass, ring, annulus or disc");
   refused({ "--speed", "0" }, "--speed = 0 is not allowed; give a speed");
   refused({ "--speed", "3 kg" }, "--speed = 3 kg is a mass");
   refused({ "--spin", "fast" }, "--spin = fast is not allowed");
