@@ -6,8 +6,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <thread>
+#include <unistd.h>
 
 namespace stemware::test
 {
@@ -90,12 +93,20 @@ TEST(Interruption, FromTheFirstLineOfTheProgramOnItIsSaid)
   scratch.write("coarse.prm", coarse_study());
   ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
   RunningProgram reading({ "/bin/sh", "-c", "exec " STEMWARE_PROGRAM " run - <> pipe" }, scratch.path());
-  // A fifth of a second is what a busy machine may take to load the program; the signal comes while it reads.
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  // The signal comes while the program reads: it has taken the line, and no end follows.
+  const int pipe = ::open((scratch / "pipe").c_str(), O_RDWR);
+  ASSERT_GE(pipe, 0);
+  const std::string line = "# nothing\n";
+  ASSERT_EQ(::write(pipe, line.data(), line.size()), static_cast<ssize_t>(line.size()));
+  int n_left = 1;
+  for (unsigned int i = 0; i < 6000 && n_left > 0 && ::ioctl(pipe, FIONREAD, &n_left) == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(n_left, 0);
   reading.send(SIGTERM);
   const Ended ended = reading.end();
   EXPECT_EQ(ended.exit_code, 130);
   EXPECT_NE(ended.err.find("interrupted; no results were written."), std::string::npos) << ended.err;
+  ::close(pipe);
 }
 
 TEST(Interruption, AtAnyMomentThereIsAWholeFolderOrNone)
