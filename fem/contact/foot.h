@@ -86,6 +86,10 @@ public:
   virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
+  /// Makes @p state, a contact of this foot, the solution before: where several contacts are followed in turn,
+  /// each starts from its own. A foot whose state is more than that may go on from the last one.
+  virtual void resume(const ContactState & /*state*/) {}
+
   /// Highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 

@@ -341,6 +341,17 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   return state;
 }
 
+void RevolutionFoot::resume(const ContactState &state)
+{
+  set_orientation(state.slip.orientation);
+  turned.reset();
+  before.reset();
+  if (state.zone + 1 != zones.size())
+    return;
+  zones.back()->body.set_forces(state.solution.forces);
+  before = { in_axes_of_lines(state.solution).motion, state.solution.normal_displacement };
+}
+
 LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
                                      unsigned int n_harmonics)
 {

@@ -30,6 +30,7 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
+  void resume(const ContactState &state) override;
   unsigned int n_resolved_harmonics() const override;
   LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
                        unsigned int n_harmonics) override;

@@ -1,6 +1,7 @@
 #include "fem/pipeline/coupling/phase_loads.h"
 
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/coulomb_ring.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -18,8 +19,8 @@ namespace
 /// Sampling goes on until the difference is below the first; once that has taken many phases, below the
 /// second: each doubling doubles the work, and the band of error contains the difference.
 constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
-constexpr unsigned int many_phases = 32;  ///< of one angle
-constexpr double largest_allowed = 3e-2;  ///< the band of error contains it
+constexpr unsigned int many_phases = 32;
+constexpr double largest_allowed = 1e-2;  ///< the band of error contains it
 constexpr unsigned int most_phases = 128; ///< of one angle
 constexpr unsigned int most_steps = 16;   ///< on an interval of spins
 
@@ -34,16 +35,22 @@ PeriodicGrid first_grid(double period)
   return period > 0 ? PeriodicGrid(period, 8) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
 }
 
-/// Largest difference of the interpolant on @p grids from the load at those phases of @p refined, where one
-/// of the grids has twice the nodes, that lie halfway between.
-double error_between(const LoadAtPhase &load, const PhaseGrids &grids, const PhaseGrids &refined)
+/// Largest difference of the interpolant @p loads from @p load halfway between the nodes of one angle, at
+/// eight nodes of the other or less.
+double error_between(const LoadAtPhase &load, const PhaseLoads &loads, bool in_glass)
 {
-  const PhaseLoads loads(load, grids, 0);
-  const bool in_glass = refined.glass.size() > grids.glass.size();
+  const PeriodicGrid &grid = in_glass ? loads.phases().glass : loads.phases().table,
+                     &other = in_glass ? loads.phases().table : loads.phases().glass;
+  const unsigned int stride = std::max(other.size() / 8, 1u);
   double error = 0;
-  for (unsigned int i = 0; i < refined.size(); ++i)
-    if ((in_glass ? i / refined.table.size() : i % refined.table.size()) % 2 == 1)
-      error = std::max(error, loads.at(0, refined.phase(i)).difference(load(0, refined.phase(i))));
+  for (unsigned int i = 0; i < grid.size(); ++i)
+    for (unsigned int j = 0; j < other.size(); j += stride)
+    {
+      const double between = grid.node(i) + grid.step() / 2;
+      const ring::Orientation phase =
+        in_glass ? ring::Orientation{ between, other.node(j) } : ring::Orientation{ other.node(j), between };
+      error = std::max(error, torque_difference(loads.at(0, phase), load(0, phase)));
+    }
   return error;
 }
 
@@ -74,24 +81,38 @@ PhaseGrids PhaseGrids::halved() const
   return { glass.halved(), table.halved(), periods, error, turning };
 }
 
+double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
+{
+  const ring::CoulombRing friction(1);
+  const double radius = other.rings.radius();
+  double largest = 0;
+  for (int quarter = -4; quarter <= 4; ++quarter)
+  {
+    const auto torque = [&](const LeaningLoad &load)
+    { return friction.wrench(load.rings, quarter / 4., radius).torque; };
+    largest = std::max(largest, std::abs(torque(one) - torque(other)));
+  }
+  return largest / (other.rings.normal_force() * radius);
+}
+
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
 {
   PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
   const auto can_refine = [&](const PeriodicGrid &grid)
   { return grid.size() > 1 && grid.size() < most_phases && 2 * grids.size() <= most_samples; };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double of_glass_before = infinity, of_table_before = infinity; // with half the phases
   while (true)
   {
-    PhaseGrids in_glass = grids, in_table = grids;
-    in_glass.glass = grids.glass.refined();
-    in_table.table = grids.table.refined();
     double of_glass = 0, of_table = 0;
-    grids.error = std::numeric_limits<double>::infinity();
+    grids.error = infinity;
     for (const bool turning : { true, false })
     {
       PhaseGrids tried = grids;
       tried.turning = turning;
-      const double glass = grids.glass.size() > 1 ? error_between(load, tried, in_glass) : 0;
-      const double table = grids.table.size() > 1 ? error_between(load, tried, in_table) : 0;
+      const PhaseLoads loads(load, tried, 0);
+      const double glass = grids.glass.size() > 1 ? error_between(load, loads, true) : 0;
+      const double table = grids.table.size() > 1 ? error_between(load, loads, false) : 0;
       if (std::max(glass, table) >= grids.error)
         continue;
       grids.turning = turning;
@@ -99,10 +120,13 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, uns
       of_glass = glass;
       of_table = table;
     }
-    PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    const double wanted = worse.size() < many_phases ? tolerance : tolerance_of_many;
-    if (grids.error <= wanted || !can_refine(worse))
+    const bool glass_is_worse = of_glass > of_table;
+    PeriodicGrid &worse = glass_is_worse ? grids.glass : grids.table;
+    double &before = glass_is_worse ? of_glass_before : of_table_before;
+    const bool pays = grids.error > largest_allowed || grids.error < before / 2;
+    if (grids.error <= (grids.size() < many_phases ? tolerance : tolerance_of_many) || !pays || !can_refine(worse))
       break;
+    before = grids.error;
     worse = worse.refined();
   }
   if (!(grids.error <= largest_allowed))
@@ -194,7 +218,7 @@ SpinInterval PhaseLoads::find_spins(long interval) const
       Eigen::VectorXd interpolated = Eigen::VectorXd::Zero(exact.size());
       for (unsigned int k = 0; k < spins.size(); ++k)
         interpolated += weights(k) * at_one_phase(spins.node(k));
-      error = std::max(error, load_of(interpolated).difference(load_of(exact)));
+      error = std::max(error, torque_difference(load_of(interpolated), load_of(exact)));
     }
     if (error <= std::max(tolerance, grids.error / 10) || 2 * (spins.size() - 1) > most_steps)
     {
