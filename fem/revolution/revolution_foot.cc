@@ -167,6 +167,7 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
   turned.reset();
+  crests_have_moved = true;
   if (!before)
     return;
   // The next contact starts from the penetration of the last one, where it is or turned with the crests.
@@ -236,9 +237,19 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   Eigen::Index most_loaded = 0;
   body.forces().rowwise().sum().maxCoeff(&most_loaded);
   at.motion -= body.motion_of_circle(most_loaded);
+  return stiffen(conditions, softness, at, largest_step);
+}
 
+ContactSolution RevolutionFoot::stiffen(const LinearConditions &conditions, double softness, ContactStart at,
+                                        double largest_step)
+{
+  const double radius = setup.profile.contact_radius;
+  BodyOfRevolution &body = zones.back()->body;
+  const ContactSurface &surface = body.contact_surface();
+  std::unique_ptr<TableLaw> soft_law = interface->softened(softness)->make(surface, 0);
   ContactControl control = contact_control();
   control.tolerance = control.equilibrium_tolerance = 1e-3;
+  control.max_steps = 30;
   while (softness > 1)
   {
     const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
@@ -258,6 +269,23 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   return solve_contact(body, *zones.back()->law, conditions, radius, control, &at);
 }
 
+ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, const ContactStart &start)
+{
+  ContactControl control = contact_control();
+  control.whole_steps = true;
+  control.max_steps = 15;
+  Zone &zone = *zones.back();
+  return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &start);
+}
+
+ContactSolution RevolutionFoot::solve_softened(const LinearConditions &conditions, const ContactStart &start)
+{
+  const Eigen::VectorXd &gap = zones.back()->body.contact_surface().node_gap;
+  return stiffen(conditions, large_stiffening,
+                 { start.motion, -gap + large_stiffening * (gap + start.normal_displacement) },
+                 large_stiffening);
+}
+
 ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
   Zone &zone = *zones.back();
@@ -270,33 +298,32 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
     starts.insert(goes_with_crests ? starts.begin() : starts.end(), *turned);
   const Eigen::VectorXd forces_before = zone.body.forces().reshaped();
   before.reset();
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    try
-    {
-      ContactControl control = contact_control();
-      control.whole_steps = true;
-      control.max_steps = 15;
-      if (i > 0)
-        zone.body.set_forces(forces_before);
-      const ContactSolution solution =
-        solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &starts[i]);
-      goes_with_crests = goes_with_crests != (i > 0);
-      return solution;
-    }
-    catch (const ContactFailure &failure)
-    {
-      if (failure.outcome == ContactOutcome::tipping)
-        throw;
-    }
+
+  std::vector<std::function<ContactSolution()>> ways;
+  const bool may_be_near = !(crests_have_moved && setup.table.interface->is_hard());
+  for (const bool softened : { false, true })
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      if (softened || may_be_near)
+        ways.push_back(
+          [&, softened, i]
+          {
+            const ContactSolution solution =
+              softened ? solve_softened(conditions, starts[i]) : solve_near(conditions, starts[i]);
+            goes_with_crests = goes_with_crests != (i > 0);
+            return solution;
+          });
   for (const double largest_step : { large_stiffening, small_stiffening })
+    ways.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
+  for (const auto &way : ways)
     try
     {
-      return solve_cold(conditions, largest_step);
+      return way();
     }
     catch (const ContactFailure &failure)
     {
       if (failure.outcome == ContactOutcome::tipping)
         throw;
+      zone.body.set_forces(forces_before);
     }
   const LinearConditions even = conditions.with_share_of_moment(zone.body.contact_surface(), 0);
   return solve_along_moment(zone.body, *zone.law, conditions, setup.profile.contact_radius, contact_control(),
@@ -323,6 +350,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
     state.solution = press();
   }
   state.zone = static_cast<unsigned int>(zones.size() - 1);
+  crests_have_moved = false;
   before = { state.solution.motion, state.solution.normal_displacement };
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
@@ -346,6 +374,7 @@ void RevolutionFoot::resume(const ContactState &state)
   set_orientation(state.slip.orientation);
   turned.reset();
   before.reset();
+  crests_have_moved = false;
   if (state.zone + 1 != zones.size())
     return;
   zones.back()->body.set_forces(state.solution.forces);

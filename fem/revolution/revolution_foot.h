@@ -15,9 +15,10 @@ namespace stemware::fem
 class ComplianceCache;
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
-/// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
-/// stiffened step by step. Where that fails too, the moment grows from none to the whole in small steps; a
-/// leaning glass whose path ends before that tips.
+/// before, on a softened interface where that fails, or where the crests have moved under a hard contact;
+/// cold where that fails too: then the interface is first softened until it carries on a wide band, and
+/// stiffened step by step. At last the moment grows from none to the whole in small steps; a leaning glass
+/// whose path ends before that tips.
 class RevolutionFoot : public Foot
 {
 public:
@@ -63,8 +64,15 @@ private:
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   void add_zone(double reach);
   ContactSolution solve_from_before(const ContactDemand &demand);
+  /// solve_contact() from @p start, in few steps or not at all.
+  ContactSolution solve_near(const LinearConditions &conditions, const ContactStart &start);
+  /// From @p start on a softened interface.
+  ContactSolution solve_softened(const LinearConditions &conditions, const ContactStart &start);
   /// @p largest_step: by how much the interface is stiffened at once.
   ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
+  /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is.
+  ContactSolution stiffen(const LinearConditions &conditions, double softness, ContactStart at,
+                          double largest_step);
   /// Whether the contact has come to a border of the zone that is none of the land.
   bool has_left_zone() const;
 
@@ -82,6 +90,7 @@ private:
   std::vector<std::unique_ptr<Zone>> zones;
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
   std::optional<ContactStart> turned; ///< the same turned with the crests since
+  bool crests_have_moved = false;     ///< since the solution before
   /// Whether the last start that led to a solution after a turn of the crests was the turned one.
   bool goes_with_crests = false;
 };

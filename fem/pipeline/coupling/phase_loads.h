@@ -40,16 +40,17 @@ struct PhaseGrids
   PhaseGrids halved() const;
 };
 
-/// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the slip
-/// ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the glass: those
-/// of a load that is gathered at crests reach far up, where the kernels have vanished.
+/// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the
+/// slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
+/// glass: those of a load that is gathered at crests reach far up, where the kernels have vanished.
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 
-/// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to a
-/// torque_difference() of 1e-7, to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples
-/// together, with turning samples or not, whichever is better. A difference below 1e-2 that twice the phases
-/// have not halved is what the azimuth lines leave: then it ends too. Throws std::runtime_error, with a
-/// sentence, where the difference stays above that.
+/// As many phases as it takes until the interpolant meets @p load at rest to a torque_difference() of 1e-7,
+/// to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples together, with turning samples or
+/// not, whichever is better. The error is that of half and of a quarter of the phases, measured at the others
+/// and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends, too, where
+/// twice the phases have not halved it: what is left is due to the azimuth lines. Throws std::runtime_error,
+/// with a sentence, where the error stays above that.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples = 256);
 
 /// The worst of all sampled phases, at rest.

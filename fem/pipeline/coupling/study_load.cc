@@ -75,8 +75,7 @@ BalancedLoad balanced_contact(const Study &study, const std::shared_ptr<ElasticF
   parts.statistics = statistics;
   parts.is_costly = true;
   parts.n_kept = n_harmonics;
-  parts.at_spin =
-    [contact, statistics, &progress, rest = leaning_load(at_rest, study.tilts())](double omega)
+  parts.at_spin = [contact, statistics, &progress, rest = leaning_load(at_rest, study.tilts())](double omega)
   {
     if (omega == 0)
       return rest;
