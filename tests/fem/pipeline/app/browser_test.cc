@@ -148,12 +148,6 @@ std::string in_one_line(const std::string &text)
 
 class Browser : public testing::TestWithParam<Opened>
 {
-protected:
-  void SetUp() override
-  {
-    if (std::string(STEMWARE_CHROMIUM).empty())
-      GTEST_SKIP() << "No Chromium is installed, so no report was opened (Debian: apt-get install chromium).";
-  }
 };
 
 TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
