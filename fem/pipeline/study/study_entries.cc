@@ -166,7 +166,8 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.path(
     "Orbit speed file", motion.orbit_speed_file,
     "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v (m/s)\" "
-    "and a row for each time, from 0 to End time at least. All else belongs to Orbit speed. A relative "
+    "(other units too) and a row for each time, from 0 to End time at least. All else belongs to Orbit "
+    "speed. A relative "
     "path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
