@@ -160,6 +160,9 @@ inline const Quantity unit("unit", "unit", "", "unit", "unit");
 inline const Quantity observed_order("order", "", "1", "observed order", "order", fixed<2>);
 
 inline const Quantity refined("axis", "", "", "what is refined", "what is refined");
+inline const Quantity unknowns_of_level("unknowns", "unknowns of the largest linear system, estimated");
+inline const Quantity own_unknowns("unknowns", "", "1", "unknowns", "unknowns", about);
+inline const Quantity finest_unknowns("finest", "", "1", "on the finest level", "finest", about);
 inline const Quantity own_size("own", "", "", "the study has", "the study has");
 
 // ---- sweeps
