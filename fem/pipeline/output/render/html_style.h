@@ -33,7 +33,7 @@ caption { text-align: left; padding-bottom: .35rem; }
 th, td { padding: .25rem .8rem .25rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; vertical-align: bottom; }
 .number { text-align: right; }
-td.number { white-space: nowrap; }
+td.number, td:first-child { white-space: nowrap; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; margin: .6rem 0; }
 dd { margin: 0; }
 summary { cursor: pointer; margin: 2.2rem 0 .6rem; }
