@@ -167,7 +167,9 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
       "The "
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
-      "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
+      "torque are those of the harmonics that are kept. A load is called formal where it is negative "
+      "somewhere: the "
+      "table would have to pull.",
     {},
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
@@ -267,12 +269,14 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
 
 ReportSection truncation_section(const SpinStudy &spin)
 {
-  return { "Fewer harmonics",
-           "The torque at rest is that of the first harmonic. The terminal spin is that of the ring under "
-           "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
-           "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
-           { truncation_plot(spin.rows) },
-           { shown_truncation_table(spin) } };
+  return {
+    "Fewer harmonics",
+    "No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from "
+    "the harmonics left out alone, at the terminal spin of all harmonics. Where the least load is "
+    "negative, the table would have to pull.",
+    { truncation_plot(spin.rows) },
+    { shown_truncation_table(spin) }
+  };
 }
 
 /// The foot in pictures: its section, its rim, and where it presses on the table.

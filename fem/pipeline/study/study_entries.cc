@@ -166,7 +166,8 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.path(
     "Orbit speed file", motion.orbit_speed_file,
     "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v (m/s)\" "
-    "and a row for each time, from 0 to End time at least. All else belongs to Orbit speed. A relative "
+    "(other units too) and a row for each time, from 0 to End time at least. All else belongs to Orbit "
+    "speed. A relative "
     "path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
@@ -218,12 +219,12 @@ void add_glass(EntryList &list, GlassSection &glass)
     "Section of the glass near the table. step: a plate on a ring (the land) under a cylinder (the stem); "
     "foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the stem; profile: "
     "the points in Profile file");
-  list.path(
-    "Profile file", glass.profile_file,
-    "Points (r, z) of the section's outline for Shape = profile, a CSV file in m or mm: from the axis "
-    "under the foot along the underside, round the edge, over the top and up the stem to the axis in "
-    "its cut. A contact radius or crown radius that the study does not give follows from the points "
-    "of the land. A relative path starts at the study file");
+  list.path("Profile file", glass.profile_file,
+            "Points (r, z) of the section's outline for Shape = profile, a CSV file (in m, or with the "
+            "header \"r (mm), z (mm)\"): from the axis "
+            "under the foot along the underside, round the edge, over the top and up the stem to the axis in "
+            "its cut. A contact radius or crown radius that the study does not give follows from the points "
+            "of the land. A relative path starts at the study file");
   list.number("Contact radius", profile.contact_radius, positive, "m",
               "Radius R of the rim that stands on the table");
   list.number("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot");
