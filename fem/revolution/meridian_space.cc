@@ -4,6 +4,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -116,6 +117,15 @@ HarmonicCompliance MeridianSpace::compliance(unsigned int harmonic) const
   result.azimuthal = displacements.bottomRows(n_nodes).transpose();
   result.normal = (result.normal + result.normal.transpose()).eval() / 2;
   return result;
+}
+
+void MeridianSpace::add_detail_products(unsigned int harmonic, double factor, const Vector<double> &first,
+                                        const Vector<double> &second, std::vector<double> &products) const
+{
+  const FESystem<2> coarser(FE_Q<2>(element.degree - 1), 3);
+  FullMatrix<double> detail(element.n_dofs_per_cell(), element.n_dofs_per_cell());
+  FETools::get_interpolation_difference_matrix(element, coarser, detail);
+  stiffness->add_products(harmonic, detail, factor, first, second, products);
 }
 
 void MeridianSpace::find_contact_nodes()

@@ -61,6 +61,11 @@ public:
   /// reciprocity also the vertical displacements under radial and azimuthal ones.
   HarmonicCompliance compliance(unsigned int harmonic) const;
 
+  /// Adds to @p products, one for each active cell, @p factor times the cell's part of the energy product
+  /// (per radian) of what an interpolation of one degree less leaves out of @p first and @p second.
+  void add_detail_products(unsigned int harmonic, double factor, const dealii::Vector<double> &first,
+                           const dealii::Vector<double> &second, std::vector<double> &products) const;
+
 private:
   void find_contact_nodes();
   /// Nodes at r = 0; an annular section has none of them.

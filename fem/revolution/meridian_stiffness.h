@@ -7,6 +7,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <vector>
@@ -28,6 +29,12 @@ public:
   /// K_n with @p constraints eliminated symmetrically. @p matrix comes with its sparsity and is overwritten.
   void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
+
+  /// Adds to @p products, one for each active cell, @p factor times the cell's part of v'K_n w, where v and w
+  /// are what @p detail leaves of @p first and @p second on each cell.
+  void add_products(unsigned int harmonic, const dealii::FullMatrix<double> &detail, double factor,
+                    const dealii::Vector<double> &first, const dealii::Vector<double> &second,
+                    std::vector<double> &products) const;
 
 private:
   struct Cell

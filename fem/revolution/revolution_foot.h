@@ -36,6 +36,9 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
+  /// Of a foot and table that are flat; throws as estimate_mesh_error().
+  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
+                                      bool with_cells) override;
 
   const BodyOfRevolution &elastic_body() const { return zones.back()->body; }
 
