@@ -19,6 +19,13 @@ struct ContactGoal
   Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< of the table motions [J/m, J/rad, J/rad]
 };
 
+/// Cells of a mesh that are halved, by their numbers among the active ones.
+struct MarkedCells
+{
+  std::vector<unsigned int> foot;
+  std::vector<unsigned int> disc; ///< of an elastic table
+};
+
 /// What the mesh of a solved contact does to a number that is asked of it, to first order.
 struct MeshError
 {
@@ -27,6 +34,9 @@ struct MeshError
   /// disc under it where there is one.
   std::vector<double> foot_cells;
   std::vector<double> disc_cells;
+
+  /// The fewest cells that have @p share of the sum of all shares.
+  MarkedCells mark(double share) const;
 };
 
 } // namespace stemware::fem

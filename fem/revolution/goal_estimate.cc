@@ -27,36 +27,29 @@ void number_cells(dealii::Triangulation<2> &triangulation)
     cell->set_user_index(cell->active_cell_index() + 1);
 }
 
-/// Sums of @p values, one for each active cell, over the cells that have been numbered: sizes.
-std::vector<double> sums_of_parents(const dealii::Triangulation<2> &triangulation, std::size_t n_parents,
-                                    const std::vector<double> &values)
-{
-  std::vector<double> sums(n_parents, 0.);
-  for (const auto &cell : triangulation.active_cell_iterators())
-  {
-    dealii::Triangulation<2>::cell_iterator parent = cell;
-    while (parent->user_index() == 0)
-      parent = parent->parent();
-    sums[parent->user_index() - 1] += values[cell->active_cell_index()];
-  }
-  for (double &sum : sums)
-    sum = std::abs(sum);
-  return sums;
-}
-
-/// Energy products, cell by cell, of the details of the displacements under @p forces and @p dual_forces.
+/// Sizes of the energy products, on each cell that has been numbered, of the details of the displacements
+/// under @p forces and @p dual_forces.
 std::vector<double> detail_products(const dealii::Triangulation<2> &triangulation,
                                     const ElasticMaterial &material, unsigned int degree,
                                     const ForceModes &forces, const ForceModes &dual_forces)
 {
   const MeridianSpace space(triangulation, material, degree);
   const MeridianField primal(space, material, forces), dual(space, material, dual_forces);
-  std::vector<double> products(triangulation.n_active_cells(), 0.);
-  for (unsigned int mode = 0; mode < primal.n_modes(); ++mode)
-    if (primal.displacement(mode).size() > 0 && dual.displacement(mode).size() > 0)
-      space.add_detail_products(FourierBasis::harmonic(mode), FourierBasis::norm(mode),
-                                primal.displacement(mode), dual.displacement(mode), products);
-  return products;
+  std::vector<double> shares;
+  for (const auto &cell : space.dof_handler().cell_iterators())
+  {
+    if (cell->user_index() == 0)
+      continue;
+    double product = 0;
+    for (unsigned int mode = 0; mode < primal.n_modes(); ++mode)
+      if (primal.displacement(mode).size() > 0 && dual.displacement(mode).size() > 0)
+        product +=
+          FourierBasis::norm(mode) * space.detail_product(FourierBasis::harmonic(mode), cell,
+                                                          primal.displacement(mode), dual.displacement(mode));
+    shares.resize(std::max<std::size_t>(shares.size(), cell->user_index()));
+    shares[cell->user_index() - 1] = std::abs(product);
+  }
+  return shares;
 }
 
 } // namespace
@@ -76,8 +69,6 @@ MeshError estimate_mesh_error(const SolvedContact &contact, const ContactGoal &g
   MeridianMeshes meshes(setup);
   number_cells(meshes.foot);
   number_cells(meshes.disc);
-  const std::size_t n_foot_cells = meshes.foot.n_active_cells();
-  const std::size_t n_disc_cells = setup.table.substrate ? meshes.disc.n_active_cells() : 0;
   meshes.refine_where_singular(state.inner_radius, state.outer_radius, n_corner_halvings);
   ComplianceCache cache;
   const std::shared_ptr<const ContactCompliance> land = compliance_of(setup, meshes, options, cache);
@@ -131,16 +122,12 @@ MeshError estimate_mesh_error(const SolvedContact &contact, const ContactGoal &g
       return { on_land(modes.normal), {}, {} };
     return { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) };
   };
-  error.foot_cells.assign(n_foot_cells, 0.);
   if (!setup.foot_is_rigid)
-    error.foot_cells = sums_of_parents(
-      meshes.foot, n_foot_cells,
-      detail_products(meshes.foot, setup.material, options.degree, forces_on(setup.friction_in_foot), dual));
+    error.foot_cells =
+      detail_products(meshes.foot, setup.material, options.degree, forces_on(setup.friction_in_foot), dual);
   if (setup.table.substrate)
-    error.disc_cells =
-      sums_of_parents(meshes.disc, n_disc_cells,
-                      detail_products(meshes.disc, setup.table.substrate->material, options.degree,
-                                      forces_on(setup.friction_in_substrate), dual));
+    error.disc_cells = detail_products(meshes.disc, setup.table.substrate->material, options.degree,
+                                       forces_on(setup.friction_in_substrate), dual);
   return error;
 }
 

@@ -102,6 +102,14 @@ void flag_corner_cells(Triangulation<2> &triangulation, const std::set<unsigned 
         cell->set_refine_flag();
 }
 
+void flag(Triangulation<2> &triangulation, const std::vector<unsigned int> &active_cells)
+{
+  const std::set<unsigned int> marked(active_cells.begin(), active_cells.end());
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (marked.count(cell->active_cell_index()) > 0)
+      cell->set_refine_flag();
+}
+
 } // namespace
 
 MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
@@ -109,6 +117,12 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
   make_meridian_mesh(setup.profile, setup.resolution, foot);
   if (setup.table.substrate)
     make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
+  for (const MarkedCells &marked : setup.halved)
+  {
+    flag(foot, marked.foot);
+    flag(disc, marked.disc);
+    refine();
+  }
 }
 
 void MeridianMeshes::refine()

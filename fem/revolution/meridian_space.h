@@ -61,10 +61,11 @@ public:
   /// reciprocity also the vertical displacements under radial and azimuthal ones.
   HarmonicCompliance compliance(unsigned int harmonic) const;
 
-  /// Adds to @p products, one for each active cell, @p factor times the cell's part of the energy product
-  /// (per radian) of what an interpolation of one degree less leaves out of @p first and @p second.
-  void add_detail_products(unsigned int harmonic, double factor, const dealii::Vector<double> &first,
-                           const dealii::Vector<double> &second, std::vector<double> &products) const;
+  using Cell = dealii::DoFHandler<2>::cell_iterator;
+  /// Energy product per radian, on @p cell or its children, of what an interpolation of one degree less on @p
+  /// cell leaves out of @p first and @p second.
+  double detail_product(unsigned int harmonic, const Cell &cell, const dealii::Vector<double> &first,
+                        const dealii::Vector<double> &second) const;
 
 private:
   void find_contact_nodes();

@@ -98,26 +98,13 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
   }
 }
 
-void MeridianStiffness::add_products(unsigned int harmonic, const FullMatrix<double> &detail, double factor,
-                                     const Vector<double> &first, const Vector<double> &second,
-                                     std::vector<double> &products) const
+double MeridianStiffness::product(unsigned int harmonic, unsigned int active_cell,
+                                  const Vector<double> &first, const Vector<double> &second) const
 {
+  const std::array<FullMatrix<double>, 3> &parts = cells[active_cell].parts;
   const double n = harmonic;
-  const auto n_dofs = static_cast<unsigned int>(detail.n());
-  Vector<double> on_cell(n_dofs), v(n_dofs), w(n_dofs), product(n_dofs);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-  {
-    const Cell &cell = cells[c];
-    first.extract_subvector_to(cell.dofs.begin(), cell.dofs.end(), on_cell.begin());
-    detail.vmult(v, on_cell);
-    second.extract_subvector_to(cell.dofs.begin(), cell.dofs.end(), on_cell.begin());
-    detail.vmult(w, on_cell);
-    for (unsigned int power = 0; power < 3; ++power)
-    {
-      cell.parts[power].vmult(product, w);
-      products[c] += factor * (power == 0 ? 1 : power == 1 ? n : n * n) * (v * product);
-    }
-  }
+  return parts[0].matrix_scalar_product(first, second) + n * parts[1].matrix_scalar_product(first, second) +
+         n * n * parts[2].matrix_scalar_product(first, second);
 }
 
 void MeridianStiffness::assemble(unsigned int harmonic, const AffineConstraints<double> &constraints,

@@ -30,11 +30,9 @@ public:
   void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
 
-  /// Adds to @p products, one for each active cell, @p factor times the cell's part of v'K_n w, where v and w
-  /// are what @p detail leaves of @p first and @p second on each cell.
-  void add_products(unsigned int harmonic, const dealii::FullMatrix<double> &detail, double factor,
-                    const dealii::Vector<double> &first, const dealii::Vector<double> &second,
-                    std::vector<double> &products) const;
+  /// v'K_n w of the active cell with that number, v and w the values @p first and @p second of its dofs.
+  double product(unsigned int harmonic, unsigned int active_cell, const dealii::Vector<double> &first,
+                 const dealii::Vector<double> &second) const;
 
 private:
   struct Cell

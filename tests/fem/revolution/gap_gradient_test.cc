@@ -70,8 +70,7 @@ TEST(GapGradient, IsTheChangeOfContactsWithAnotherGap)
     function.of_motion = { 100, -2, 3 };
     ContactForces contact;
     foot.law->evaluate(solution.normal_displacement, contact);
-    const GapGradient gradient =
-      gap_gradient(foot.body, contact.tangent, foot.conditions(), function);
+    const GapGradient gradient = gap_gradient(foot.body, contact.tangent, foot.conditions(), function);
 
     const auto change = [&](double r, double theta)
     { return (1 + 300 * (r - 0.03)) * (std::cos(2 * theta - 0.4) + 0.3 * std::sin(5 * theta)); };

@@ -1,12 +1,15 @@
 #include "fem/contact/contact_goal.h"
 #include "fem/contact/hard_interface.h"
+#include "fem/contact/winkler_interface.h"
 #include "fem/revolution/revolution_foot.h"
 #include "tests/fem/reference_load.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <vector>
 
 namespace stemware::revolution_tests
 {
@@ -44,7 +47,7 @@ struct Estimated
 
 Estimated estimated(const RevolutionSetup &setup, double m, std::size_t n, bool with_cells = false)
 {
-  RevolutionFoot foot(setup.resolved_for(weight));
+  RevolutionFoot foot(setup);
   const ContactState state = foot.solve(demand_of(m), { 10, {} });
   const ContactGoal goal = harmonic_goal(n);
   return { goal.of_load(state.load), foot.mesh_error(state, goal, with_cells).value() };
@@ -52,50 +55,78 @@ Estimated estimated(const RevolutionSetup &setup, double m, std::size_t n, bool 
 
 } // namespace
 
-TEST(GoalEstimate, Probe)
+/// Few harmonics and lines on a coarse mesh: they are not the mesh's.
+RevolutionSetup small_setup(GlassShape shape)
 {
-  for (const int kind : { 0, 1, 2, 3, 4 })
-    for (const double m : { 0.5, 1.2 })
-      {
-        RevolutionSetup setup;
-        setup.friction_coefficient = 0.2;
-        setup.n_lines = 64;
-        if (kind == 1)
-          setup.table.interface = std::make_shared<HardInterface>();
-        if (kind == 2)
-        {
-          setup.profile = flat_profile();
-          setup.table.interface = std::make_shared<HardInterface>();
-        }
-        if (kind == 3)
-        {
-          setup.table.interface = std::make_shared<HardInterface>();
-          setup.table.substrate = Substrate();
-        }
-        if (kind == 4)
-          setup.profile.shape = GlassShape::step;
-        std::vector<Estimated> levels;
-        std::vector<double> sums;
-        for (unsigned int level = 0; level < 4; ++level)
-        {
-          if (kind == 1 || kind == 3)
-            setup.fineness = std::pow(2., level - 1.);
-          else
-            setup.resolution.refinements = level;
-          levels.push_back(estimated(setup, m, 2, true));
-          double sum = 0;
-          for (const double share : levels.back().error.foot_cells)
-            sum += share;
-          sums.push_back(sum);
-        }
-        for (std::size_t level = 0; level < 4; ++level)
-          std::cerr << kind << " m " << m << " level " << level << " value " << levels[level].value << " est "
-                    << levels[level].error.correction << " cells " << sums[level] << " true "
-                    << levels.back().value + levels.back().error.correction - levels[level].value << " ratio "
-                    << levels[level].error.correction /
-                         (levels.back().value + levels.back().error.correction - levels[level].value)
-                    << '\n';
-      }
+  RevolutionSetup setup;
+  setup.profile.shape = shape;
+  setup.friction_coefficient = 0.2;
+  setup.n_lines = 64;
+  setup.meridian.n_harmonics = 6;
+  setup.fineness = 0.5;
+  return setup;
+}
+
+// Oracle: the same number on a mesh of sixteen times the cells, without any estimate.
+TEST(GoalEstimate, IsTheErrorOfASmoothFoot)
+{
+  RevolutionSetup setup = small_setup(GlassShape::foot).resolved_for(weight);
+  const Estimated coarse = estimated(setup, 1.2, 2);
+  setup.resolution.refinements += 2;
+  const double error = estimated(setup, 1.2, 2).value - coarse.value;
+  EXPECT_NEAR(coarse.error.correction, error, 0.1 * std::abs(error));
+}
+
+// Oracle: the same number on a mesh that is graded to the corners much further, without any estimate; the
+// error that mesh itself has left is a thirtieth of the smallest judged.
+TEST(GoalEstimate, IsTheErrorOnMeshesGradedToCornersAndTheEdgeOfTheContact)
+{
+  struct Case
+  {
+    const char *name;
+    double crown_radius;
+    std::shared_ptr<const InterfaceLaw> interface;
+  };
+  for (const Case &one : { Case{ "crown on a mat", 0.01, std::make_shared<WinklerInterface>() },
+                           Case{ "flat land on a hard table", 0, std::make_shared<HardInterface>() } })
+  {
+    SCOPED_TRACE(one.name);
+    RevolutionSetup setup = small_setup(GlassShape::step);
+    if (one.crown_radius == 0)
+      setup.profile = flat_profile();
+    setup.table.interface = one.interface;
+    setup = setup.resolved_for(weight);
+    std::vector<Estimated> levels;
+    for (unsigned int level = 0; level < 3; ++level)
+    {
+      levels.push_back(estimated(setup, 1.2, 2, true));
+      setup.halved.push_back(levels.back().error.mark(0.8));
+    }
+    for (unsigned int level = 0; level < 3; ++level)
+      setup.halved.push_back(estimated(setup, 1.2, 2, true).error.mark(0.95));
+    const double truth = estimated(setup, 1.2, 2).value;
+    for (const Estimated &level : levels)
+      EXPECT_NEAR(level.error.correction / (truth - level.value), 1, 0.1);
+    EXPECT_LT(std::abs(levels[2].error.correction), 0.4 * std::abs(levels[0].error.correction));
+  }
+}
+
+// Closed form: a mark of the largest cells alone.
+TEST(GoalEstimate, MarksTheFewestCellsWithTheShareAskedFor)
+{
+  MeshError error;
+  error.foot_cells = { 1, 4, 2 };
+  error.disc_cells = { 3, 0 };
+  const MarkedCells marked = error.mark(0.65);
+  EXPECT_EQ(marked.foot, std::vector<unsigned int>({ 1 }));
+  EXPECT_EQ(marked.disc, std::vector<unsigned int>({ 0 }));
+}
+
+TEST(GoalEstimate, RefusesTheHighestDegree)
+{
+  RevolutionSetup setup = small_setup(GlassShape::foot);
+  setup.meridian.degree = 4;
+  EXPECT_THROW(estimated(setup.resolved_for(weight), 0.5, 2), std::invalid_argument);
 }
 
 } // namespace stemware::revolution_tests
