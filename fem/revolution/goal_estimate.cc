@@ -70,8 +70,7 @@ MeshError estimate_mesh_error(const SolvedContact &contact, const ContactGoal &g
   number_cells(meshes.foot);
   number_cells(meshes.disc);
   meshes.refine_where_singular(state.inner_radius, state.outer_radius, n_corner_halvings);
-  ComplianceCache cache;
-  const std::shared_ptr<const ContactCompliance> land = compliance_of(setup, meshes, options, cache);
+  const std::shared_ptr<const ContactCompliance> land = compliance_of(setup, meshes, options, *contact.cache);
   const double margin = 1e-9 * land->radii.tail<1>()(0);
   const auto n_below = [&](double radius) -> Eigen::Index { return (land->radii.array() < radius).count(); };
   const Eigen::Index first = n_below(circles.radii(0) - margin);

@@ -3,6 +3,7 @@
 #include "fem/contact/contact_goal.h"
 #include "fem/contact/foot.h"
 #include "fem/revolution/body_of_revolution.h"
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/revolution_setup.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct SolvedContact
   const InterfaceLaw &interface;
   BodyOfRevolution::Gap gap = {};
   const ContactState *state = nullptr;
+  ComplianceCache *cache = nullptr; ///< of the finer elements
   std::optional<SlidingTraction> sliding = {};
 };
 

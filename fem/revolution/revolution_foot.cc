@@ -348,6 +348,7 @@ std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, c
   SolvedContact contact = { setup, zone.body, *interface };
   contact.gap = [this](double r, double theta) { return gap(r, theta); };
   contact.state = &state;
+  contact.cache = &finer;
   if (setup.friction_coefficient > 0)
     contact.sliding =
       SlidingTraction{ setup.friction_coefficient, state.slip.spin_per_speed, 0, setup.friction_by_slip };

@@ -2,6 +2,7 @@
 
 #include "fem/contact/foot.h"
 #include "fem/revolution/body_of_revolution.h"
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/revolution_setup.h"
 
@@ -11,8 +12,6 @@
 
 namespace stemware::fem
 {
-
-class ComplianceCache;
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
 /// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
@@ -82,6 +81,7 @@ private:
   /// The last one is in use: first a band about the contact radius, then the whole land if the contact leaves
   /// it.
   std::vector<std::unique_ptr<Zone>> zones;
+  ComplianceCache finer{ 4 };         ///< of mesh_error()
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
   std::optional<ContactStart> turned; ///< the same turned with the crests since
   /// Whether the last start that led to a solution after a turn of the crests was the turned one.
