@@ -81,6 +81,21 @@ ContactDemand ContactDemand::in_axes_turned_by(double angle) const
   return demand;
 }
 
+Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
+                            const LoadFunction &function)
+{
+  const RingShares shares(ring_radii);
+  RingValues values(function);
+  Eigen::VectorXd result(surface.n_nodes());
+  for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+  {
+    const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
+    const double radius = std::hypot(x, y);
+    result(i) = shares.at(radius).dot(values.at(radius > 0 ? x / radius : 1, radius > 0 ? y / radius : 0));
+  }
+  return result;
+}
+
 LinearConditions conditions_of(const ContactSurface &surface, const ContactDemand &demand)
 {
   if (!demand.has_friction() && demand.tilt_moment == 0)
@@ -88,17 +103,8 @@ LinearConditions conditions_of(const ContactSurface &surface, const ContactDeman
   Eigen::MatrixX3d weights = surface.motion_modes();
   if (demand.has_friction())
   {
-    const RingShares shares(demand.ring_radii);
-    RingValues of_x(demand.friction_x), of_y(demand.friction_y);
-    for (unsigned int i = 0; i < surface.n_nodes(); ++i)
-    {
-      const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
-      const double radius = std::hypot(x, y);
-      const double cosine = radius > 0 ? x / radius : 1, sine = radius > 0 ? y / radius : 0;
-      const Eigen::VectorXd &share = shares.at(radius);
-      weights(i, 1) += share.dot(of_y.at(cosine, sine));
-      weights(i, 2) -= share.dot(of_x.at(cosine, sine));
-    }
+    weights.col(1) += node_values(surface, demand.ring_radii, demand.friction_y);
+    weights.col(2) -= node_values(surface, demand.ring_radii, demand.friction_x);
   }
   const Eigen::Matrix3d leaning = Eigen::Vector3d(0, demand.tilt_moment, demand.tilt_moment).asDiagonal();
   return { surface, std::move(weights), { demand.normal_force, -demand.moment_y, demand.moment_x }, leaning };

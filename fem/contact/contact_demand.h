@@ -42,6 +42,11 @@ struct ContactDemand : Resultants
   ContactDemand in_axes_turned_by(double angle) const;
 };
 
+/// What a unit force on each contact node of @p surface adds to @p function of the load on rings of @p
+/// ring_radii. Shape [n_nodes].
+Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
+                            const LoadFunction &function);
+
 /// The demand as linear conditions on the nodal forces of @p surface and the table motions. Throws
 /// std::invalid_argument unless N > 0 and all is finite.
 LinearConditions conditions_of(const ContactSurface &surface, const ContactDemand &demand);

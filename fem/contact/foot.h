@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/contact_demand.h"
+#include "fem/contact/contact_goal.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/pressure_map.h"
@@ -31,6 +32,7 @@ struct ContactState
   LoadHarmonics load;                    ///< in the slip frame
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
+  ContactDemand demand;                  ///< that it was solved for
   Slip slip;                             ///< that it was solved for
   unsigned int zone = 0; ///< which of the foot's contact zones the solution is of, for the foot itself
   /// Between which radii the load lies but for rounding [m].
@@ -106,6 +108,14 @@ public:
   /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank
   /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
+
+  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing where
+  /// this foot cannot tell. @p with_cells: with the cells' shares.
+  virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
+                                              bool /*with_cells*/)
+  {
+    return std::nullopt;
+  }
 
 protected:
   /// ContactDemand::n_harmonics as far as they are resolved.

@@ -138,6 +138,14 @@ Eigen::MatrixXd FourierBasis::evaluate(const Eigen::MatrixXd &amplitudes) const
   return samples;
 }
 
+Eigen::MatrixXd FourierBasis::evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const
+{
+  Eigen::MatrixXd of_modes = Eigen::MatrixXd::Zero(amplitudes.rows(), n_modes());
+  of_modes(Eigen::all, sine_modes()) = amplitudes(Eigen::all, cosine_modes());
+  of_modes(Eigen::all, cosine_modes()) = -amplitudes(Eigen::all, sine_modes());
+  return evaluate(of_modes);
+}
+
 FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::MatrixXd &samples, bool with_sines)
 {
   const MirrorSums mirrored(samples);

@@ -42,6 +42,8 @@ public:
   /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
   /// n_lines]. Without sine modes the values are even to the last bit.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
+  /// evaluate() with each mode's conjugate in its place.
+  Eigen::MatrixXd evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const;
 
   /// Values of the modes on the lines, shape [n_lines, n_modes].
   const Eigen::MatrixXd &values() const { return mode_values; }

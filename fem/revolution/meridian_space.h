@@ -61,6 +61,12 @@ public:
   /// reciprocity also the vertical displacements under radial and azimuthal ones.
   HarmonicCompliance compliance(unsigned int harmonic) const;
 
+  using Cell = dealii::DoFHandler<2>::cell_iterator;
+  /// Energy product per radian, on @p cell or its children, of what an interpolation of one degree less on @p
+  /// cell leaves out of @p first and @p second.
+  double detail_product(unsigned int harmonic, const Cell &cell, const dealii::Vector<double> &first,
+                        const dealii::Vector<double> &second) const;
+
 private:
   void find_contact_nodes();
   /// Nodes at r = 0; an annular section has none of them.

@@ -98,6 +98,15 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
   }
 }
 
+double MeridianStiffness::product(unsigned int harmonic, unsigned int active_cell,
+                                  const Vector<double> &first, const Vector<double> &second) const
+{
+  const std::array<FullMatrix<double>, 3> &parts = cells[active_cell].parts;
+  const double n = harmonic;
+  return parts[0].matrix_scalar_product(first, second) + n * parts[1].matrix_scalar_product(first, second) +
+         n * n * parts[2].matrix_scalar_product(first, second);
+}
+
 void MeridianStiffness::assemble(unsigned int harmonic, const AffineConstraints<double> &constraints,
                                  SparseMatrix<double> &matrix) const
 {

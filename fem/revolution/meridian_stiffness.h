@@ -7,6 +7,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <array>
 #include <vector>
@@ -28,6 +29,10 @@ public:
   /// K_n with @p constraints eliminated symmetrically. @p matrix comes with its sparsity and is overwritten.
   void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
+
+  /// v'K_n w of the active cell with that number, v and w the values @p first and @p second of its dofs.
+  double product(unsigned int harmonic, unsigned int active_cell, const dealii::Vector<double> &first,
+                 const dealii::Vector<double> &second) const;
 
 private:
   struct Cell

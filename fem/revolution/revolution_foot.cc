@@ -1,10 +1,10 @@
 #include "fem/revolution/revolution_foot.h"
 
 #include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/goal_estimate.h"
+#include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/path_of_moments.h"
 #include "fem/revolution/revolution_output.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <Eigen/Geometry>
 #include <boost/math/constants/constants.hpp>
@@ -18,50 +18,6 @@ namespace stemware::fem
 
 namespace
 {
-
-void drop_friction(ContactCompliance &compliance)
-{
-  for (HarmonicCompliance &harmonic : compliance.harmonics)
-  {
-    harmonic.radial.setZero();
-    harmonic.azimuthal.setZero();
-  }
-  compliance.beyond.radial.setZero();
-  compliance.beyond.azimuthal.setZero();
-}
-
-void drop_elasticity(ContactCompliance &compliance)
-{
-  drop_friction(compliance);
-  for (HarmonicCompliance &harmonic : compliance.harmonics)
-    harmonic.normal.setZero();
-  compliance.beyond.normal.setZero();
-}
-
-/// Of foot and substrate together, with what the setup switches off.
-std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup, ComplianceCache &cache)
-{
-  dealii::Triangulation<2> foot;
-  make_meridian_mesh(setup.profile, setup.resolution, foot);
-  const auto whole = cache.get(foot, setup.material, setup.meridian);
-  if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
-    return whole;
-  const auto of_both = std::make_shared<ContactCompliance>(*whole);
-  if (setup.foot_is_rigid)
-    drop_elasticity(*of_both);
-  else if (!setup.friction_in_foot)
-    drop_friction(*of_both);
-  if (setup.table.substrate)
-  {
-    dealii::Triangulation<2> disc;
-    make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
-    ContactCompliance below = *cache.get(disc, setup.table.substrate->material, setup.meridian);
-    if (!setup.friction_in_substrate)
-      drop_friction(below);
-    *of_both += below;
-  }
-  return of_both;
-}
 
 /// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
@@ -88,7 +44,7 @@ RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen
 
 RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
     : setup(setup)
-    , compliance(compliance_of(setup, cache))
+    , compliance(compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache))
     , interface(setup.interface())
 {
   constexpr double reach = 10; // half-widths: room for a load that gathers on a part of the rim
@@ -334,6 +290,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
                                    const std::function<void(const ContactIteration &)> &)
 {
   ContactState state;
+  state.demand = demand;
   state.slip = slip;
   set_orientation(slip.orientation);
   const auto press = [&]
@@ -422,15 +379,30 @@ PressureMap RevolutionFoot::pressure_map(const ContactState &state)
   return axis == 0 ? map : map.turned(axis);
 }
 
+std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
+                                                    bool with_cells)
+{
+  if (!setup.imperfection.empty())
+    return std::nullopt;
+  const Zone &zone = zone_of(state);
+  SolvedContact contact = { setup, zone.body, *interface };
+  contact.gap = [this](double r, double theta) { return gap(r, theta); };
+  contact.state = &state;
+  contact.cache = &finer;
+  if (setup.friction_coefficient > 0)
+    contact.sliding =
+      SlidingTraction{ setup.friction_coefficient, state.slip.spin_per_speed, 0, setup.friction_by_slip };
+  return estimate_mesh_error(contact, goal, with_cells);
+}
+
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
 {
   const Zone &zone = zone_of(state);
   ContactState on_lines = state;
   on_lines.solution = in_axes_of_lines(state.solution);
   require_latest(zone.body, on_lines);
-  dealii::Triangulation<2> triangulation;
-  make_meridian_mesh(setup.profile, setup.resolution, triangulation);
-  const MeridianSpace space(triangulation, setup.material, setup.meridian.degree);
+  const MeridianMeshes meshes(setup);
+  const MeridianSpace space(meshes.foot, setup.material, setup.meridian.degree);
   const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
   {
     if (modes.size() == 0)

@@ -2,6 +2,7 @@
 
 #include "fem/contact/foot.h"
 #include "fem/revolution/body_of_revolution.h"
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/revolution_setup.h"
 
@@ -11,8 +12,6 @@
 
 namespace stemware::fem
 {
-
-class ComplianceCache;
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
 /// before, on a softened interface where that fails, or where the crests have moved under a hard contact;
@@ -38,6 +37,9 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
+  /// Of a foot and table that are flat; throws as estimate_mesh_error().
+  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
+                                      bool with_cells) override;
 
   const BodyOfRevolution &elastic_body() const { return zones.back()->body; }
 
@@ -88,6 +90,7 @@ private:
   /// The last one is in use: first a band about the contact radius, then the whole land if the contact leaves
   /// it.
   std::vector<std::unique_ptr<Zone>> zones;
+  ComplianceCache finer{ 4 };         ///< of mesh_error()
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
   std::optional<ContactStart> turned; ///< the same turned with the crests since
   bool crests_have_moved = false;     ///< since the solution before

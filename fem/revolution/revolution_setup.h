@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/contact_goal.h"
 #include "fem/contact/table.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/elasticity/elastic_material.h"
@@ -10,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -29,9 +31,10 @@ struct RevolutionSetup
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 
-  MeridianOptions meridian;      ///< order and highest elastic harmonic
-  MeridianResolution resolution; ///< see resolved_for()
-  unsigned int n_lines = 256;    ///< azimuth lines
+  MeridianOptions meridian;        ///< order and highest elastic harmonic
+  MeridianResolution resolution;   ///< see resolved_for()
+  std::vector<MarkedCells> halved; ///< of the meshes that `resolution` gives, one after the other
+  unsigned int n_lines = 256;      ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
   double fineness = 1;           ///< of the cells in the contact, over the usual

@@ -39,10 +39,11 @@ void converge(const ConvergeOptions &options)
 
   // 2. The study itself, then all other levels.
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, announced_foot(study, cache, progress));
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const BalancedLoad load = find_load(study, foot);
   const double omega_terminal = terminal_spin(load, study.motion.orbit).spin.omega;
   const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
-  const auto own = quantities_of_load(study, load, spins, omega_terminal);
+  const auto own = quantities_of_load(study, load, spins, omega_terminal, foot.get());
   stopwatch.finish("study");
   const RefinementResult result = refine(study, own, spins, axes, cache, progress);
   stopwatch.finish("levels");

@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 
@@ -35,6 +36,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
   setup.resolution.land_grading = study.contact.land_grading;
   setup.resolution.refinements = study.contact.refinements;
+  setup.halved = study.contact.halved;
   setup.n_lines = study.contact.azimuth_lines;
   setup.fineness = study.contact.fineness;
   setup.hardness *= study.contact.hardness;
@@ -93,9 +95,7 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study)
   if (abilities(study.contact.body).is_of_revolution)
   {
     const fem::RevolutionSetup setup = revolution_setup(study);
-    dealii::Triangulation<2> mesh;
-    fem::make_meridian_mesh(setup.profile, setup.resolution, mesh);
-    return fem::section_cells(mesh);
+    return fem::section_cells(fem::MeridianMeshes(setup).foot);
   }
   // Between two sectors of any usual mesh.
   constexpr double azimuth = 0.02;

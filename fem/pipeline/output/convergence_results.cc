@@ -45,6 +45,17 @@ Json axis_as_json(const AxisResult &result, const std::vector<BandedQuantity> &q
                                               { "order", json_number(judged.order) },
                                               { "limit", judged.limit },
                                               { "bands", judged.bands } };
+    const QuantitySequence &sequence = result.quantities[i];
+    if (sequence.corrections.empty())
+      continue;
+    Json corrections = Json::array(), effectivities = Json::array();
+    for (std::size_t l = 0; l < sequence.values.size(); ++l)
+    {
+      corrections.push_back(json_number(sequence.corrections[l]));
+      effectivities.push_back(json_number(sequence.effectivity(l, quantities[i].quantity.rounding)));
+    }
+    sequences[quantities[i].quantity.key]["corrections"] = corrections;
+    sequences[quantities[i].quantity.key]["effectivity"] = effectivities;
   }
   return { { "name", result.axis.name },
            { "size", result.axis.size },
@@ -223,6 +234,36 @@ Table spin_budget_table(const RefinementResult &result)
              column(quantity::own_unknowns, own_costs), column(quantity::finest_unknowns, finest_costs) } };
 }
 
+/// The errors that dual problems estimate on each level of @p axis, beside those against the level two
+/// further on; nothing where none are estimated.
+std::optional<Table> effectivity_table(const AxisResult &axis, const std::vector<BandedQuantity> &quantities)
+{
+  std::vector<std::string> names, levels;
+  std::vector<std::optional<double>> corrections, errors, ratios;
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+  {
+    const QuantitySequence &sequence = axis.quantities[i];
+    for (std::size_t l = 0; l < sequence.corrections.size(); ++l)
+    {
+      if (!sequence.corrections[l])
+        continue;
+      names.push_back(quantities[i].quantity.name);
+      levels.push_back(std::to_string(axis.axis.levels[l].size));
+      corrections.push_back(sequence.corrections[l]);
+      errors.push_back(sequence.error(l));
+      ratios.push_back(sequence.effectivity(l, quantities[i].quantity.rounding));
+    }
+  }
+  if (names.empty())
+    return std::nullopt;
+  return Table{ "What the " + axis.axis.name +
+                  " leaves out of a number, as a dual problem estimates it, and "
+                  "against the level two further on",
+                { column(quantity::quantity_name, names), column(quantity::mesh_level, levels),
+                  column(quantity::mesh_correction, corrections), column(quantity::mesh_error, errors),
+                  column(quantity::effectivity, ratios) } };
+}
+
 /// The quantities that the console shows: the drawn ones that are not zero by symmetry.
 std::vector<BandedQuantity> main_quantities(const std::vector<BandedQuantity> &quantities)
 {
@@ -283,11 +324,16 @@ Results tabulate(const StudyOptions &options, const RefinementResult &result)
   results.report.sections.insert(results.report.sections.end(), axes.begin(), axes.end());
   results.report.sections.insert(results.report.sections.end(),
                                  { bands, levels, file_section(results.files) });
-  results.console = { { results.report.answer },
-                      { "", budget },
-                      { "", band_table(main_quantities(result.quantities))
-                              .with("Error bands of the main quantities; the report has all of them",
-                                    "quantity shown_value shown_richardson band shown_unit") } };
+  results.console = { { results.report.answer }, { "", budget } };
+  for (const AxisResult &axis : result.axes)
+    if (const auto table = effectivity_table(axis, result.quantities))
+    {
+      results.console.push_back({ "", *table });
+      results.report.sections.front().tables.push_back(*table);
+    }
+  results.console.push_back({ "", band_table(main_quantities(result.quantities))
+                                    .with("Error bands of the main quantities; the report has all of them",
+                                          "quantity shown_value shown_richardson band shown_unit") });
   results.findings = findings_of(result);
   return results;
 }

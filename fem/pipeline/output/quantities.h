@@ -159,6 +159,13 @@ inline const Quantity richardson("richardson", "Richardson value", "1", "Richard
 inline const Quantity unit("unit", "unit", "", "unit", "unit");
 inline const Quantity observed_order("order", "", "1", "observed order", "order", fixed<2>);
 
+inline const Quantity mesh_level("", "level");
+inline const Quantity mesh_correction("correction", "estimated error", "1", "estimated error",
+                                      "estimated error", significant<3>);
+inline const Quantity mesh_error("error", "error", "1", "error", "error", significant<3>);
+inline const Quantity effectivity("effectivity", "estimated over true error", "1", "estimated / true error",
+                                  "estimated / true", fixed<3>);
+
 inline const Quantity refined("axis", "", "", "what is refined", "what is refined");
 inline const Quantity unknowns_of_level("unknowns", "unknowns of the largest linear system, estimated");
 inline const Quantity own_unknowns("unknowns", "", "1", "unknowns", "unknowns", about);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/contact_goal.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/table.h"
@@ -14,6 +15,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -102,6 +104,15 @@ enum class FrictionCoupling
   elastic ///< they deform foot and substrate; see Study::friction_deforms()
 };
 
+/// The number that a mesh is refined for.
+enum class Goal
+{
+  none,
+  terminal_spin,
+  a2,    ///< a_2 / a_0 at rest
+  torque ///< at half the terminal spin
+};
+
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection
 {
@@ -119,6 +130,10 @@ struct ContactSection
   double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; not an entry
   unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
+  Goal goal = Goal::none;
+  double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
+  std::vector<fem::MarkedCells>
+    halved;                  ///< meridional cells, mesh by mesh; not an entry: the goal asks for them
   double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 };
 

@@ -19,6 +19,8 @@ struct QuantityOfInterest
   std::string unit; ///< "1" for pure numbers
   double value = 0;
   double rounding = 0; ///< differences of this size are those of solver tolerances, not of a discretisation
+  /// What is missing to the value on no mesh, by goal_error(); nothing where that was not estimated.
+  std::optional<double> mesh_correction = {};
 };
 
 /// A quantity of the study with its error band.

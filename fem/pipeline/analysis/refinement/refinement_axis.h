@@ -35,6 +35,7 @@ struct RefinementAxis
   AxisRole role = AxisRole::space;
   std::vector<RefinementLevel> levels; ///< coarsest first
   std::size_t own = 0;                 ///< the level that is the study itself
+  bool is_graded = false; ///< levels are meshes for the goal of the study: each has few cells more
 };
 
 /// All axes of @p study with up to @p n_levels levels each, of which the study's own is the first where the

@@ -1,10 +1,12 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
+#include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -102,6 +104,14 @@ AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<Quant
       rounding = std::max(rounding, level[f].rounding);
     }
     sequence.judged = judge_refinement(sequence.values, axis.decay, rounding);
+    bool has_correction = false;
+    for (const std::vector<QuantityOfInterest> &level : levels)
+    {
+      sequence.corrections.push_back(level[f].mesh_correction);
+      has_correction |= level[f].mesh_correction.has_value();
+    }
+    if (axis.role != AxisRole::space || !has_correction)
+      sequence.corrections.clear();
     result.quantities.push_back(sequence);
   }
   return result;
@@ -132,6 +142,21 @@ BandedQuantity combine(const QuantityOfInterest &quantity, std::size_t f, const 
 
 } // namespace
 
+std::optional<double> QuantitySequence::error(std::size_t l) const
+{
+  if (l + 2 >= values.size())
+    return std::nullopt;
+  return values[l + 2] + (corrections.empty() ? 0 : corrections[l + 2].value_or(0)) - values[l];
+}
+
+std::optional<double> QuantitySequence::effectivity(std::size_t l, double rounding) const
+{
+  const std::optional<double> against = error(l);
+  if (!against || std::abs(*against) <= rounding || corrections.empty() || !corrections[l])
+    return std::nullopt;
+  return *corrections[l] / *against;
+}
+
 const BandedQuantity &RefinementResult::quantity(const std::string &key) const
 {
   const auto found = std::find_if(quantities.begin(), quantities.end(),
@@ -149,8 +174,12 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
   const auto solve_one = [&](const Task &task)
   {
     const Study &refined = task.level->study;
-    const BalancedLoad load = find_load(refined, study_foot(refined, cache));
-    *task.quantities = quantities_of_load(refined, load, spins, near);
+    const std::shared_ptr<ElasticFoot> foot = study_foot(refined, cache);
+    const BalancedLoad load = find_load(refined, foot);
+    // What is estimated is compared with two further levels; the finest are the most costly.
+    const std::size_t n_further = task.axis->levels.size() - 1 - (task.level - task.axis->levels.data());
+    const bool is_of_mesh = task.axis->role == AxisRole::space && (task.axis->is_graded || n_further >= 2);
+    *task.quantities = quantities_of_load(refined, load, spins, near, is_of_mesh ? foot.get() : nullptr);
   };
   LevelQuantities quantities;
   const std::vector<Task> tasks = open_tasks(axes, own, quantities);
@@ -167,11 +196,23 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
 
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    const std::vector<double> &spins,
-                                                   const std::optional<double> &near)
+                                                   const std::optional<double> &near, const ElasticFoot *foot)
 {
   QuantityNoise noise;
   noise.n_azimuths = n_contact_azimuths(study);
-  return quantities_of_interest(load, study.motion.orbit, spins, near, noise);
+  std::vector<QuantityOfInterest> quantities =
+    quantities_of_interest(load, study.motion.orbit, spins, near, noise);
+  if (!foot)
+    return quantities;
+  const double omega = quantity_of(quantities, "omega_terminal").value;
+  for (QuantityOfInterest &quantity : quantities)
+    if (const Goal goal = quantity.key == "omega_terminal" ? Goal::terminal_spin
+                          : quantity.key == "a2"           ? Goal::a2
+                                                           : Goal::none;
+        goal != Goal::none)
+      if (const auto found = goal_error(study, *foot, load, omega, goal))
+        quantity.mesh_correction = found->error.correction;
+  return quantities;
 }
 
 } // namespace stemware::pipeline

@@ -17,6 +17,14 @@ struct QuantitySequence
 {
   std::vector<double> values; ///< one per level
   RefinementSequence judged;
+  /// QuantityOfInterest::mesh_correction, one per level; empty where none is estimated.
+  std::vector<std::optional<double>> corrections = {};
+
+  /// The error of level @p l against the level two further on, with what is missing there where that is
+  /// estimated; nothing on the last two levels.
+  std::optional<double> error(std::size_t l) const;
+  /// The correction over that error; nothing where the error is no more than @p rounding.
+  std::optional<double> effectivity(std::size_t l, double rounding) const;
 };
 
 /// One axis with what was found on it.
@@ -47,9 +55,11 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
                         const std::vector<double> &spins, const std::vector<RefinementAxis> &axes,
                         fem::ComplianceCache &cache, Progress &progress = silent_progress());
 
-/// Quantities of a study whose load is known.
+/// Quantities of a study whose load is known; with @p foot, of terminal spin and a_2 what the mesh does to
+/// them.
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    const std::vector<double> &spins,
-                                                   const std::optional<double> &near);
+                                                   const std::optional<double> &near,
+                                                   const ElasticFoot *foot = nullptr);
 
 } // namespace stemware::pipeline

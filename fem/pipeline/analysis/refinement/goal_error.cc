@@ -1,0 +1,92 @@
+#include "fem/pipeline/analysis/refinement/goal_error.h"
+
+#include "fem/pipeline/analysis/spin.h"
+#include "ring_model/friction_law.h"
+
+#include <cmath>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// tau_z of the rings and lean torque at @p omega, linearised at @p state.
+fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega)
+{
+  fem::ContactGoal goal;
+  goal.ring_radii = state.load.radii;
+  const auto n_harmonics = static_cast<unsigned int>(state.load.n_harmonics());
+  const ring::LoadFunctional torque =
+    ring::friction_functionals(study.motion.orbit, state.load.radii, n_harmonics, omega).torque;
+  goal.of_load = { torque.a, torque.b };
+  if (study.tilts())
+  {
+    // The lean torque is -q1 M_Nx - q2 M_Ny.
+    goal.of_moment = -state.solution.motion.tail<2>();
+    goal.of_motion = { 0, -state.load.moment_x, -state.load.moment_y };
+  }
+  return goal;
+}
+
+/// a_2 / a_0, a_0 being given by the weight.
+fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
+{
+  fem::ContactGoal goal;
+  goal.ring_radii = state.load.radii;
+  double mean = 0;
+  for (const std::vector<double> &ring : state.load.a)
+    mean += ring[0];
+  const std::size_t n_rings = state.load.n_rings();
+  goal.of_load = { std::vector<std::vector<double>>(n_rings, { 0, 0, 1 / mean }),
+                   std::vector<std::vector<double>>(n_rings, { 0, 0, 0 }) };
+  return goal;
+}
+
+/// d tau_z / d omega in balance [N m s].
+double slope_at(const BalancedLoad &load, const ring::Motion &motion, double omega)
+{
+  const double step = load.spin_scale(motion) / 512;
+  return (yaw_torque(load, motion, omega + step) - yaw_torque(load, motion, omega - step)) / (2 * step);
+}
+
+void scale(fem::MeshError &error, double factor)
+{
+  error.correction *= factor;
+  for (std::vector<double> *cells : { &error.foot_cells, &error.disc_cells })
+    for (double &share : *cells)
+      share *= std::abs(factor);
+}
+
+} // namespace
+
+std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
+                                    double omega_terminal, Goal goal, bool with_cells)
+{
+  if (!abilities(study.contact.body).is_of_revolution || !load.contact() || foot.ring_radii().empty() ||
+      study.contact.degree >= 4 || study.has_waviness() || goal == Goal::none)
+    return std::nullopt;
+  const ring::Motion &motion = study.motion.orbit;
+  const double omega = goal == Goal::terminal_spin ? omega_terminal
+                       : goal == Goal::torque      ? omega_terminal / 2
+                                                   : 0;
+  const fem::ContactState state =
+    load.contact_at() && omega != 0 ? load.contact_at()(omega) : *load.contact();
+  const fem::ContactGoal functional =
+    goal == Goal::a2 ? second_harmonic_goal(state) : torque_goal(study, state, omega);
+  std::optional<fem::MeshError> error = foot.body().mesh_error(state, functional, with_cells);
+  if (!error)
+    return std::nullopt;
+  GoalError result = { functional.of_load(state.load), std::move(*error) };
+  if (goal == Goal::torque)
+    result.value = yaw_torque(load, motion, omega);
+  if (goal == Goal::terminal_spin)
+  {
+    result.value = omega_terminal;
+    scale(result.error, -1 / slope_at(load, motion, omega));
+  }
+  return result;
+}
+
+} // namespace stemware::pipeline

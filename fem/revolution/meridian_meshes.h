@@ -1,0 +1,40 @@
+#pragma once
+
+#include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/revolution_setup.h"
+
+#include <deal.II/grid/tria.h>
+
+#include <memory>
+#include <utility>
+
+namespace stemware::fem
+{
+
+/// Meridional meshes of a foot and of the disc under it, which has no cells where there is none. Both have
+/// the same contact cells. Includes deal.II; not for headers of the library's users.
+struct MeridianMeshes
+{
+  /// Those of @p setup.
+  explicit MeridianMeshes(const RevolutionSetup &setup);
+
+  /// Refines the cells that carry refine flags, and in either body the contact cells that are cut in the
+  /// other.
+  void refine();
+
+  /// Halves all contact cells between the radii @p inner and @p outer, and @p n_halvings times those cells
+  /// outside the contact zone that touch a re-entrant corner.
+  void refine_where_singular(double inner, double outer, unsigned int n_halvings);
+
+  dealii::Triangulation<2> foot;
+  dealii::Triangulation<2> disc;
+};
+
+/// Compliance of the foot and substrate of @p setup together on @p meshes, with elements and harmonics of @p
+/// options, without what the setup switches off. Throws as ComplianceCache::get().
+std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,
+                                                       const MeridianMeshes &meshes,
+                                                       const MeridianOptions &options,
+                                                       ComplianceCache &cache);
+
+} // namespace stemware::fem
