@@ -88,8 +88,8 @@ public:
   virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
-  /// Makes @p state, a contact of this foot, the solution before: where several contacts are followed in turn,
-  /// each starts from its own. A foot whose state is more than that may go on from the last one.
+  /// Makes @p state, a contact of this foot, the solution before: where several contacts are followed in
+  /// turn, each starts from its own. A foot whose state is more than that may go on from the last one.
   virtual void resume(const ContactState & /*state*/) {}
 
   /// Highest harmonic that the contact resolves.
@@ -109,8 +109,8 @@ public:
   /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
 
-  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing where
-  /// this foot cannot tell. @p with_cells: with the cells' shares.
+  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing
+  /// where this foot cannot tell. @p with_cells: with the cells' shares.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/)
   {

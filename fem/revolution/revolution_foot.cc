@@ -91,7 +91,7 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
 double RevolutionFoot::gap(double radius, double azimuth) const
 {
   return setup.profile.gap(radius) +
-         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis, phase);
+         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis(), phase);
 }
 
 FootDescription RevolutionFoot::description() const
@@ -114,11 +114,9 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
 {
   if (setup.imperfection.empty() || (orientation.glass == phase.glass && orientation.table == phase.table))
     return;
+  const long line_before = crest_line();
   phase = orientation;
-  const double crest = setup.imperfection.glass.empty() ? phase.table : phase.glass;
-  const long n_turned = std::lround(crest / line_spacing()) - crest_line;
-  crest_line += n_turned;
-  axis = crest - static_cast<double>(crest_line) * line_spacing();
+  const long n_turned = crest_line() - line_before;
   const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
@@ -143,9 +141,26 @@ double RevolutionFoot::line_spacing() const
   return boost::math::double_constants::two_pi / setup.n_lines;
 }
 
+double RevolutionFoot::crest() const
+{
+  if (setup.imperfection.empty())
+    return 0;
+  return setup.imperfection.glass.empty() ? phase.table : phase.glass;
+}
+
+long RevolutionFoot::crest_line() const
+{
+  return std::lround(crest() / line_spacing());
+}
+
+double RevolutionFoot::axis() const
+{
+  return crest() - static_cast<double>(crest_line()) * line_spacing();
+}
+
 ContactSolution RevolutionFoot::in_axes_of_lines(ContactSolution solution) const
 {
-  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis) * solution.motion.tail<2>();
+  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis()) * solution.motion.tail<2>();
   return solution;
 }
 
@@ -246,7 +261,7 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
   Zone &zone = *zones.back();
   const LinearConditions conditions =
-    conditions_of(zone.body.contact_surface(), axis == 0 ? demand : demand.in_axes_turned_by(axis));
+    conditions_of(zone.body.contact_surface(), axis() == 0 ? demand : demand.in_axes_turned_by(axis()));
   std::vector<ContactStart> starts;
   if (before)
     starts.push_back(*before);
@@ -297,7 +312,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   {
     if (setup.friction_coefficient > 0)
       zones.back()->body.set_sliding(
-        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
+        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis(), setup.friction_by_slip });
     return solve_from_before(demand);
   };
   state.solution = press();
@@ -309,7 +324,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   state.zone = static_cast<unsigned int>(zones.size() - 1);
   crests_have_moved = false;
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
+  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis()) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 
   const BodyOfRevolution &body = zones.back()->body;
@@ -348,7 +363,7 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
   { return harmonics_on_lines(forces.reshaped(radii.size(), setup.n_lines), radii, highest, ring_radii); };
   LoadHarmonics load = of_nodes(state.solution.forces);
   if (ring_radii.size() <= 2)
-    return load.turned(axis);
+    return load.turned(axis());
   // Nodal forces have the radial moments of the pressure up to the elements' degree; what the pressure where
   // it lies has beyond is added. Force and moments stay what they are, those of the elastic forces.
   ContactForces by_law;
@@ -361,13 +376,13 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
       load.a[j][n] += resolved.a[j][n] - nodal.a[j][n];
       load.b[j][n] += resolved.b[j][n] - nodal.b[j][n];
     }
-  return load.turned(axis);
+  return load.turned(axis());
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
   std::vector<PointForce> points = zone_of(state).law->load(state.solution).points;
-  const double cosine = std::cos(axis), sine = std::sin(axis);
+  const double cosine = std::cos(axis()), sine = std::sin(axis());
   for (PointForce &point : points)
     point = { cosine * point.x - sine * point.y, sine * point.x + cosine * point.y, point.force };
   return points;
@@ -376,7 +391,7 @@ std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
   PressureMap map = zone_of(state).law->pressure_map(state.solution);
-  return axis == 0 ? map : map.turned(axis);
+  return axis() == 0 ? map : map.turned(axis());
 }
 
 std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
@@ -417,7 +432,7 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   const PressureField pressure(zone.body, *zone.law, on_lines.solution,
                                [this](double r, double theta) { return gap(r, theta); });
   std::ostringstream file;
-  write_revolution_fields(field, pressure, state.solution.motion, axis, file);
+  write_revolution_fields(field, pressure, state.solution.motion, axis(), file);
   return { { "contact.vtu", file.str() } };
 }
 

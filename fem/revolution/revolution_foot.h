@@ -61,6 +61,15 @@ private:
   /// Nodal values turned counter-clockwise by @p n lines.
   Eigen::VectorXd turned_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
+  /// Azimuth of the crests at `phase`, of the rim's waviness, else of the table's; 0 where there is none
+  /// [rad].
+  double crest() const;
+  /// The line that the crests are next to. The lines go with the crests: else a narrow contact at a crest,
+  /// between lines at one phase and on a line at the next, would not depend smoothly on the phase. Whole
+  /// lines are no change.
+  long crest_line() const;
+  /// What is left: the azimuth of the first line, at most half a line from that of travel [rad].
+  double axis() const;
   /// The contact's solution in the axes of the lines, from that in the slip frame.
   ContactSolution in_axes_of_lines(ContactSolution solution) const;
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
@@ -82,11 +91,6 @@ private:
   const std::shared_ptr<const ContactCompliance> compliance; ///< of the whole land
   const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
   FootOrientation phase;                                     ///< that the gaps stand at
-  /// The lines go with the crests of the waviness: else a narrow contact at a crest, between lines at one
-  /// phase and on a line at the next, would not depend smoothly on the phase. Whole lines are no change; what
-  /// is left is the azimuth of the first line, at most half a line from that of travel [rad].
-  double axis = 0;
-  long crest_line = 0; ///< the line that the crests have gone to
   /// The last one is in use: first a band about the contact radius, then the whole land if the contact leaves
   /// it.
   std::vector<std::unique_ptr<Zone>> zones;

@@ -12,20 +12,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// @p factor times a functional of the load that is turned by @p rotation first.
+/// @p factor times the functional of a load that is turned by @p rotation first.
 fem::LoadFunction load_function(const ring::LoadFunctional &functional, double factor, double rotation)
 {
-  fem::LoadFunction result = { functional.a, functional.b };
-  for (std::size_t j = 0; j < result.a.size(); ++j)
-    for (std::size_t n = 0; n < result.a[j].size(); ++n)
-    {
-      const double cosine = std::cos(static_cast<double>(n) * rotation);
-      const double sine = std::sin(static_cast<double>(n) * rotation);
-      const double even = functional.a[j][n], odd = functional.b[j][n];
-      result.a[j][n] = factor * (even * cosine + odd * sine);
-      result.b[j][n] = factor * (odd * cosine - even * sine);
-    }
-  return result;
+  return (factor * fem::LoadFunction{ functional.a, functional.b }).of_turned(rotation);
 }
 
 } // namespace

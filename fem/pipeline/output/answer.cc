@@ -101,6 +101,17 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
          ".";
 }
 
+/// Why a contact's spin stands without a band.
+std::string no_band_sentence(const Study &study)
+{
+  if (!study.load.is_from_contact())
+    return "";
+  return study.contact.body == BodyKind::revolution
+           ? "It has no band: one of the contacts that would tell, coarser, finer or stiffer, did not "
+             "converge."
+           : "It has no band here: stemware converge refines a solid body.";
+}
+
 /// What no band contains, with its sizes.
 std::string without_sentence(const Study &study, const Budget &budget, bool has_band)
 {
@@ -161,7 +172,8 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const std::vec
   if (!is_spin(study, spin.all().omega_terminal().value()))
     return at_rest_sentence(study, spin.all(), "");
   const bool has_band = band_of(bands, "omega_terminal").has_value();
-  return joined({ terminal_spin_sentence(study, spin, bands), paper_sentence(study, spin.budget),
+  return joined({ terminal_spin_sentence(study, spin, bands), has_band ? "" : no_band_sentence(study),
+                  paper_sentence(study, spin.budget),
                   spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
                   largest_step_sentence(study, spin.budget),
                   without_sentence(study, spin.budget, has_band) });
