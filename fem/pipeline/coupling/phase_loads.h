@@ -51,7 +51,7 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 /// and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends, too, where
 /// twice the phases have not halved it: what is left is due to the azimuth lines. Throws std::runtime_error,
 /// with a sentence, where the error stays above that.
-PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples = 256);
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
 /// The worst of all sampled phases, at rest.
 struct PhaseExtremes

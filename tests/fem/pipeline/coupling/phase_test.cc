@@ -193,5 +193,5 @@ TEST(PhaseLoads, SayThatAJumpIsNotResolved)
   const auto jump = [](double, const ring::Orientation &phase) {
     return ring::RingStack({ 1., 0.1 }, { 0., std::sin(2 * phase.glass) > 0.1 ? 0.5 : 0. }, 0.03);
   };
-  EXPECT_THROW(find_phases(jump, { two_pi / 2, 0 }), std::runtime_error);
+  EXPECT_THROW(find_phases(jump, { two_pi / 2, 0 }, 128), std::runtime_error);
 }
