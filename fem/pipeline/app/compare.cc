@@ -54,7 +54,7 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
   CLI::App *verb = program.add_subcommand(
-    "compare", "Moment balances, loads and numbers of harmonics side by side: what changes the spin");
+    "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
   stemware compare docs/cookbooks/paper.prm
