@@ -53,8 +53,8 @@ void compare(const StudyOptions &options)
 void add_compare_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App *verb =
-    program.add_subcommand("compare", "Moment balances, loads and numbers of harmonics side by side: what changes the spin");
+  CLI::App *verb = program.add_subcommand(
+    "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
   stemware compare docs/cookbooks/paper.prm

@@ -2,11 +2,11 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -15,10 +15,7 @@ namespace stemware::pipeline
 fem::MeshReport read_mesh_file(const std::string &file, dealii::Triangulation<3, 3> &mesh)
 try
 {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  require(!std::filesystem::exists(status) || std::filesystem::is_regular_file(status),
-          "The mesh " + shortened_path(file) + " is not a file; give the path of a .msh file.");
+  require_regular_file("The mesh " + shortened_path(file), file);
   return fem::read_foot_mesh(file, mesh);
 }
 catch (const std::invalid_argument &error)

@@ -41,18 +41,6 @@ std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
   return parse_quantity("1 " + boost::trim_copy_if(cell.substr(end), boost::is_any_of(" ()[]")), column.unit);
 }
 
-/// One value for each cell; nothing unless @p read finds them all.
-template <typename Read>
-std::optional<std::vector<double>> values_of(const std::vector<std::string> &cells, std::size_t n_columns,
-                                             const Read &read)
-{
-  std::vector<double> values;
-  for (std::size_t i = 0; i < cells.size() && cells.size() == n_columns; ++i)
-    if (const std::optional<double> value = read(i))
-      values.push_back(*value);
-  return values.size() == n_columns ? std::optional(values) : std::nullopt;
-}
-
 } // namespace
 
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
@@ -65,32 +53,30 @@ std::vector<FileRow> read_column_file(const std::string &setting, const std::str
     header.push_back(fmt::format(FMT_STRING("{} ({})"), names.back(), usual_units(column.unit).front()));
   }
   std::vector<double> units(columns.size(), 1.);
-  bool is_first = true;
+  bool may_be_header = true;
   std::vector<FileRow> rows;
   for (const TextLine &line : read_lines(setting, file))
   {
     if (line.text.front() == '#')
       continue;
     const std::vector<std::string> cells = cells_of(line.text);
-    const auto numbers =
-      values_of(cells, columns.size(), [&](std::size_t i) { return parse_number(cells[i]); });
-    const auto named = is_first ? values_of(cells, columns.size(),
-                                            [&](std::size_t i) { return unit_in(cells[i], columns[i]); })
-                                : std::nullopt;
-    require(numbers || named,
-            fmt::format(FMT_STRING("{}, line {}: \"{}\" is not a row; write {} numbers, {}, in SI units or "
-                                   "in those of a first line \"{}\"."),
-                        setting, line.number, shortened(line.text), columns.size(), fmt::join(names, ", "),
-                        fmt::join(header, ", ")));
-    is_first = false;
-    if (named)
-      units = *named;
+    std::vector<double> numbers, given_units;
+    for (std::size_t i = 0; i < cells.size() && cells.size() == columns.size(); ++i)
+      if (const auto number = parse_number(cells[i]))
+        numbers.push_back(*number * units[i]);
+      else if (const auto unit = unit_in(cells[i], columns[i]); unit && may_be_header)
+        given_units.push_back(*unit);
+    may_be_header = false;
+    if (given_units.size() == columns.size())
+      units = given_units;
+    else if (numbers.size() == columns.size())
+      rows.push_back({ numbers, line.number });
     else
-    {
-      rows.push_back({ *numbers, line.number });
-      for (std::size_t i = 0; i < units.size(); ++i)
-        rows.back().values[i] *= units[i];
-    }
+      throw BadInput(
+        fmt::format(FMT_STRING("{}, line {}: \"{}\" is not a row; write {} numbers, {}, in SI units or in "
+                               "those of a first line \"{}\"."),
+                    setting, line.number, shortened(line.text), columns.size(), fmt::join(names, ", "),
+                    fmt::join(header, ", ")));
   }
   require(!rows.empty(), fmt::format(FMT_STRING("{} has no rows; write {} numbers a line, {}."), setting,
                                      columns.size(), fmt::join(names, ", ")));

@@ -114,8 +114,9 @@ void require_regular_file(const std::string &setting, const std::filesystem::pat
 {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  require(std::filesystem::exists(status), setting + " does not exist; give a path that starts at the study "
-                                                     "file (with --set: where the program is started).");
+  require(std::filesystem::exists(status), setting +
+                                             " does not exist; give a path that starts at the study "
+                                             "file (on the command line: where the program is started).");
   require(std::filesystem::is_regular_file(status), setting + " is not a file; give the path of a file.");
 }
 

@@ -52,11 +52,12 @@ TEST(Plots, Load)
 {
   const ScratchFolder scratch;
   const std::vector<fem::AzimuthLoad> pointwise = { { 0, 1 }, { 1.5, 0 }, { 3, 1 }, { 4.5, 2 } };
-  const Plot plot = load_plot(lifted, pointwise);
+  const Plot plot = load_plot(lifted, pointwise, ring::OrbitSense::counterclockwise);
   EXPECT_EQ(draw(plot, scratch), "");
   const std::string words = words_of(plot, scratch);
   for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all harmonics" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
+  EXPECT_NE(plot.script.find("side = 1;"), std::string::npos); // the orbit's centre, to the left of v
   // One block for each of three series, the load as it was solved, then the arc: both closed, the latter
   // interrupted where nothing is carried.
   const auto columns = data_of(plot, scratch);
@@ -70,7 +71,7 @@ TEST(Plots, Load)
   EXPECT_NEAR(columns[0].back(), full_turn, 1e-12);
 
   // Without lift-off the series is drawn.
-  EXPECT_EQ(draw(load_plot(lifted, {}), scratch), "");
+  EXPECT_EQ(draw(load_plot(lifted, {}, ring::OrbitSense::clockwise), scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("all, n ≤ 4"), std::string::npos);
   EXPECT_NEAR(data_of(plot, scratch)[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12);
 }
@@ -78,7 +79,7 @@ TEST(Plots, Load)
 TEST(Plots, LoadOfOneHarmonicWithoutSamples)
 {
   const ScratchFolder scratch;
-  const Plot plot = load_plot(lifted.truncated(1), {});
+  const Plot plot = load_plot(lifted.truncated(1), {}, ring::OrbitSense::clockwise);
   EXPECT_EQ(draw(plot, scratch), "");
   const auto columns = data_of(plot, scratch);
   EXPECT_TRUE(std::isnan(columns[1][361 + 90])); // formally negative there
@@ -107,7 +108,7 @@ TEST(Plots, TruncationsAreDrawnWhereTheyCanBeSeen)
 {
   // The third harmonic is 0.5 % of the mean, and a quarter of what is beyond the first.
   const ring::RingStack load({ 1, 0, 0.02, 0.005 }, { 0, 0.5, 0, 0 }, 0.03);
-  EXPECT_EQ(load_plot(load, {}).script.find("n ≤ 2"), std::string::npos);
+  EXPECT_EQ(load_plot(load, {}, ring::OrbitSense::clockwise).script.find("n ≤ 2"), std::string::npos);
   EXPECT_NE(higher_harmonics_plot(load).script.find("n ≤ 2"), std::string::npos);
 }
 
