@@ -1,4 +1,5 @@
 #include "fem/pipeline/analysis/comparison.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
@@ -34,13 +35,14 @@ void compare(const StudyOptions &options)
   // 1. What is asked for.
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
-  const Study study = begin_study(options);
-  require_comparable(study);
+  const Study given = begin_study(options);
+  require_comparable(given);
   ResultsFolder folder(options.results_place());
   stopwatch.finish("input");
 
   // 2. Every moment balance on every load.
   fem::ComplianceCache cache;
+  const Study study = meshed_for_goal(given, cache, progress);
   const Comparison comparison =
     compare_models(study, announced_foot(study, cache, progress), cache, progress);
 

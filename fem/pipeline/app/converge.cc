@@ -1,3 +1,4 @@
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/app/console_progress.h"
@@ -31,14 +32,20 @@ void converge(const ConvergeOptions &options)
   // 1. What is asked for, and which levels that makes.
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
-  const Study study = begin_study(options);
-  const std::vector<RefinementAxis> axes = refinement_axes(study, options.n_levels);
+  const Study given = begin_study(options);
+  std::vector<RefinementAxis> axes = refinement_axes(given, options.n_levels);
   ResultsFolder folder(options.results_place());
-  note_load_source(study, progress);
+  note_load_source(given, progress);
   stopwatch.finish("input");
 
   // 2. The study itself, then all other levels.
   fem::ComplianceCache cache;
+  const Study study = meshed_for_goal(given, cache, progress);
+  if (study.contact.goal != Goal::none)
+  {
+    axes = refinement_axes(study, options.n_levels);
+    axes.front() = goal_axis(study, cache);
+  }
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot);
   const double omega_terminal = terminal_spin(load, study.motion.orbit).spin.omega;

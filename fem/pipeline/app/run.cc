@@ -1,4 +1,5 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
@@ -25,13 +26,14 @@ void run(const StudyOptions &options)
   // 1. What is asked for; everything that can be refused is refused here.
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
-  const Study study = begin_study(options);
+  const Study given = begin_study(options);
   ResultsFolder folder(options.results_place());
-  note_load_source(study, progress);
+  note_load_source(given, progress);
   stopwatch.finish("input");
 
   // 2. The load on the table, and what it does to the ring.
   fem::ComplianceCache cache;
+  const Study study = meshed_for_goal(given, cache, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
   SpinStudy spin = study_spin(study, foot, load, cache, progress);

@@ -1,4 +1,5 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
@@ -30,14 +31,15 @@ void truncate(const TruncateOptions &options)
   // 1. What is asked for.
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
-  const Study study = begin_study(options);
-  require_flat(study, options.verb);
+  const Study given = begin_study(options);
+  require_flat(given, options.verb);
   ResultsFolder folder(options.results_place());
-  note_load_source(study, progress);
+  note_load_source(given, progress);
   stopwatch.finish("input");
 
   // 2. The load of all harmonics, and the glass on fewer and fewer of them.
   fem::ComplianceCache cache;
+  const Study study = meshed_for_goal(given, cache, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);

@@ -15,6 +15,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -112,6 +113,9 @@ enum class Goal
   a2,    ///< a_2 / a_0 at rest
   torque ///< at half the terminal spin
 };
+
+/// The goals by the words of Contact/Goal.
+std::vector<std::pair<std::string, Goal>> goal_words();
 
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection

@@ -79,6 +79,22 @@ void require_resolved_load(const ContactSection &contact)
                 contact.load_harmonics, 2 * contact.load_harmonics, contact.azimuth_lines));
 }
 
+/// The error of a goal is estimated for bodies of revolution that are flat.
+void require_goal_with_estimate(const Study &study)
+{
+  if (study.contact.goal == Goal::none || !study.load.is_from_contact())
+    return;
+  const std::string rest = ", or set Contact/Goal = none.";
+  require(abilities(study.contact.body).is_of_revolution,
+          "Contact/Goal needs a body of revolution; set Contact/Body = revolution" + rest);
+  require(study.contact.degree < 4, "Contact/Goal needs elements of a degree below 4, above which there are "
+                                    "none to estimate with; give Contact/Degree = 3 or less" +
+                                      rest);
+  require(study.contact.rings > 1, "Contact/Goal needs more than one ring; give Contact/Rings = 5" + rest);
+  require(!study.has_waviness(),
+          "Contact/Goal needs a rim and a table that are flat; leave their waviness empty" + rest);
+}
+
 void require_load_file(const LoadSection &load)
 {
   if (load.source != LoadSource::file)
@@ -131,6 +147,7 @@ void check_study(const Study &study)
   require_known_waviness(study);
   require_alike_lengths(study);
   require_resolved_load(study.contact);
+  require_goal_with_estimate(study);
   require_load_file(study.load);
   // Missing files are found here, before anything is computed; what is in them is found when they are read.
   if (study.load.source == LoadSource::file)

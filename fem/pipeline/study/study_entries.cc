@@ -342,9 +342,11 @@ void add_contact(EntryList &list, ContactSection &contact)
     { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
     "elastic: the friction's tractions deform the foot and an elastic substrate (body of revolution; "
     "without effect on a solid one); none: friction does not act back on the pressure");
-  list.number(
-    "Memory limit", contact.memory_limit, positive, "B",
-    "A study that is estimated to need more memory is refused before the work; 8 GB may be written");
+  list.choice("Goal", contact.goal, goal_words(),
+              "What cells of a body of revolution are halved for (torque: at half the terminal spin)");
+  list.number("Goal tolerance", contact.goal_tolerance, positive, "",
+              "Error left of the goal, over its value");
+  list.number("Memory limit", contact.memory_limit, positive, "B", "More is refused before the work");
 }
 
 void add_load(EntryList &list, LoadSection &load)

@@ -134,7 +134,15 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
     return copy;
   };
   // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
-  const Study coarse = changed(study, [](ContactSection &contact) { contact.fineness /= 2; });
+  // Meshes for a goal: the one before.
+  const Study coarse = changed(study,
+                               [](ContactSection &contact)
+                               {
+                                 if (contact.halved.empty())
+                                   contact.fineness /= 2;
+                                 else
+                                   contact.halved.pop_back();
+                               });
   changes.push_back({ "mesh", safety, coarse });
   if (study.contact.degree < 4)
   {

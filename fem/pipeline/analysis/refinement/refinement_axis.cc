@@ -164,9 +164,11 @@ std::vector<RefinementAxis> refinement_axes(const Study &study, unsigned int n_l
     throw BadInput(
       "A refinement study takes a rim and a table that are flat; leave the waviness of Glass and "
       "Table empty.");
+  Study on_its_mesh = study; // which stays the goal's on all levels
+  on_its_mesh.contact.goal = Goal::none;
   const std::vector<RefinementAxis> axes = abilities(study.contact.body).is_of_revolution
-                                             ? axes_of_revolution(study, n_levels)
-                                             : axes_of_solid(study, n_levels);
+                                             ? axes_of_revolution(on_its_mesh, n_levels)
+                                             : axes_of_solid(on_its_mesh, n_levels);
   for (const RefinementAxis &axis : axes)
     for (const RefinementLevel &level : axis.levels)
       check_study(level.study);

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/coupling/study_load.h"
 
 #include <cmath>
@@ -138,8 +139,9 @@ std::size_t quantity_index(const std::string &name)
   throw std::logic_error("a sweep has no quantity " + name);
 }
 
-CaseResult solve_case(const Study &study, fem::ComplianceCache &cache)
+CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
 {
+  const Study study = meshed_for_goal(given, cache);
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const BalancedLoad load = find_load(study, foot);
   ValueList list;

@@ -35,6 +35,6 @@ struct CaseResult
 
 /// Solves one study from a cold start: equal studies have equal results, whatever was solved before or beside
 /// them. Feet of revolution share what they can in @p cache. Throws as find_load() and terminal_spin().
-CaseResult solve_case(const Study &study, fem::ComplianceCache &cache);
+CaseResult solve_case(const Study &given, fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

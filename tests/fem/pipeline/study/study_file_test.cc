@@ -90,6 +90,8 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Rings", "5" },
     { "Contact/Load harmonics", "0" },
     { "Contact/Friction coupling", "elastic" },
+    { "Contact/Goal", "none" },
+    { "Contact/Goal tolerance", "1e-5" },
     { "Contact/Memory limit", "4e9" },
     { "Load/Source", "contact" },
     { "Load/Coupling", "two-way" },

@@ -1,0 +1,96 @@
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+
+#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Of the error, in the cells that are halved at once.
+constexpr double marked_share = 0.8;
+
+GoalError error_of(const Study &study, fem::ComplianceCache &cache)
+{
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+  const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
+  if (!found)
+    throw std::runtime_error("The error of Contact/Goal cannot be estimated in this study; set it to none.");
+  return *found;
+}
+
+double sum_of_shares(const fem::MeshError &error)
+{
+  const double foot = std::accumulate(error.foot_cells.begin(), error.foot_cells.end(), 0.);
+  return std::accumulate(error.disc_cells.begin(), error.disc_cells.end(), foot);
+}
+
+} // namespace
+
+Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache, Progress &progress)
+{
+  if (study.contact.goal == Goal::none || !study.load.is_from_contact())
+    return study;
+  constexpr unsigned int most_meshes = 20;
+  constexpr double allowed_cancelling = 5;
+  Study meshed = study;
+  for (unsigned int n_meshes = 1;; ++n_meshes)
+  {
+    const GoalError found = error_of(meshed, cache);
+    const double allowed = study.contact.goal_tolerance * std::abs(found.value);
+    progress.pieces_done("meshes for the goal", n_meshes, 0);
+    if (std::abs(found.error.correction) <= allowed &&
+        sum_of_shares(found.error) <= allowed_cancelling * allowed)
+    {
+      progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
+                                                   "goal {:.1e} of its value"),
+                                        found.error.foot_cells.size() + found.error.disc_cells.size(),
+                                        n_meshes, std::abs(found.error.correction / found.value)));
+      return meshed;
+    }
+    if (n_meshes == most_meshes)
+      throw std::runtime_error(fmt::format(
+        FMT_STRING("The goal's error is still {:.1e} of its value after {} meshes, more than "
+                   "Contact/Goal tolerance = {:g}; give a larger tolerance."),
+        std::abs(found.error.correction / found.value), most_meshes, study.contact.goal_tolerance));
+    meshed.contact.halved.push_back(found.error.mark(marked_share));
+  }
+}
+
+RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache)
+{
+  RefinementAxis axis;
+  axis.key = "goal_mesh";
+  axis.name = "mesh for the goal";
+  axis.size = "meshes for the goal";
+  axis.is_graded = true;
+  const std::size_t n_own = study.contact.halved.size();
+  for (std::size_t n = n_own - std::min<std::size_t>(n_own, 2); n <= n_own; ++n)
+  {
+    axis.levels.push_back({ static_cast<unsigned int>(n + 1), study });
+    axis.levels.back().study.contact.halved.resize(n);
+  }
+  axis.own = axis.levels.size() - 1;
+  for (unsigned int further = 0; further < 2; ++further)
+  {
+    RefinementLevel next = axis.levels.back();
+    ++next.size;
+    next.study.contact.halved.push_back(error_of(next.study, cache).error.mark(marked_share));
+    axis.levels.push_back(std::move(next));
+  }
+  return axis;
+}
+
+} // namespace stemware::pipeline
