@@ -55,6 +55,9 @@ struct FootCapabilities
 {
   /// Friction tractions act back on the pressure: the load depends on the spin.
   bool friction_deforms = false;
+  /// The angle by which the glass can be turned (Slip::orientation) without changing the load, beyond what is
+  /// out of flat by the study's entries [rad]; 0: any angle.
+  double period_of_glass = 0;
   /// Solving takes all MPI ranks together, so two feet cannot be solved side by side.
   bool is_collective = false;
 };

@@ -381,11 +381,7 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  std::vector<PointForce> points = zone_of(state).law->load(state.solution).points;
-  const double cosine = std::cos(axis()), sine = std::sin(axis());
-  for (PointForce &point : points)
-    point = { cosine * point.x - sine * point.y, sine * point.x + cosine * point.y, point.force };
-  return points;
+  return turned_by(zone_of(state).law->load(state.solution).points, axis());
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)

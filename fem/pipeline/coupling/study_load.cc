@@ -102,7 +102,8 @@ BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<Elastic
   return BalancedLoad(std::move(parts));
 }
 
-/// Loads of an out-of-flat foot or table, each phase with its own balances, solved as they are asked for.
+/// Loads of a foot or table that is not one of revolution, each phase with its own balances, solved as they
+/// are asked for.
 class LoadsByPhase
 {
 public:
@@ -147,6 +148,15 @@ private:
   std::map<std::pair<double, double>, BalancedLoad> loads;
 };
 
+/// With which turns the load of the study's foot repeats itself.
+PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
+{
+  PhasePeriods periods = phase_periods(imperfection_of(study));
+  if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
+    periods.glass = of_mesh;
+  return periods;
+}
+
 /// @p at_rest is the load at the phase of t = 0.
 BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                               const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
@@ -156,7 +166,7 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   { return loads->of(orientation).leaning(omega); };
   // Under a hard contact each phase takes ten times as long, and the azimuth lines leave more than the phases.
   const unsigned int most_samples = study.table.interface == TableInterface::hard ? 64 : 256;
-  const PhaseGrids grids = find_phases(exact, phase_periods(imperfection_of(study)), most_samples);
+  const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), most_samples);
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   const bool follows = follows_spin(study);
@@ -278,7 +288,7 @@ BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot>
   const ring::Orientation marks = moment_balance(study).orientation;
   fem::ContactState state = contact_at_rest(study, *foot, marks, progress);
   progress.stage_done("contact");
-  const BalancedLoad load = study.has_waviness()
+  const BalancedLoad load = periods_of(study, *foot).any()
                               ? load_over_phases(study, foot, state, n_harmonics, progress)
                               : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
   BalancedLoad::Parts parts = load.insides();
