@@ -349,6 +349,11 @@ void add_contact(EntryList &list, ContactSection &contact)
     { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
     "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction does not act "
     "back on the pressure");
+  list.path(
+    "Checkpoint folder", contact.checkpoint_folder,
+    "Folder for the state of a long contact solve of a refined solid body, kept after each Newton step: "
+    "the same study goes on from there when it was killed; empty: none. A relative path starts at the "
+    "study file");
   list.number(
     "Memory limit", contact.memory_limit, positive, "B",
     "A study that is estimated to need more memory is refused before the work; 8 GB may be written");

@@ -162,6 +162,7 @@ const std::vector<Effect> effects = {
   { "Contact/Load harmonics", "2", "/load/a" },
   { "Contact/Friction coupling", "elastic", second_harmonic },
   { "Contact/Friction coupling", "elastic", second_harmonic, solid },
+  { "Contact/Checkpoint folder", "state", nothing, {}, second_harmonic },
   { "Contact/Memory limit", "8e9", nothing, {}, second_harmonic },
   { "Load/Source", "first harmonic", second_harmonic },
   { "Load/Coupling", "two-way", "/ring/omega_terminal" },

@@ -93,6 +93,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Rings", "5" },
     { "Contact/Load harmonics", "0" },
     { "Contact/Friction coupling", "elastic" },
+    { "Contact/Checkpoint folder", "" },
     { "Contact/Memory limit", "4e9" },
     { "Load/Source", "contact" },
     { "Load/Coupling", "two-way" },
