@@ -129,6 +129,7 @@ void ContactCheckpoint::remove()
     fs::remove(folder / latest, ignored);
   MPI_Barrier(MPI_COMM_WORLD); // no state disappears that is still named
   fs::remove(state_file(number, Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)), ignored);
+  MPI_Barrier(MPI_COMM_WORLD); // nothing is left when it returns
 }
 
 } // namespace stemware::fem
