@@ -51,6 +51,7 @@ public:
       , modes(body.contact_surface().motion_modes())
       , motion(start.motion)
       , normal_displacement(start.normal_displacement)
+      , n_steps(start.n_steps)
   {
     evaluate();
   }
@@ -339,6 +340,8 @@ private:
       n_changed += set_before[i] != contact.active_set[i];
     last_step_length = step_length;
     n_linear_iterations += increment.linear_iterations;
+    if (control.checkpoint)
+      control.checkpoint({ motion, normal_displacement, n_steps });
     if (!control.progress)
       return;
     ContactIteration iteration;
@@ -364,7 +367,7 @@ private:
   ContactForces other_contact;        ///< at the end of a step to come, or at the beginning of the last one
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
   double equilibrium = 0;             ///< the body's relative residual under the contact forces
-  unsigned int n_steps = 0;
+  unsigned int n_steps;
   unsigned int n_changed = 0;
   unsigned int n_linear_iterations = 0;
   double last_step_length = 1;

@@ -19,6 +19,17 @@ struct ContactIteration
   unsigned int linear_iterations = 0;
 };
 
+/// Where a contact solve begins: the table motions, and the normal displacement at which the table law is
+/// first evaluated. That need not be what body and table make of it at the moment: a body that answers
+/// otherwise than before, because friction has turned or the table law has become stiffer, then starts from
+/// the places that carried load.
+struct ContactStart
+{
+  Eigen::Vector3d motion;
+  Eigen::VectorXd normal_displacement; ///< at the contact nodes [m]
+  unsigned int n_steps = 0;            ///< Newton steps taken before, of a solve that goes on
+};
+
 /// Stopping rule and limits of the contact driver.
 struct ContactControl
 {
@@ -36,16 +47,8 @@ struct ContactControl
   /// nodes. A pressure that is integrated along lines depends on its edges smoothly.
   bool set_matters = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
-};
-
-/// Where a contact solve begins: the table motions, and the normal displacement at which the table law is
-/// first evaluated. That need not be what body and table make of it at the moment: a body that answers
-/// otherwise than before, because friction has turned or the table law has become stiffer, then starts from
-/// the places that carried load.
-struct ContactStart
-{
-  Eigen::Vector3d motion;
-  Eigen::VectorXd normal_displacement; ///< at the contact nodes [m]
+  /// Called after each step, before `progress`, with where the solve could go on; may be empty.
+  std::function<void(const ContactStart &)> checkpoint;
 };
 
 /// Presses @p body on the table described by @p law until the normal forces fulfil @p conditions.

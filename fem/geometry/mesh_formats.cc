@@ -32,9 +32,9 @@ public:
 };
 
 /// What an exception of deal.II is about, as far as a user can mend it.
-[[noreturn]] void explain(const std::exception &failure, const std::string &otherwise)
+[[noreturn]] void explain(const std::string &failure, const std::string &otherwise)
 {
-  if (std::string(failure.what()).find("negative volume") != std::string::npos)
+  if (failure.find("negative volume") != std::string::npos)
     throw Unreadable("has some cells that are inside out beside others that are not; mesh it anew.");
   throw Unreadable(otherwise);
 }
@@ -49,7 +49,7 @@ void read_gmsh(std::istream &file, Triangulation<3> &triangulation)
   }
   catch (const std::exception &failure)
   {
-    explain(failure, otherwise);
+    explain(failure.what(), otherwise);
   }
   if (!triangulation.all_reference_cells_are_hyper_cube())
     throw Unreadable(otherwise);
@@ -83,18 +83,20 @@ void read_abaqus(std::istream &file, Triangulation<3> &triangulation)
   require_abaqus_hexahedra(file);
   file.clear();
   file.seekg(0);
-  std::streambuf *const printed = std::cerr.rdbuf(nullptr); // deal.II prints what it throws
-  const auto show = [&] { std::cerr.rdbuf(printed); };
+  std::ostringstream printed; // deal.II prints the reason and throws another
+  std::streambuf *const console = std::cerr.rdbuf(printed.rdbuf());
+  const auto restore = [&] { std::cerr.rdbuf(console); };
   try
   {
     GridIn<3>(triangulation).read_abaqus(file);
-    show();
+    restore();
   }
   catch (const std::exception &failure)
   {
-    show();
-    explain(failure, "is not an Abaqus .inp mesh that can be read; export nodes, hexahedra C3D8 and element "
-                     "surfaces whose names end in their ids.");
+    restore();
+    explain(printed.str() + failure.what(),
+            "is not an Abaqus .inp mesh that can be read; export nodes, hexahedra C3D8 and element "
+            "surfaces whose names end in their ids.");
   }
 }
 
@@ -191,7 +193,8 @@ void read_vtu(std::istream &file, Triangulation<3> &triangulation)
   }
   catch (const std::exception &failure)
   {
-    explain(failure, "is not a .vtu mesh of hexahedra; save an unstructured grid of one piece in ASCII.");
+    explain(failure.what(),
+            "is not a .vtu mesh of hexahedra; save an unstructured grid of one piece in ASCII.");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "fem/solid/assembled_system.h"
 
 #include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/binary_stream.h"
 #include "fem/solid/mesh_hierarchy.h"
 
 #include <deal.II/base/mpi.h>
@@ -198,6 +199,23 @@ void AssembledSystem::reset()
 double AssembledSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
   return residual(forces).l2_norm() / forces.norm();
+}
+
+void AssembledSystem::write_state(std::ostream &stream) const
+{
+  for (const double value : displacement)
+    write_binary(stream, &value, 1);
+}
+
+void AssembledSystem::read_state(std::istream &stream)
+{
+  for (const auto dof : locally_owned)
+  {
+    double value = 0;
+    read_binary(stream, &value, 1);
+    displacement(dof) = value;
+  }
+  displacement.compress(VectorOperation::insert);
 }
 
 LinearAlgebra::distributed::Vector<double> AssembledSystem::displacement_for_output() const

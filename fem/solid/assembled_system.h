@@ -25,6 +25,8 @@ public:
   void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
+  void write_state(std::ostream &stream) const override;
+  void read_state(std::istream &stream) override;
   dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const override;
 
 private:

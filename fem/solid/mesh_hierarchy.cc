@@ -29,6 +29,19 @@ constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_
 constexpr unsigned int smoother_degree = 5;
 constexpr double smoothing_range = 40;
 
+/// Factors of larger systems take more than a gigabyte and half a minute, in each Newton step.
+constexpr types::global_dof_index most_coarse_unknowns = 50000;
+
+void require_small(types::global_dof_index n_unknowns)
+{
+  if (n_unknowns <= most_coarse_unknowns)
+    return;
+  throw std::invalid_argument("The mesh that Contact/Refinements halves has " + std::to_string(n_unknowns) +
+                              " unknowns with linear elements, and multigrid factorises them only up to " +
+                              std::to_string(most_coarse_unknowns) +
+                              "; begin with fewer cells and halve them once more.");
+}
+
 } // namespace
 
 AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
@@ -68,8 +81,10 @@ struct MeshHierarchy::Cycle
         const ElasticMaterial &material)
   {
     const auto meshes = MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation);
-    if (degree > 1)
-      levels.push_back(std::make_unique<SolidLevel>(meshes.front(), 1, mapping_degree));
+    levels.push_back(std::make_unique<SolidLevel>(meshes.front(), 1, mapping_degree));
+    require_small(levels.front()->dof_handler.n_dofs());
+    if (degree == 1)
+      levels.clear(); // the loop makes it
     for (const auto &mesh : meshes)
       levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
     const auto finest = static_cast<unsigned int>(levels.size() - 1);

@@ -1,5 +1,7 @@
 #include "fem/solid/multigrid_system.h"
 
+#include "fem/solid/binary_stream.h"
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
@@ -357,6 +359,26 @@ double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) cons
   Vector residual = contact_load(forces);
   residual -= elastic_forces;
   return residual.l2_norm() / forces.norm();
+}
+
+void MultigridSystem::write_state(std::ostream &stream) const
+{
+  for (const Vector *vector : { &displacement, &elastic_forces })
+    write_binary(stream, vector->begin(), vector->locally_owned_size());
+  for (const FloatVector &column : eliminated_border)
+    write_binary(stream, column.begin(), column.locally_owned_size());
+  write_binary(stream, &residual_before, 1);
+  write_binary(stream, &border_matters, 1);
+}
+
+void MultigridSystem::read_state(std::istream &stream)
+{
+  for (Vector *vector : { &displacement, &elastic_forces })
+    read_binary(stream, vector->begin(), vector->locally_owned_size());
+  for (FloatVector &column : eliminated_border)
+    read_binary(stream, column.begin(), column.locally_owned_size());
+  read_binary(stream, &residual_before, 1);
+  read_binary(stream, &border_matters, 1);
 }
 
 LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_output() const

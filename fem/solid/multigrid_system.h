@@ -30,6 +30,8 @@ public:
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
   void set_linear_tolerance(double tolerance) override { linear_tolerance = tolerance; }
+  void write_state(std::ostream &stream) const override;
+  void read_state(std::istream &stream) override;
   dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const override;
 
   bool is_coarsest() const { return level == hierarchy->coarsest_mesh(); }

@@ -51,7 +51,7 @@ std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const Interf
 
 std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                     double softening, const ContactDemand &demand,
-                                                    double radius)
+                                                    double radius, ContactCheckpoint *checkpoint)
 {
   body.reset();
   const std::unique_ptr<SolidBody> coarse = body.coarser();
@@ -60,18 +60,26 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
   const std::shared_ptr<const InterfaceLaw> softer = interface.softened(softening);
   try
   {
-    const std::optional<ContactStart> start =
-      coarse->is_coarsest() ? start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius)
-                            : start_from_coarser_mesh(*coarse, *softer, softening, demand, radius);
+    std::optional<ContactStart> start = checkpoint ? checkpoint->restore(*coarse) : std::nullopt;
+    if (!start)
+      start = coarse->is_coarsest()
+                ? start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius)
+                : start_from_coarser_mesh(*coarse, *softer, softening, demand, radius, checkpoint);
+    ContactControl control = coarse_control(softening);
+    if (checkpoint)
+      control.checkpoint = [&](const ContactStart &at) { checkpoint->save(*coarse, at); };
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
       solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
                     coarse_control(softening), start ? &*start : nullptr);
     body.start_from(*coarse);
     const ContactSurface &surface = body.contact_surface();
-    return hardened(
-      { solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion }, surface,
-      softening);
+    const ContactStart next =
+      hardened({ solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion },
+               surface, softening);
+    if (checkpoint)
+      checkpoint->save(body, next);
+    return next;
   }
   catch (const ContactFailure &)
   {

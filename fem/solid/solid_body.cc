@@ -119,6 +119,16 @@ void SolidBody::set_linear_tolerance(double tolerance)
   system->set_linear_tolerance(tolerance);
 }
 
+void SolidBody::write_state(std::ostream &stream) const
+{
+  system->write_state(stream);
+}
+
+void SolidBody::read_state(std::istream &stream)
+{
+  system->read_state(stream);
+}
+
 const ContactSurface &SolidBody::contact_surface() const
 {
   return system->contact_zone().surface;

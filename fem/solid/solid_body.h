@@ -5,6 +5,7 @@
 #include "fem/elasticity/elastic_material.h"
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -90,6 +91,11 @@ public:
   std::unique_ptr<SolidBody> coarser() const;
   /// Takes over the displacement of coarser().
   void start_from(const SolidBody &coarse);
+
+  /// All that the next solve depends on, of this rank, in binary; read by a body on the same mesh and as many
+  /// ranks.
+  void write_state(std::ostream &stream) const;
+  void read_state(std::istream &stream);
 
 private:
   SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -44,6 +46,24 @@ constexpr unsigned int fewest_repetitions = 12;
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
   return setup.table.interface->is_hard() && body.has_hierarchy();
+}
+
+/// All numbers of a demand and a slip.
+std::string text_of(const ContactDemand &demand, const Slip &slip)
+{
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (const double number : { demand.normal_force, demand.moment_x, demand.moment_y, demand.tilt_moment,
+                               slip.spin_per_speed, slip.orientation.glass, slip.orientation.table })
+    text << number << ' ';
+  for (const double radius : demand.ring_radii)
+    text << radius << ' ';
+  for (const LoadFunction &function : { demand.friction_x, demand.friction_y })
+    for (const auto &coefficients : { function.a, function.b })
+      for (const std::vector<double> &ring : coefficients)
+        for (const double number : ring)
+          text << number << ' ';
+  return text.str();
 }
 
 std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const SolidBody &body)
@@ -84,6 +104,10 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     , softening_of_coarser(is_spring(setup, body) ? softening : 1)
     , law(interface->make(body.contact_surface(), setup.material.young_modulus / body.contact_cell_size()))
 {
+  if (!setup.checkpoint_folder.empty() && !body.has_hierarchy())
+    throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
+                                "Contact/Refinements to at least 1 and Contact/Linear solver = automatic, or "
+                                "leave it empty.");
 }
 
 FootDescription SolidFoot::description() const
@@ -122,7 +146,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   };
   const double axis = axis_of(slip);
   body.set_sliding({ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
-  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), control);
+  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), slip, control);
   before = { state.solution.motion, state.solution.normal_displacement };
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
@@ -130,7 +154,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   return state;
 }
 
-ContactSolution SolidFoot::press(const ContactDemand &demand, const ContactControl &control)
+ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, ContactControl control)
 {
   const double radius = setup.profile.contact_radius;
   const LinearConditions conditions = conditions_of(body.contact_surface(), demand);
@@ -145,9 +169,22 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ContactContr
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
-  const std::optional<ContactStart> start =
-    start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, radius);
-  return solve_contact(body, *law, conditions, radius, control, start ? &*start : nullptr);
+  std::optional<ContactCheckpoint> checkpoint;
+  std::optional<ContactStart> start;
+  if (!setup.checkpoint_folder.empty())
+  {
+    checkpoint.emplace(setup.checkpoint_folder, setup.problem + text_of(demand, slip));
+    control.checkpoint = [&](const ContactStart &at) { checkpoint->save(body, at); };
+    start = checkpoint->restore(body);
+  }
+  if (!start)
+    start = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, radius,
+                                    checkpoint ? &*checkpoint : nullptr);
+  const ContactSolution solution =
+    solve_contact(body, *law, conditions, radius, control, start ? &*start : nullptr);
+  if (checkpoint)
+    checkpoint->remove();
+  return solution;
 }
 
 unsigned int SolidFoot::n_resolved_harmonics() const

@@ -40,6 +40,9 @@ struct SolidSetup
   /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
+  /// Folder for the state of the solve at work (ContactCheckpoint); empty: none is kept.
+  std::string checkpoint_folder;
+  std::string problem; ///< text that no other setup and mesh share, for the checkpoint
 };
 
 /// The foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of
@@ -66,7 +69,7 @@ public:
 private:
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
-  ContactSolution press(const ContactDemand &demand, const ContactControl &control);
+  ContactSolution press(const ContactDemand &demand, const Slip &slip, ContactControl control);
 
   const SolidSetup setup;
   const SolidMesh mesh;

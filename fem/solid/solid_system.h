@@ -9,6 +9,8 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <iosfwd>
+
 namespace stemware::fem
 {
 
@@ -31,6 +33,10 @@ public:
 
   /// SolidOptions::linear_tolerance from now on; without effect on a factorisation.
   virtual void set_linear_tolerance(double /*tolerance*/) {}
+
+  /// All that the next solve depends on, of this rank, in binary.
+  virtual void write_state(std::ostream &stream) const = 0;
+  virtual void read_state(std::istream &stream) = 0;
 
   /// The displacement with the values of all cells that this rank owns or sees.
   virtual dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const = 0;

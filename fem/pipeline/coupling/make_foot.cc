@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_foot.h"
@@ -75,6 +76,8 @@ fem::SolidSetup solid_setup(const Study &study)
   setup.options.linear_solver = study.contact.linear_solver;
   if (study.model.friction_in_foot)
     set_friction(study, setup);
+  setup.checkpoint_folder = study.contact.checkpoint_folder;
+  setup.problem = study_as_prm(study);
   return setup;
 }
 

@@ -164,12 +164,12 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   const auto loads = std::make_shared<LoadsByPhase>(study, foot, n_harmonics, progress);
   const LoadAtPhase exact = [loads](double omega, const ring::Orientation &orientation)
   { return loads->of(orientation).leaning(omega); };
-  // Under a hard contact each phase takes ten times as long, and the azimuth lines leave more than the phases.
-  const unsigned int most_samples = study.table.interface == TableInterface::hard ? 64 : 256;
+  // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to do.
+  const bool follows = follows_spin(study);
+  const unsigned int most_samples = follows || study.table.interface == TableInterface::hard ? 64 : 256;
   const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), most_samples);
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
-  const bool follows = follows_spin(study);
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   const double spin_unit = follows ? study.motion.orbit.orbit_speed / report.rings.radius() / 4 : 0;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(report));

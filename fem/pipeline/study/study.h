@@ -123,6 +123,7 @@ struct ContactSection
   BodyKind body = BodyKind::revolution;
   std::string mesh_file; ///< empty: the mesh is generated from the glass
   fem::MeshMarks mesh_marks;
+  std::string checkpoint_folder; ///< empty: no checkpoint is kept
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;

@@ -354,6 +354,11 @@ void add_contact(EntryList &list, ContactSection &contact)
               "What cells of a body of revolution are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",
               "Error left of the goal, over its value");
+  list.path(
+    "Checkpoint folder", contact.checkpoint_folder,
+    "Folder for the state of a long contact solve of a refined solid body, kept after each Newton step: "
+    "the same study goes on from there when it was killed; empty: none. A relative path starts at the "
+    "study file");
   list.number("Memory limit", contact.memory_limit, positive, "B", "More is refused before the work");
 }
 

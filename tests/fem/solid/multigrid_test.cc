@@ -221,3 +221,16 @@ TEST(Multigrid, MomentBalanceIsTheFactorisations)
   EXPECT_LT((solutions[0].motion - solutions[1].motion).norm(), 1e-9 * solutions[0].motion.norm());
   EXPECT_LT((solutions[0].forces - solutions[1].forces).norm(), 1e-8 * solutions[0].forces.norm());
 }
+
+TEST(Multigrid, RefusesACoarsestMeshThatItCannotFactorise)
+{
+  try
+  {
+    FootCase(GlassProfile(), { 240, 8, 4, 1 }, solved_by(LinearSolver::multigrid, 1));
+    FAIL() << "72000 unknowns were factorised";
+  }
+  catch (const std::invalid_argument &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("begin with fewer cells"), std::string::npos) << error.what();
+  }
+}

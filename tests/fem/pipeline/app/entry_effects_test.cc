@@ -165,6 +165,7 @@ const std::vector<Effect> effects = {
   // Two sizes of error that one mesh fulfils; goal_mesh_test.cc has the meshes.
   { "Contact/Goal", "a2", nothing, {}, second_harmonic },
   { "Contact/Goal tolerance", "1e-3", nothing, {}, second_harmonic },
+  { "Contact/Checkpoint folder", "state", nothing, {}, second_harmonic },
   { "Contact/Memory limit", "8e9", nothing, {}, second_harmonic },
   { "Load/Source", "first harmonic", second_harmonic },
   { "Load/Coupling", "two-way", "/ring/omega_terminal" },

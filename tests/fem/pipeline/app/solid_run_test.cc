@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <thread>
 
 namespace stemware::test
 {
@@ -59,6 +63,32 @@ TEST(SolidRun, TerminalSpinIsThatOfTheBodyOfRevolution)
   // What friction in the foot does.
   const double without = truncated_spin(scratch, { "Contact/Friction coupling=none" });
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
+}
+
+TEST(SolidRun, GoesOnFromItsCheckpointWhenItWasKilled)
+{
+  const ScratchFolder scratch;
+  const std::vector<std::string> whole = { "run",     scratch.write("refined.prm", coarse_study()),
+                                           "--set",   "Contact/Degree=2",
+                                           "--set",   "Contact/Refinements=1",
+                                           "--output" };
+  std::vector<std::string> arguments = whole;
+  arguments.insert(arguments.end(), { "again", "--set", "Contact/Checkpoint folder=state" });
+  std::vector<std::string> without = whole;
+  without.emplace_back("whole");
+  ASSERT_EQ(stemware(scratch, without).exit_code, 0);
+  std::vector<std::string> command = { STEMWARE_PROGRAM };
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  RunningProgram program(command, scratch.path());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!std::filesystem::exists(scratch / "state/latest") && std::chrono::steady_clock::now() < deadline)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.send(SIGKILL);
+  EXPECT_EQ(program.end().exit_code, 128 + SIGKILL);
+  const Ended ended = stemware(scratch, arguments);
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(read_summary(scratch / "again")["load"], read_summary(scratch / "whole")["load"]);
+  EXPECT_TRUE(std::filesystem::is_empty(scratch / "state"));
 }
 
 } // namespace
