@@ -157,7 +157,7 @@ const std::vector<Effect> effects = {
   { "Contact/Rings", "1", "/ring/omega_terminal" },
   { "Contact/Load harmonics", "2", "/load/a" },
   { "Contact/Friction coupling", "elastic", second_harmonic },
-  // Two sizes of error that one mesh fulfils; goal_mesh_test.cc has the meshes.
+  // The mesh of this study is fine enough for both; in goal_mesh_test.cc it is not.
   { "Contact/Goal", "a2", nothing, {}, second_harmonic },
   { "Contact/Goal tolerance", "1e-3", nothing, {}, second_harmonic },
   { "Contact/Memory limit", "8e9", nothing, {}, second_harmonic },
