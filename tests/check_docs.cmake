@@ -1,5 +1,5 @@
-# What the pages name exists: the files that they link, the files and folders in `code`, the tests in a --gtest_filter, and
-# the papers that pages and comments cite as [Key]. Given: SOURCE_DIR.
+# What the pages name exists: the files that they link, the files and folders in `code`, the tests in a --gtest_filter
+# or behind "Tests:", and the papers that pages and comments cite as [Key]. Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 
 # Brackets and semicolons mean something in a list of CMake.
@@ -49,17 +49,26 @@ foreach(page IN LISTS pages)
     endif()
   endforeach()
 
+  set(patterns "")
   string(REGEX MATCHALL "gtest_filter='[^']+" filters "${text}")
   foreach(filter IN LISTS filters)
     string(REGEX REPLACE "^gtest_filter='" "" filter "${filter}")
-    string(REPLACE ":" ";" patterns "${filter}")
-    foreach(pattern IN LISTS patterns)
-      string(REGEX REPLACE "([.])" "[.]" expression "${pattern}")
-      string(REPLACE "*" "[^\n]*" expression "${expression}")
-      if(NOT "${tests}\n" MATCHES "\n${expression}\n")
-        string(APPEND troubles "${page} runs the tests ${pattern}, of which there is none\n")
-      endif()
-    endforeach()
+    string(REPLACE ":" ";" filter "${filter}")
+    list(APPEND patterns ${filter})
+  endforeach()
+  # "Tests: `One.*`, `Two.Three`." at the end of a section.
+  string(REGEX MATCHALL "\nTests: `[^`]+`(,[ \n]+`[^`]+`)*" lists "${text}")
+  foreach(list IN LISTS lists)
+    string(REGEX MATCHALL "[A-Za-z*]+[.]?[A-Za-z0-9*]*`" named "${list}")
+    string(REPLACE "`" "" named "${named}")
+    list(APPEND patterns ${named})
+  endforeach()
+  foreach(pattern IN LISTS patterns)
+    string(REPLACE "." "[.]" expression "${pattern}")
+    string(REPLACE "*" "[^\n]*" expression "${expression}")
+    if(NOT "${tests}\n" MATCHES "\n${expression}\n")
+      string(APPEND troubles "${page} runs the tests ${pattern}, of which there is none\n")
+    endif()
   endforeach()
 endforeach()
 

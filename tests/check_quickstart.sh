@@ -51,6 +51,8 @@ first=$(head -n 1 "$scratch/out")
 expect "what it will do is said first: $first" grep -qE "installs 318 Debian packages \(293 MB to download, 1,953 MB on disk; upgrades 6 .* about [0-9]+ minutes" <<<"$first"
 for part in "1/4 install" "2/4 configure" "3/4 build" "4/4 run" "stemware new"; do expect "$part is shown" shows "$part"; done
 expect "apt and CMake are quiet" test "$(wc -l <"$scratch/out")" -le 12
+expect "packages are installed" calls '^apt-get .*install --yes .*cmake'
+expect "the browser is not installed for that" test -z "$(grep chromium "$CALLS")"
 expect "the program alone is built" calls '^cmake --build .*--target stemware$'
 expect "the default study is run" calls '^stemware run docs/cookbooks/wine_glass.prm --output results/wine_glass$'
 expect "a study and its options reach the program" ends 0 run my_glass.prm --set "Motion/Mass=0.2"

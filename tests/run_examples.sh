@@ -14,14 +14,14 @@ program=$2
 what=$3
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
-mkdir -p "$scratch/bin" "$scratch/work/docs"
+mkdir -p "$scratch/bin" "$scratch/clone/docs"
 ln -s -- "$program" "$scratch/bin/stemware"
 command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
 # shellcheck disable=SC2016 # for the script that is written
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
 chmod +x "$scratch/bin/xdg-open"
 export PATH=$scratch/bin:$PATH
-cd -- "$scratch/work"
+cd -- "$scratch/clone"
 cp -r -- "$source/docs/cookbooks" docs/
 cp -r -- "$source/meshes" "$source/quickstart" .
 # Files that the examples call the reader's own.
@@ -85,7 +85,7 @@ fi
 status=0 block='' n=0
 while IFS=$'\t' read -r next command; do
   [[ -n $command ]] || continue
-  [[ $next == "$block" ]] || cd -- "$scratch/work"
+  [[ $next == "$block" ]] || cd -- "$scratch/clone"
   block=$next
   n=$((n + 1))
   start=$SECONDS

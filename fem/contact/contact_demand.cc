@@ -49,22 +49,6 @@ private:
   double last_sine = 2;
 };
 
-/// cosine * one + sine * other, where the load is turned by @p angle before it enters either.
-LoadFunction mixed(const LoadFunction &one, double cosine, const LoadFunction &other, double sine,
-                   double angle)
-{
-  LoadFunction result = one;
-  for (std::size_t j = 0; j < one.a.size(); ++j)
-    for (std::size_t n = 0; n < one.a[j].size(); ++n)
-    {
-      const double even = cosine * one.a[j][n] + sine * other.a[j][n],
-                   odd = cosine * one.b[j][n] + sine * other.b[j][n], turn = static_cast<double>(n) * angle;
-      result.a[j][n] = even * std::cos(turn) + odd * std::sin(turn);
-      result.b[j][n] = odd * std::cos(turn) - even * std::sin(turn);
-    }
-  return result;
-}
-
 } // namespace
 
 ContactDemand ContactDemand::in_axes_turned_by(double angle) const
@@ -75,8 +59,8 @@ ContactDemand ContactDemand::in_axes_turned_by(double angle) const
   demand.moment_y = cosine * moment_y - sine * moment_x;
   if (has_friction())
   {
-    demand.friction_x = mixed(friction_x, cosine, friction_y, sine, angle);
-    demand.friction_y = mixed(friction_y, cosine, friction_x, -sine, angle);
+    demand.friction_x = (cosine * friction_x + sine * friction_y).of_turned(angle);
+    demand.friction_y = (cosine * friction_y + -sine * friction_x).of_turned(angle);
   }
   return demand;
 }

@@ -36,4 +36,12 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
   return static_cast<unsigned int>(most);
 }
 
+std::vector<PointForce> turned_by(std::vector<PointForce> forces, double angle)
+{
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  for (PointForce &point : forces)
+    point = { cosine * point.x - sine * point.y, sine * point.x + cosine * point.y, point.force };
+  return forces;
+}
+
 } // namespace stemware::fem

@@ -59,4 +59,7 @@ struct PointForce
   double force = 0; ///< upward on the foot [N], >= 0
 };
 
+/// @p forces turned counter-clockwise by @p angle [rad].
+std::vector<PointForce> turned_by(std::vector<PointForce> forces, double angle);
+
 } // namespace stemware::fem

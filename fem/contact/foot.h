@@ -55,6 +55,9 @@ struct FootCapabilities
 {
   /// Friction tractions act back on the pressure: the load depends on the spin.
   bool friction_deforms = false;
+  /// The angle by which the glass can be turned (Slip::orientation) without changing the load, beyond what is
+  /// out of flat by the study's entries [rad]; 0: any angle.
+  double period_of_glass = 0;
   /// Solving takes all MPI ranks together, so two feet cannot be solved side by side.
   bool is_collective = false;
 };
@@ -88,6 +91,10 @@ public:
   virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) = 0;
 
+  /// Makes @p state, a contact of this foot, the solution before: where several contacts are followed in
+  /// turn, each starts from its own. A foot whose state is more than that may go on from the last one.
+  virtual void resume(const ContactState & /*state*/) {}
+
   /// Highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 
@@ -105,8 +112,8 @@ public:
   /// has to write. Throws std::logic_error for a state whose displacement the body has left.
   virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
 
-  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing where
-  /// this foot cannot tell. @p with_cells: with the cells' shares.
+  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing
+  /// where this foot cannot tell. @p with_cells: with the cells' shares.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/)
   {

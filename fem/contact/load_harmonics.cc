@@ -153,6 +153,40 @@ double LoadFunction::operator()(const LoadHarmonics &load) const
   return value;
 }
 
+LoadFunction LoadFunction::of_turned(double angle) const
+{
+  LoadFunction result = *this;
+  for (std::size_t j = 0; j < a.size(); ++j)
+    for (std::size_t n = 0; n < a[j].size(); ++n)
+    {
+      const double cosine = std::cos(static_cast<double>(n) * angle),
+                   sine = std::sin(static_cast<double>(n) * angle);
+      result.a[j][n] = a[j][n] * cosine + b[j][n] * sine;
+      result.b[j][n] = b[j][n] * cosine - a[j][n] * sine;
+    }
+  return result;
+}
+
+LoadFunction operator*(double factor, LoadFunction function)
+{
+  for (auto *part : { &function.a, &function.b })
+    for (std::vector<double> &ring : *part)
+      for (double &coefficient : ring)
+        coefficient *= factor;
+  return function;
+}
+
+LoadFunction operator+(LoadFunction one, const LoadFunction &other)
+{
+  for (std::size_t j = 0; j < one.a.size(); ++j)
+    for (std::size_t n = 0; n < one.a[j].size(); ++n)
+    {
+      one.a[j][n] += other.a[j][n];
+      one.b[j][n] += other.b[j][n];
+    }
+  return one;
+}
+
 RingShares::RingShares(std::vector<double> radii_given)
     : radii(std::move(radii_given))
     , denominators(radii.size(), 1.)

@@ -40,7 +40,14 @@ struct LoadFunction
   std::vector<std::vector<double>> b;
 
   double operator()(const LoadHarmonics &load) const;
+
+  /// What this is of the load turned counter-clockwise by @p angle [rad], as a function of the load itself.
+  LoadFunction of_turned(double angle) const;
 };
+
+LoadFunction operator*(double factor, LoadFunction function);
+/// Of functions of the same shape.
+LoadFunction operator+(LoadFunction one, const LoadFunction &other);
 
 /// How rings share a force by its radius: the values there of the Lagrange polynomials of their radii, so
 /// that radial moments up to one less than the number of rings are kept. One ring gets all.

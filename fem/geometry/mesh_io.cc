@@ -1,9 +1,9 @@
 #include "fem/geometry/mesh_io.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/mesh_formats.h"
 #include "fem/geometry/mesh_quality.h"
 
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/data_out.h>
@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -30,25 +30,6 @@ constexpr types::manifold_id cylinder_id = 1;
 constexpr auto contact_id = static_cast<types::boundary_id>(FootBoundary::contact_zone);
 constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
 
-void parse(const std::string &file_name, Triangulation<3> &triangulation)
-{
-  std::ifstream file(file_name);
-  if (!file)
-    throw std::invalid_argument("Mesh file = " + file_name +
-                                " cannot be read; give the path of a .msh file.");
-  GridIn<3> reader(triangulation);
-  try
-  {
-    reader.read_msh(file);
-  }
-  catch (const std::exception &)
-  {
-    throw std::invalid_argument(
-      "Mesh file = " + file_name +
-      " is not a Gmsh .msh mesh of hexahedra; export linear hexahedra in format 2 or 4.");
-  }
-}
-
 unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_id id)
 {
   unsigned int n_faces = 0;
@@ -57,15 +38,90 @@ unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_
   return n_faces;
 }
 
-void require_boundaries(const std::string &file_name, const Triangulation<3> &triangulation)
+/// The faces of the surface with the cells that they belong to.
+template <typename Visit>
+void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &visit)
 {
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+        visit(cell, cell->face(f));
+}
+
+using Face = Triangulation<3>::face_iterator;
+
+/// Whether all corners of @p face are at most @p distance from the height @p z.
+bool lies_at(const Face &face, double z, double distance)
+{
+  for (const unsigned int v : face->vertex_indices())
+    if (std::abs(face->vertex(v)[2] - z) > distance)
+      return false;
+  return true;
+}
+
+/// The stem cut is the top of the mesh where no face has its id; the contact zone what lies low.
+void mark_by_height(const MeshMarks &marks, Triangulation<3> &triangulation)
+{
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           for (const unsigned int v : face->vertex_indices())
+                           {
+                             lowest = std::min(lowest, face->vertex(v)[2]);
+                             highest = std::max(highest, face->vertex(v)[2]);
+                           }
+                         });
+  const bool has_stem_cut = count_faces(triangulation, stem_cut_id) > 0;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &cell, const Face &face)
+                         {
+                           const double upward = face->center()[2] - cell->center()[2];
+                           if (upward < 0 && lies_at(face, lowest, marks.contact_height))
+                             face->set_boundary_id(contact_id);
+                           else if (face->boundary_id() == contact_id)
+                             face->set_boundary_id(0);
+                           if (!has_stem_cut && upward > 0 &&
+                               lies_at(face, highest, 1e-6 * (highest - lowest)))
+                             face->set_boundary_id(stem_cut_id);
+                         });
+}
+
+/// Gives the faces of @p marks the ids of FootBoundary, which others lose.
+void mark(const MeshMarks &marks, Triangulation<3> &triangulation)
+{
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           types::boundary_id id = face->boundary_id();
+                           if (id == marks.contact_id)
+                             id = contact_id;
+                           else if (id == marks.stem_id)
+                             id = stem_cut_id;
+                           else if (id == contact_id || id == stem_cut_id)
+                             id = 0;
+                           face->set_boundary_id(id);
+                         });
+  if (marks.contact_height > 0)
+    mark_by_height(marks, triangulation);
+}
+
+void require_boundaries(const std::string &file_name, const MeshMarks &marks,
+                        const std::vector<types::boundary_id> &ids, const Triangulation<3> &triangulation)
+{
+  std::string known = "; of its faces ";
+  for (const types::boundary_id id : ids)
+    known += id == 0 ? "" : (known.back() == ' ' ? "" : ", ") + std::to_string(id);
+  known = known.back() == ' ' ? "; none of its faces has an id" : known + " are known";
+  const std::string subject = "Mesh file = " + file_name;
   if (count_faces(triangulation, contact_id) == 0)
-    throw std::invalid_argument(
-      "Mesh file = " + file_name +
-      " has no contact zone; give the faces that may touch the table the physical id 2.");
+    throw std::invalid_argument(subject + " has no contact zone" + known +
+                                "; give the faces that may touch the table the id " +
+                                std::to_string(marks.contact_id) + ", or set Contact/Mesh contact height.");
   if (count_faces(triangulation, stem_cut_id) == 0)
-    throw std::invalid_argument("Mesh file = " + file_name +
-                                " has no stem cut; give the faces where the stem was cut the physical id 1.");
+    throw std::invalid_argument(subject + " has no stem cut" + known +
+                                "; give the faces where the stem was cut the id " +
+                                std::to_string(marks.stem_id) + ".");
 }
 
 /// The edges round the contact zone: those that belong to one contact face only.
@@ -125,11 +181,14 @@ void attach_cylinder(Triangulation<3> &triangulation)
 
 } // namespace
 
-MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triangulation)
+MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triangulation,
+                          const MeshMarks &marks)
 {
   Triangulation<3> serial;
-  parse(file_name, serial);
-  require_boundaries(file_name, serial);
+  read_hexahedra(file_name, serial);
+  const std::vector<types::boundary_id> ids = serial.get_boundary_ids();
+  mark(marks, serial);
+  require_boundaries(file_name, marks, ids, serial);
   const RimBorder border(serial);
 
   MeshReport report;
@@ -137,6 +196,7 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
   report.n_contact_faces = count_faces(serial, contact_id);
   report.round_rim = border.is_round();
   report.rim_radius = border.middle();
+  report.n_repetitions = n_repetitions(serial);
   report.land_area_deficit = report.round_rim ? 0 : border.area_deficit;
   if (report.round_rim)
     attach_cylinder(serial);

@@ -21,15 +21,26 @@ struct MeshReport
   unsigned int n_contact_faces = 0;
   /// Rim vertices lie on circles to 1e-6 of the radius: the cylindrical manifold is attached.
   bool round_rim = false;
-  double rim_radius = 0; ///< (inner + outer)/2 of the contact zone [m]
+  double rim_radius = 0;          ///< (inner + outer)/2 of the contact zone [m]
+  unsigned int n_repetitions = 1; ///< equal parts round the axis (mesh_quality.h)
   /// Share of the land's area that straight edges cut off, estimated from their turning; 0 if round.
   double land_area_deficit = 0;
 };
 
-/// Reads a .msh file (hexahedra; boundary ids 1 = stem cut, 2 = contact zone, 0 or none = free) with the axis
-/// of the glass along z. Throws std::invalid_argument with one sentence when the file is missing, not a
-/// hexahedral mesh, or has no stem cut or contact zone.
-MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation);
+/// What says which faces of a mesh file are which.
+struct MeshMarks
+{
+  unsigned int contact_id = 2; ///< of the faces that may touch the table
+  unsigned int stem_id = 1;    ///< of the faces where the stem was cut
+  /// The contact zone is what looks down at most this high above the mesh's lowest point [m], whatever the
+  /// ids; the stem cut then is its top where no face has stem_id. 0: ids.
+  double contact_height = 0;
+};
+
+/// Reads a file as read_hexahedra(), with the axis of the glass along z; faces without a mark are free.
+/// Throws std::invalid_argument with one sentence when that fails or there is no stem cut or contact zone.
+MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation,
+                          const MeshMarks &marks = {});
 
 /// Moves the contact zone's vertices up by the crown's gap, so that a mesh file says all about its rim:
 /// between vertices the crown becomes a polygon. For generated meshes, whose land is flat.

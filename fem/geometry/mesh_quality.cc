@@ -4,9 +4,14 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace stemware::fem
 {
@@ -96,6 +101,28 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
     coordinate /= check.contact_area;
 }
 
+/// How many sets of contact faces are joined by edges.
+unsigned int n_contact_zones(const Triangulation<3> &triangulation)
+{
+  std::vector<std::array<unsigned int, 4>> faces;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() &&
+        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      faces.push_back({ face->line_index(0), face->line_index(1), face->line_index(2), face->line_index(3) });
+  boost::disjoint_sets_with_storage<> sets(faces.size());
+  std::map<unsigned int, std::size_t> face_of_edge;
+  std::size_t n = faces.size();
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (const unsigned int edge : faces[i])
+      if (const std::size_t other = face_of_edge.emplace(edge, i).first->second;
+          sets.find_set(i) != sets.find_set(other))
+      {
+        sets.union_set(i, other);
+        --n;
+      }
+  return static_cast<unsigned int>(n);
+}
+
 void check_extents(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   check.lower.fill(std::numeric_limits<double>::infinity());
@@ -136,6 +163,45 @@ std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
   return faces;
 }
 
+unsigned int n_repetitions(const Triangulation<3> &triangulation)
+{
+  namespace bg = boost::geometry;
+  using Place = bg::model::point<double, 3, bg::cs::cartesian>;
+  double inner_radius = std::numeric_limits<double>::infinity();
+  for (const Quadrilateral &face : contact_faces(triangulation))
+    for (const auto &[x, y] : face)
+      inner_radius = std::min(inner_radius, std::hypot(x, y));
+  std::vector<Place> places;
+  double largest = 0;
+  for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
+    if (triangulation.vertex_used(v))
+    {
+      const Point<3> &x = triangulation.get_vertices()[v];
+      const double radius = std::hypot(x[0], x[1]);
+      if (radius > 0.999 * inner_radius)
+        places.emplace_back(x[0], x[1], x[2]);
+      largest = std::max(largest, radius);
+    }
+  const bg::index::rtree<Place, bg::index::quadratic<16>> tree(places);
+  const auto is_turned_onto_itself = [&](unsigned int n)
+  {
+    const double cosine = std::cos(2 * numbers::PI / n), sine = std::sin(2 * numbers::PI / n);
+    return std::all_of(places.begin(), places.end(),
+                       [&](const Place &place)
+                       {
+                         const double x = place.get<0>(), y = place.get<1>();
+                         const Place turned(cosine * x - sine * y, sine * x + cosine * y, place.get<2>());
+                         const auto next = tree.qbegin(bg::index::nearest(turned, 1));
+                         return bg::distance(*next, turned) <= 1e-7 * largest;
+                       });
+  };
+  const auto n_faces = static_cast<unsigned int>(contact_faces(triangulation).size());
+  for (unsigned int n = n_faces; n > 1; --n)
+    if (n_faces % n == 0 && is_turned_onto_itself(n))
+      return n;
+  return 1;
+}
+
 MeshCheck check_mesh(const Triangulation<3> &triangulation)
 {
   MeshCheck check;
@@ -146,6 +212,7 @@ MeshCheck check_mesh(const Triangulation<3> &triangulation)
       ++check.n_faces[face->boundary_id()];
   check_extents(triangulation, check);
   check_contact_zone(triangulation, check);
+  check.n_zones = n_contact_zones(triangulation);
   check_cells(triangulation, check);
   return check;
 }

@@ -25,6 +25,7 @@ struct MeshCheck
   double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
   double contact_area = 0;                   ///< of its faces, edges taken as straight [m^2]
   double upward_share = 0;                   ///< share of that area that looks up, away from the table
+  unsigned int n_zones = 0;                  ///< parts of the contact zone that share no edge
   std::array<double, 2> centre = {};         ///< its centre of area in (x, y); the axis should pass there
 
   double least_jacobian = 1; ///< least scaled Jacobian of all cells
@@ -40,6 +41,12 @@ MeshCheck check_mesh(const dealii::Triangulation<3, 3> &triangulation);
 /// lengths (Knupp, SIAM J. Sci. Comput. 23 (2001) 193): 1 for a brick, 0 or less where a corner is flat or
 /// inside out. Edges are taken as straight.
 std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangulation);
+
+/// Into how many equal parts round the z axis the mesh falls from the inner radius of its contact zone
+/// outwards: the largest n of those that divide the number of contact faces for which a turn by 2 pi / n
+/// takes every vertex there to a vertex, to 1e-7 of the mesh's radius; 1 where there is no such turn. How the
+/// middle is meshed does not matter.
+unsigned int n_repetitions(const dealii::Triangulation<3, 3> &triangulation);
 
 /// Corners of a face as seen from above [m], in the order of its edge line.
 using Quadrilateral = std::array<std::array<double, 2>, 4>;

@@ -91,7 +91,7 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
 double RevolutionFoot::gap(double radius, double azimuth) const
 {
   return setup.profile.gap(radius) +
-         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis, phase);
+         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis(), phase);
 }
 
 FootDescription RevolutionFoot::description() const
@@ -114,15 +114,14 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
 {
   if (setup.imperfection.empty() || (orientation.glass == phase.glass && orientation.table == phase.table))
     return;
+  const long line_before = crest_line();
   phase = orientation;
-  const double crest = setup.imperfection.glass.empty() ? phase.table : phase.glass;
-  const long n_turned = std::lround(crest / line_spacing()) - crest_line;
-  crest_line += n_turned;
-  axis = crest - static_cast<double>(crest_line) * line_spacing();
+  const long n_turned = crest_line() - line_before;
   const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
   turned.reset();
+  crests_have_moved = true;
   if (!before)
     return;
   // The next contact starts from the penetration of the last one, where it is or turned with the crests.
@@ -142,9 +141,26 @@ double RevolutionFoot::line_spacing() const
   return boost::math::double_constants::two_pi / setup.n_lines;
 }
 
+double RevolutionFoot::crest() const
+{
+  if (setup.imperfection.empty())
+    return 0;
+  return setup.imperfection.glass.empty() ? phase.table : phase.glass;
+}
+
+long RevolutionFoot::crest_line() const
+{
+  return std::lround(crest() / line_spacing());
+}
+
+double RevolutionFoot::axis() const
+{
+  return crest() - static_cast<double>(crest_line()) * line_spacing();
+}
+
 ContactSolution RevolutionFoot::in_axes_of_lines(ContactSolution solution) const
 {
-  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis) * solution.motion.tail<2>();
+  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis()) * solution.motion.tail<2>();
   return solution;
 }
 
@@ -192,9 +208,19 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   Eigen::Index most_loaded = 0;
   body.forces().rowwise().sum().maxCoeff(&most_loaded);
   at.motion -= body.motion_of_circle(most_loaded);
+  return stiffen(conditions, softness, at, largest_step);
+}
 
+ContactSolution RevolutionFoot::stiffen(const LinearConditions &conditions, double softness, ContactStart at,
+                                        double largest_step)
+{
+  const double radius = setup.profile.contact_radius;
+  BodyOfRevolution &body = zones.back()->body;
+  const ContactSurface &surface = body.contact_surface();
+  std::unique_ptr<TableLaw> soft_law = interface->softened(softness)->make(surface, 0);
   ContactControl control = contact_control();
   control.tolerance = control.equilibrium_tolerance = 1e-3;
+  control.max_steps = 30;
   while (softness > 1)
   {
     const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
@@ -214,11 +240,28 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
   return solve_contact(body, *zones.back()->law, conditions, radius, control, &at);
 }
 
+ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, const ContactStart &start)
+{
+  ContactControl control = contact_control();
+  control.whole_steps = true;
+  control.max_steps = 15;
+  Zone &zone = *zones.back();
+  return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &start);
+}
+
+ContactSolution RevolutionFoot::solve_softened(const LinearConditions &conditions, const ContactStart &start)
+{
+  const Eigen::VectorXd &gap = zones.back()->body.contact_surface().node_gap;
+  return stiffen(conditions, large_stiffening,
+                 { start.motion, -gap + large_stiffening * (gap + start.normal_displacement) },
+                 large_stiffening);
+}
+
 ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
 {
   Zone &zone = *zones.back();
   const LinearConditions conditions =
-    conditions_of(zone.body.contact_surface(), axis == 0 ? demand : demand.in_axes_turned_by(axis));
+    conditions_of(zone.body.contact_surface(), axis() == 0 ? demand : demand.in_axes_turned_by(axis()));
   std::vector<ContactStart> starts;
   if (before)
     starts.push_back(*before);
@@ -226,33 +269,32 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
     starts.insert(goes_with_crests ? starts.begin() : starts.end(), *turned);
   const Eigen::VectorXd forces_before = zone.body.forces().reshaped();
   before.reset();
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    try
-    {
-      ContactControl control = contact_control();
-      control.whole_steps = true;
-      control.max_steps = 15;
-      if (i > 0)
-        zone.body.set_forces(forces_before);
-      const ContactSolution solution =
-        solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &starts[i]);
-      goes_with_crests = goes_with_crests != (i > 0);
-      return solution;
-    }
-    catch (const ContactFailure &failure)
-    {
-      if (failure.outcome == ContactOutcome::tipping)
-        throw;
-    }
+
+  std::vector<std::function<ContactSolution()>> ways;
+  const bool may_be_near = !(crests_have_moved && setup.table.interface->is_hard());
+  for (const bool softened : { false, true })
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      if (softened || may_be_near)
+        ways.push_back(
+          [&, softened, i]
+          {
+            const ContactSolution solution =
+              softened ? solve_softened(conditions, starts[i]) : solve_near(conditions, starts[i]);
+            goes_with_crests = goes_with_crests != (i > 0);
+            return solution;
+          });
   for (const double largest_step : { large_stiffening, small_stiffening })
+    ways.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
+  for (const auto &way : ways)
     try
     {
-      return solve_cold(conditions, largest_step);
+      return way();
     }
     catch (const ContactFailure &failure)
     {
       if (failure.outcome == ContactOutcome::tipping)
         throw;
+      zone.body.set_forces(forces_before);
     }
   const LinearConditions even = conditions.with_share_of_moment(zone.body.contact_surface(), 0);
   return solve_along_moment(zone.body, *zone.law, conditions, setup.profile.contact_radius, contact_control(),
@@ -270,7 +312,7 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   {
     if (setup.friction_coefficient > 0)
       zones.back()->body.set_sliding(
-        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
+        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis(), setup.friction_by_slip });
     return solve_from_before(demand);
   };
   state.solution = press();
@@ -280,8 +322,9 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
     state.solution = press();
   }
   state.zone = static_cast<unsigned int>(zones.size() - 1);
+  crests_have_moved = false;
   before = { state.solution.motion, state.solution.normal_displacement };
-  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
+  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis()) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 
   const BodyOfRevolution &body = zones.back()->body;
@@ -298,6 +341,18 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   return state;
 }
 
+void RevolutionFoot::resume(const ContactState &state)
+{
+  set_orientation(state.slip.orientation);
+  turned.reset();
+  before.reset();
+  crests_have_moved = false;
+  if (state.zone + 1 != zones.size())
+    return;
+  zones.back()->body.set_forces(state.solution.forces);
+  before = { in_axes_of_lines(state.solution).motion, state.solution.normal_displacement };
+}
+
 LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
                                      unsigned int n_harmonics)
 {
@@ -308,7 +363,7 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
   { return harmonics_on_lines(forces.reshaped(radii.size(), setup.n_lines), radii, highest, ring_radii); };
   LoadHarmonics load = of_nodes(state.solution.forces);
   if (ring_radii.size() <= 2)
-    return load.turned(axis);
+    return load.turned(axis());
   // Nodal forces have the radial moments of the pressure up to the elements' degree; what the pressure where
   // it lies has beyond is added. Force and moments stay what they are, those of the elastic forces.
   ContactForces by_law;
@@ -321,22 +376,18 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
       load.a[j][n] += resolved.a[j][n] - nodal.a[j][n];
       load.b[j][n] += resolved.b[j][n] - nodal.b[j][n];
     }
-  return load.turned(axis);
+  return load.turned(axis());
 }
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  std::vector<PointForce> points = zone_of(state).law->load(state.solution).points;
-  const double cosine = std::cos(axis), sine = std::sin(axis);
-  for (PointForce &point : points)
-    point = { cosine * point.x - sine * point.y, sine * point.x + cosine * point.y, point.force };
-  return points;
+  return turned_by(zone_of(state).law->load(state.solution).points, axis());
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)
 {
   PressureMap map = zone_of(state).law->pressure_map(state.solution);
-  return axis == 0 ? map : map.turned(axis);
+  return axis() == 0 ? map : map.turned(axis());
 }
 
 std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
@@ -377,7 +428,7 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   const PressureField pressure(zone.body, *zone.law, on_lines.solution,
                                [this](double r, double theta) { return gap(r, theta); });
   std::ostringstream file;
-  write_revolution_fields(field, pressure, state.solution.motion, axis, file);
+  write_revolution_fields(field, pressure, state.solution.motion, axis(), file);
   return { { "contact.vtu", file.str() } };
 }
 

@@ -14,9 +14,10 @@ namespace stemware::fem
 {
 
 /// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
-/// before, cold where that fails: then the interface is first softened until it carries on a wide band, and
-/// stiffened step by step. Where that fails too, the moment grows from none to the whole in small steps; a
-/// leaning glass whose path ends before that tips.
+/// before, on a softened interface where that fails, or where the crests have moved under a hard contact;
+/// cold where that fails too: then the interface is first softened until it carries on a wide band, and
+/// stiffened step by step. At last the moment grows from none to the whole in small steps; a leaning glass
+/// whose path ends before that tips.
 class RevolutionFoot : public Foot
 {
 public:
@@ -29,6 +30,7 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
+  void resume(const ContactState &state) override;
   unsigned int n_resolved_harmonics() const override;
   LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
                        unsigned int n_harmonics) override;
@@ -59,13 +61,29 @@ private:
   /// Nodal values turned counter-clockwise by @p n lines.
   Eigen::VectorXd turned_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
+  /// Azimuth of the crests at `phase`, of the rim's waviness, else of the table's; 0 where there is none
+  /// [rad].
+  double crest() const;
+  /// The line that the crests are next to. The lines go with the crests: else a narrow contact at a crest,
+  /// between lines at one phase and on a line at the next, would not depend smoothly on the phase. Whole
+  /// lines are no change.
+  long crest_line() const;
+  /// What is left: the azimuth of the first line, at most half a line from that of travel [rad].
+  double axis() const;
   /// The contact's solution in the axes of the lines, from that in the slip frame.
   ContactSolution in_axes_of_lines(ContactSolution solution) const;
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   void add_zone(double reach);
   ContactSolution solve_from_before(const ContactDemand &demand);
+  /// solve_contact() from @p start, in few steps or not at all.
+  ContactSolution solve_near(const LinearConditions &conditions, const ContactStart &start);
+  /// From @p start on a softened interface.
+  ContactSolution solve_softened(const LinearConditions &conditions, const ContactStart &start);
   /// @p largest_step: by how much the interface is stiffened at once.
   ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
+  /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is.
+  ContactSolution stiffen(const LinearConditions &conditions, double softness, ContactStart at,
+                          double largest_step);
   /// Whether the contact has come to a border of the zone that is none of the land.
   bool has_left_zone() const;
 
@@ -73,17 +91,13 @@ private:
   const std::shared_ptr<const ContactCompliance> compliance; ///< of the whole land
   const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
   FootOrientation phase;                                     ///< that the gaps stand at
-  /// The lines go with the crests of the waviness: else a narrow contact at a crest, between lines at one
-  /// phase and on a line at the next, would not depend smoothly on the phase. Whole lines are no change; what
-  /// is left is the azimuth of the first line, at most half a line from that of travel [rad].
-  double axis = 0;
-  long crest_line = 0; ///< the line that the crests have gone to
   /// The last one is in use: first a band about the contact radius, then the whole land if the contact leaves
   /// it.
   std::vector<std::unique_ptr<Zone>> zones;
   ComplianceCache finer{ 4 };         ///< of mesh_error()
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
   std::optional<ContactStart> turned; ///< the same turned with the crests since
+  bool crests_have_moved = false;     ///< since the solution before
   /// Whether the last start that led to a solution after a turn of the crests was the turned one.
   bool goes_with_crests = false;
 };

@@ -32,6 +32,7 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
   constraints = clamp_stem_cut(dof_handler);
   assemble();
   zone = describe_contact_zone(geometry, dof_handler, constraints, gap);
+  horizontal = owned_horizontal_dofs(dof_handler, zone.node_dofs);
   solver = std::make_unique<BorderedSolver>(preconditioner_maker(options.linear_solver));
 }
 
@@ -60,6 +61,20 @@ BorderedSolver::MakePreconditioner AssembledSystem::preconditioner_maker(LinearS
     const RigidBodyModes modes(geometry, dof_handler, constraints);
     return make_multigrid(matrix, modes, element.degree > 1);
   };
+}
+
+AssembledSystem::Vector AssembledSystem::contact_load(const Eigen::VectorXd &forces) const
+{
+  Vector vector = scatter(forces);
+  if (friction.size() == 0)
+    return vector;
+  for (const HorizontalDofs &dofs : horizontal)
+  {
+    vector(dofs.x) += friction(dofs.node, 0) * forces(dofs.node);
+    vector(dofs.y) += friction(dofs.node, 1) * forces(dofs.node);
+  }
+  vector.compress(VectorOperation::add);
+  return vector;
 }
 
 AssembledSystem::Vector AssembledSystem::scatter(const Eigen::VectorXd &nodal) const
@@ -99,7 +114,7 @@ AssembledSystem::Vector AssembledSystem::residual(const Eigen::VectorXd &forces)
 {
   Vector elastic(locally_owned, communicator);
   stiffness.vmult(elastic, displacement);
-  Vector result = scatter(forces);
+  Vector result = contact_load(forces);
   result -= elastic;
   return result;
 }
@@ -130,19 +145,43 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
     system.corner = weights.transpose() * stiffened -
                     motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
   }
-  const BorderedVector rhs{ residual(forces),
-                            motions.scale.asDiagonal() * conditions.residual(forces, motion) };
-  BorderedVector solution;
-  NewtonIncrement step;
-  step.linear_iterations = solver->solve(system, rhs, linear_reduction, solution);
+  const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
+  { return contact_tangent * (of.displacement + motions.modes * of.motion); };
+  const auto solve_symmetric_part = [&](const Vector &of, const Eigen::Vector3d &missing, bool is_first)
+  {
+    BorderedVector found;
+    SolidIncrement<Vector> solution;
+    solution.n_iterations = solver->solve(system, { of, missing }, linear_reduction, found, !is_first);
+    solution.displacement = restrict(found.body);
+    solution.motion = found.motion;
+    solution.image.reinit(locally_owned, communicator);
+    stiffness.vmult(solution.image, found.body);
+    solution.image += contact_load(forces_of(solution));
+    solution.body = found.body;
+    return solution;
+  };
+
+  const Vector unbalanced = residual(forces);
+  SolidIncrement<Vector> solution =
+    solve_symmetric_part(unbalanced, motions.scale.asDiagonal() * conditions.residual(forces, motion), true);
+  if (friction.size() > 0)
+  {
+    constexpr double share_left = 1e-4; // a correction costs little more than a back substitution
+    Vector left = unbalanced;
+    left -= solution.image;
+    correct_for_friction(solution, left, share_left * unbalanced.l2_norm(),
+                         [&](const Vector &of, double)
+                         { return solve_symmetric_part(of, Eigen::Vector3d::Zero(), false); });
+  }
 
   increment = solution.body;
-  step.displacement = restrict(increment);
+  NewtonIncrement step;
+  step.linear_iterations = solution.n_iterations;
+  step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
-  Vector image(locally_owned, communicator);
-  stiffness.vmult(image, increment);
-  step.energy_curvature = image * increment;
-  step.energy_slope = image * displacement;
+  // The work of friction, which changes with the forces, belongs to the body's.
+  step.energy_curvature = solution.image * increment - forces_of(solution).dot(step.displacement);
+  step.energy_slope = forces.dot(step.displacement) - unbalanced * increment;
   return step;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/solid/bordered_solver.h"
+#include "fem/solid/friction_corrections.h"
 #include "fem/solid/solid_system.h"
 
 #include <deal.II/fe/fe_system.h>
@@ -31,13 +32,15 @@ private:
 
   void assemble();
   BorderedSolver::MakePreconditioner preconditioner_maker(LinearSolver kind) const;
+  /// B' @p forces with the friction that they bring along.
+  Vector contact_load(const Eigen::VectorXd &forces) const;
   /// B' applied to values at the contact nodes.
   Vector scatter(const Eigen::VectorXd &nodal) const;
   /// B applied to a vector of dofs; the same on all ranks.
   Eigen::VectorXd restrict(const Vector &vector) const;
   /// tangent = K + B' T B.
   void set_tangent(const Eigen::SparseMatrix<double> &contact_tangent);
-  /// B' forces - K u.
+  /// The contact's load minus K u.
   Vector residual(const Eigen::VectorXd &forces) const;
 
   const MPI_Comm communicator;
@@ -52,6 +55,7 @@ private:
   Vector displacement;
   Vector increment; ///< of the last solve
   std::unique_ptr<BorderedSolver> solver;
+  std::vector<HorizontalDofs> horizontal;
 };
 
 } // namespace stemware::fem

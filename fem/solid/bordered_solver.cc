@@ -277,11 +277,10 @@ unsigned int BorderedSolver::solve_symmetric(const BorderedSystem &system, const
 
 unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &system,
                                                        const BorderedVector &rhs, double reduction,
-                                                       BorderedVector &solution) const
+                                                       BorderedVector &solution, bool is_same)
 {
   // x = A^-1 (r - G q) with (C - H' A^-1 G) q = s - H' A^-1 r.
   Eigen::Matrix3d schur = system.corner;
-  std::array<VectorType, 3> eliminated;
   unsigned int n_iterations = 0;
   const auto eliminate = [&](const VectorType &column, VectorType &result)
   {
@@ -290,8 +289,9 @@ unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &sys
   };
   for (unsigned int i = 0; i < 3; ++i)
   {
-    eliminate(system.border[i], eliminated[i]);
-    schur.col(i) -= products(*system.condition_border, eliminated[i]);
+    if (!is_same)
+      eliminate(system.border[i], columns[i]);
+    schur.col(i) -= products(*system.condition_border, columns[i]);
   }
   eliminate(rhs.body, solution.body);
   const Eigen::FullPivLU<Eigen::Matrix3d> factors(schur);
@@ -299,18 +299,18 @@ unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &sys
     throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
   solution.motion = factors.solve(rhs.motion - products(*system.condition_border, solution.body));
   for (unsigned int i = 0; i < 3; ++i)
-    solution.body.add(-solution.motion(i), eliminated[i]);
+    solution.body.add(-solution.motion(i), columns[i]);
   return n_iterations;
 }
 
 unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
-                                   BorderedVector &solution)
+                                   BorderedVector &solution, bool is_same)
 {
   const bool fresh = !preconditioner;
   if (fresh)
     build_preconditioner(system);
   const unsigned int n_iterations = system.condition_border
-                                      ? solve_by_schur_complement(system, rhs, reduction, solution)
+                                      ? solve_by_schur_complement(system, rhs, reduction, solution, is_same)
                                       : solve_symmetric(system, rhs, reduction, solution);
   if (n_iterations > preconditioner->patience() && !fresh)
     preconditioner.reset();

@@ -80,16 +80,17 @@ public:
   }
 
   /// Solves to a residual of @p reduction times that of zero, by the Schur complement where the system is
-  /// unsymmetric; returns the number of iterations. Throws std::runtime_error when 2000 iterations do not do.
+  /// unsymmetric; returns the number of iterations. @p is_same: the system is that of the call before. Throws
+  /// std::runtime_error when 2000 iterations do not do.
   unsigned int solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
-                     BorderedVector &solution);
+                     BorderedVector &solution, bool is_same = false);
 
 private:
   void build_preconditioner(const BorderedSystem &system);
   unsigned int solve_symmetric(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
                                BorderedVector &solution) const;
   unsigned int solve_by_schur_complement(const BorderedSystem &system, const BorderedVector &rhs,
-                                         double reduction, BorderedVector &solution) const;
+                                         double reduction, BorderedVector &solution, bool is_same);
   unsigned int solve_body(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                           const dealii::TrilinosWrappers::MPI::Vector &rhs, double reduction,
                           dealii::TrilinosWrappers::MPI::Vector &solution) const;
@@ -99,6 +100,8 @@ private:
   /// A^-1 G of the system it was built for.
   std::array<dealii::TrilinosWrappers::MPI::Vector, 3> eliminated_border;
   Eigen::Matrix3d inverse_schur = Eigen::Matrix3d::Identity();
+  /// A^-1 G of the unsymmetric system solved last.
+  std::array<dealii::TrilinosWrappers::MPI::Vector, 3> columns;
 };
 
 } // namespace stemware::fem

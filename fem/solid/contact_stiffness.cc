@@ -1,6 +1,7 @@
 #include "fem/solid/contact_stiffness.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/solid/solid_contact_zone.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -135,6 +136,19 @@ ContactStiffness::ContactStiffness(const DoFHandler<3> &dof_handler,
     if (owned.is_element(node_dofs[i]))
       owned_nodes.emplace_back(static_cast<Eigen::Index>(i),
                                static_cast<unsigned int>(owned.index_within_set(node_dofs[i])));
+  for (const HorizontalDofs &dofs : owned_horizontal_dofs(dof_handler, node_dofs))
+    owned_horizontal.push_back({ dofs.node, static_cast<unsigned int>(owned.index_within_set(dofs.x)),
+                                 static_cast<unsigned int>(owned.index_within_set(dofs.y)) });
+}
+
+void ContactStiffness::scatter_friction_add(const Eigen::VectorXd &nodal, const Eigen::MatrixX2d &friction,
+                                            LinearAlgebra::distributed::Vector<double> &vector) const
+{
+  for (const auto &[node, x, y] : owned_horizontal)
+  {
+    vector.local_element(x) += friction(node, 0) * nodal(node);
+    vector.local_element(y) += friction(node, 1) * nodal(node);
+  }
 }
 
 void ContactStiffness::set(const Eigen::SparseMatrix<double> &tangent)

@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <vector>
 
 namespace stemware::fem
@@ -45,6 +46,9 @@ public:
   /// Adds B' @p nodal.
   void scatter_add(const Eigen::VectorXd &nodal,
                    dealii::LinearAlgebra::distributed::Vector<double> &vector) const;
+  /// Adds what @p friction of shape [n_nodes, 2] makes of the normal forces @p nodal, horizontally.
+  void scatter_friction_add(const Eigen::VectorXd &nodal, const Eigen::MatrixX2d &friction,
+                            dealii::LinearAlgebra::distributed::Vector<double> &vector) const;
   /// B @p vector, the same on all ranks.
   template <typename Number>
   Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
@@ -54,6 +58,8 @@ private:
   std::vector<dealii::types::global_dof_index> node_dofs;
   /// Contact nodes of this rank, and where they are among its dofs.
   std::vector<std::pair<Eigen::Index, unsigned int>> owned_nodes;
+  /// Contact node, and where its displacement along x and y is among this rank's dofs.
+  std::vector<std::array<unsigned int, 3>> owned_horizontal;
   RowMatrix stiffness;
 };
 

@@ -166,6 +166,16 @@ std::unique_ptr<MultigridSystem> MultigridSystem::coarser(const SolidBody::Gap &
   return std::make_unique<MultigridSystem>(hierarchy, level - 1, material, gap, linear_tolerance);
 }
 
+MultigridSystem::Vector MultigridSystem::contact_load(const Eigen::VectorXd &forces) const
+{
+  Vector load;
+  elastic->initialize_dof_vector(load);
+  contact.scatter_add(forces, load);
+  if (friction.size() > 0)
+    contact.scatter_friction_add(forces, friction, load);
+  return load;
+}
+
 void MultigridSystem::start_from(const MultigridSystem &coarse)
 {
   hierarchy->prolongate(level, displacement, coarse.displacement);
@@ -251,33 +261,60 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   const bool symmetric = conditions.are_resultants();
   const Border border = make_border(motions.modes, symmetric ? loose_border : tight_border);
 
-  const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
-  Vector rhs;
-  elastic->initialize_dof_vector(rhs);
-  contact.scatter_add(forces - border.columns * (border.inverse_corner * missing), rhs);
-  rhs -= elastic_forces;
-  NewtonIncrement step;
-  increment = 0;
-  const double residual = rhs.l2_norm();
-  if (residual > 0)
-    step.linear_iterations =
-      conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
-                          target_residual(residual, forces.norm()), increment);
-  step.displacement = contact.gather(increment);
-  Eigen::Vector3d scaled = border.inverse_corner * (missing - border.columns.transpose() * step.displacement);
-  if (!symmetric)
-    close_conditions(conditions, motions, missing, step.displacement, scaled);
-  step.motion = motions.scale.asDiagonal() * scaled;
+  const ProjectedOperator matrix(*this, border);
+  const ProjectedPreconditioner preconditioner(*this, border);
+  const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
+  { return contact.matrix() * (of.displacement + motions.modes * of.motion); };
+  const auto solve_symmetric_part = [&](const Vector &residual, const Eigen::Vector3d &missing, double target)
+  {
+    SolidIncrement<Vector> solution;
+    elastic->initialize_dof_vector(solution.body);
+    Vector rhs = residual;
+    contact.scatter_add(-border.columns * (border.inverse_corner * missing), rhs);
+    if (rhs.l2_norm() > target)
+      solution.n_iterations = conjugate_gradients(matrix, preconditioner, rhs, target, solution.body);
+    solution.displacement = contact.gather(solution.body);
+    solution.motion = border.inverse_corner * (missing - border.columns.transpose() * solution.displacement);
+    if (!symmetric)
+      close_conditions(conditions, motions, missing, solution);
+    elastic->initialize_dof_vector(solution.image);
+    elastic->vmult(solution.image, solution.body);
+    solution.image += contact_load(forces_of(solution));
+    return solution;
+  };
 
-  elastic->vmult(increment_forces, increment);
-  step.energy_curvature = increment_forces * increment;
-  step.energy_slope = elastic_forces * increment;
+  const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
+  Vector residual = contact_load(forces);
+  residual -= elastic_forces;
+  Vector projected = residual;
+  contact.scatter_add(-border.columns * (border.inverse_corner * missing), projected);
+  const double target = target_residual(projected.l2_norm(), forces.norm());
+  SolidIncrement<Vector> solution = solve_symmetric_part(residual, missing, target);
+  if (friction.size() > 0)
+  {
+    Vector left = residual;
+    left -= solution.image;
+    correct_for_friction(solution, std::move(left), 2 * target,
+                         [&](const Vector &of, double to)
+                         { return solve_symmetric_part(of, Eigen::Vector3d::Zero(), to); });
+  }
+
+  const Eigen::VectorXd change = forces_of(solution);
+  increment = solution.body;
+  increment_forces = solution.image;
+  increment_forces -= contact_load(change);
+  NewtonIncrement step;
+  step.linear_iterations = solution.n_iterations;
+  step.displacement = solution.displacement;
+  step.motion = motions.scale.asDiagonal() * solution.motion;
+  // The work of friction, which changes with the forces, belongs to the body's.
+  step.energy_curvature = solution.image * increment - change.dot(step.displacement);
+  step.energy_slope = forces.dot(step.displacement) - residual * increment;
   return step;
 }
 
 void MultigridSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
-                                       const Eigen::Vector3d &missing, Eigen::VectorXd &nodal,
-                                       Eigen::Vector3d &scaled_motion)
+                                       const Eigen::Vector3d &missing, SolidIncrement<Vector> &solution) const
 {
   // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
   Eigen::MatrixX3d response(motions.modes);
@@ -288,17 +325,18 @@ void MultigridSystem::close_conditions(const LinearConditions &conditions, const
     motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
   const Eigen::Matrix3d matrix = weights.transpose() * (contact.matrix() * response) - leaning;
   const Eigen::Vector3d left =
-    missing - weights.transpose() * (contact.matrix() * (nodal + motions.modes * scaled_motion)) +
-    leaning * scaled_motion;
+    missing -
+    weights.transpose() * (contact.matrix() * (solution.displacement + motions.modes * solution.motion)) +
+    leaning * solution.motion;
   const Eigen::FullPivLU<Eigen::Matrix3d> factors(matrix);
   if (!factors.isInvertible())
     throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
   const Eigen::Vector3d further = factors.solve(left);
-  scaled_motion += further;
-  nodal += (response - motions.modes) * further;
-  for (unsigned int i = 0; i < increment.locally_owned_size(); ++i)
+  solution.motion += further;
+  solution.displacement += (response - motions.modes) * further;
+  for (unsigned int i = 0; i < solution.body.locally_owned_size(); ++i)
     for (unsigned int k = 0; k < 3; ++k)
-      increment.local_element(i) -= further(k) * double(eliminated_border[k].local_element(i));
+      solution.body.local_element(i) -= further(k) * double(eliminated_border[k].local_element(i));
 }
 
 void MultigridSystem::update(double step_length)
@@ -316,9 +354,8 @@ void MultigridSystem::reset()
 
 double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  Vector residual(elastic_forces);
-  residual *= -1;
-  contact.scatter_add(forces, residual);
+  Vector residual = contact_load(forces);
+  residual -= elastic_forces;
   return residual.l2_norm() / forces.norm();
 }
 

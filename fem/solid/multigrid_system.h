@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/solid/friction_corrections.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/solid_system.h"
 
@@ -45,6 +46,8 @@ private:
   class ProjectedPreconditioner;
 
   const SolidLevel &mesh() const { return hierarchy->level(level); }
+  /// B' @p forces with the friction that they bring along.
+  Vector contact_load(const Eigen::VectorXd &forces) const;
   /// The border of the present contact stiffness; W solves its equations to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
   /// The residual [N] down to which a system that starts from @p residual is worth solving under contact
@@ -52,8 +55,7 @@ private:
   double target_residual(double residual, double force);
   /// Changes a solution under prescribed resultants into one under @p conditions.
   void close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
-                        const Eigen::Vector3d &missing, Eigen::VectorXd &nodal,
-                        Eigen::Vector3d &scaled_motion);
+                        const Eigen::Vector3d &missing, SolidIncrement<Vector> &solution) const;
 
   const std::shared_ptr<MeshHierarchy> hierarchy;
   const unsigned int level;

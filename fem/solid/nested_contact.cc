@@ -9,9 +9,10 @@ namespace
 {
 
 /// The error of a coarser mesh is larger than this: solving its contact further would not help the finer.
-ContactControl coarse_control()
+ContactControl coarse_control(double softening)
 {
   ContactControl control;
+  control.set_matters = softening == 1;
   control.tolerance = 1e-6;
   control.equilibrium_tolerance = 1e-4;
   control.resultant_tolerance = 1e-4;
@@ -40,7 +41,7 @@ std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const Interf
   {
     const auto law = interface.softened(std::pow(softening, n))->make(surface, 0);
     const ContactSolution solution =
-      solve_contact(body, *law, conditions, radius, coarse_control(), start ? &*start : nullptr);
+      solve_contact(body, *law, conditions, radius, coarse_control(softening), start ? &*start : nullptr);
     start = hardened({ solution.motion, solution.normal_displacement }, surface, softening);
   }
   return start;
@@ -64,8 +65,8 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
                             : start_from_coarser_mesh(*coarse, *softer, softening, demand, radius);
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
-      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius, coarse_control(),
-                    start ? &*start : nullptr);
+      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
+                    coarse_control(softening), start ? &*start : nullptr);
     body.start_from(*coarse);
     const ContactSurface &surface = body.contact_surface();
     return hardened(

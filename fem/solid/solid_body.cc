@@ -3,6 +3,9 @@
 #include "fem/solid/assembled_system.h"
 #include "fem/solid/multigrid_system.h"
 
+#include <Eigen/Geometry>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -79,12 +82,36 @@ std::unique_ptr<SolidBody> SolidBody::coarser() const
   if (is_coarsest())
     return nullptr;
   std::unique_ptr<SolidSystem> coarse = dynamic_cast<const MultigridSystem &>(*system).coarser(gap);
-  return std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap));
+  auto body = std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap));
+  body->set_sliding(sliding);
+  return body;
 }
 
 void SolidBody::start_from(const SolidBody &coarse)
 {
   dynamic_cast<MultigridSystem &>(*system).start_from(dynamic_cast<const MultigridSystem &>(*coarse.system));
+}
+
+void SolidSystem::set_sliding(const SlidingTraction &traction)
+{
+  friction.resize(0, 2);
+  if (traction.friction_coefficient == 0)
+    return;
+  friction.resize(zone.surface.n_nodes(), 2);
+  for (Eigen::Index i = 0; i < friction.rows(); ++i)
+  {
+    const double x = zone.surface.node_position(i, 0), y = zone.surface.node_position(i, 1);
+    const double azimuth = std::atan2(y, x);
+    const Eigen::Vector2d direction = traction.direction(std::hypot(x, y), azimuth);
+    friction.row(i) = Eigen::Rotation2Dd(azimuth) * direction;
+  }
+}
+
+void SolidBody::set_sliding(const SlidingTraction &traction)
+{
+  traction.validate();
+  sliding = traction;
+  system->set_sliding(traction);
 }
 
 void SolidBody::set_linear_tolerance(double tolerance)

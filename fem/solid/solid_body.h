@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/elastic_body.h"
+#include "fem/contact/sliding_traction.h"
 #include "fem/elasticity/elastic_material.h"
 
 #include <functional>
@@ -65,6 +66,10 @@ public:
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
   unsigned int n_unknowns() const override;
 
+  /// Friction of the contact forces along @p traction, in the axes of the mesh, deforms the body from now on.
+  /// Throws as SlidingTraction::validate().
+  void set_sliding(const SlidingTraction &traction);
+
   /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
   double contact_cell_size() const;
 
@@ -91,6 +96,7 @@ private:
 
   std::unique_ptr<SolidSystem> system;
   Gap gap;
+  SlidingTraction sliding;
 };
 
 } // namespace stemware::fem

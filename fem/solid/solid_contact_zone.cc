@@ -287,6 +287,34 @@ double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &comm
 
 } // namespace
 
+std::vector<HorizontalDofs> owned_horizontal_dofs(const DoFHandler<3> &dof_handler,
+                                                  const std::vector<global_dof_index> &node_dofs)
+{
+  const FiniteElement<3> &element = dof_handler.get_fe();
+  const IndexSet &owned = dof_handler.locally_owned_dofs();
+  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
+  std::vector<HorizontalDofs> result;
+  std::vector<bool> known(node_dofs.size(), false);
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(cell_dofs);
+    for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+    {
+      const auto [component, place] = element.system_to_component_index(i);
+      const unsigned int node = index_of(node_dofs, cell_dofs[i]);
+      if (component != 2 || !owned.is_element(cell_dofs[i]) || node == node_dofs.size() ||
+          node_dofs[node] != cell_dofs[i] || known[node])
+        continue;
+      known[node] = true;
+      result.push_back({ node, cell_dofs[element.component_to_system_index(0, place)],
+                         cell_dofs[element.component_to_system_index(1, place)] });
+    }
+  }
+  return result;
+}
+
 SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
                                        const AffineConstraints<double> &constraints,
                                        const SolidBody::Gap &gap)

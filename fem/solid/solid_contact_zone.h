@@ -17,6 +17,18 @@ struct SolidContactZone
   double smallest_cell = 0;                               ///< shortest edge of a contact face [m]
 };
 
+/// A contact node's horizontal displacement among the dofs.
+struct HorizontalDofs
+{
+  unsigned int node;
+  dealii::types::global_dof_index x, y;
+};
+
+/// Of those @p node_dofs, vertical and ascending, that this rank owns; the horizontal ones are its own too.
+std::vector<HorizontalDofs>
+owned_horizontal_dofs(const dealii::DoFHandler<3> &dof_handler,
+                      const std::vector<dealii::types::global_dof_index> &node_dofs);
+
 /// Describes the faces with FootBoundary::contact_zone of all ranks. Every face carries lines at Gauss points
 /// of its more azimuthal direction; nodes that hang on others are replaced by these; the gap of a point is
 /// its own z plus @p gap(x, y). Throws std::invalid_argument when there is no such face.

@@ -5,6 +5,8 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -36,6 +38,9 @@ constexpr double hardness = 1000;
 /// How much softer it is on each coarser mesh.
 constexpr double softening = 8;
 
+/// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
+constexpr unsigned int fewest_repetitions = 12;
+
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
   return setup.table.interface->is_hard() && body.has_hierarchy();
@@ -63,16 +68,16 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
   return { mesh, std::nullopt };
 }
 
-SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements)
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, const MeshMarks &marks)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);
-  const MeshReport report = read_foot_mesh(file, *mesh);
+  const MeshReport report = read_foot_mesh(file, *mesh, marks);
   mesh->refine_global(refinements);
   return { mesh, report };
 }
 
 SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
-    : contact_radius(setup.profile.contact_radius)
+    : setup(setup)
     , mesh(mesh)
     , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
     , interface(interface_of(setup, body))
@@ -96,6 +101,9 @@ FootCapabilities SolidFoot::capabilities() const
 {
   FootCapabilities capabilities;
   capabilities.is_collective = true;
+  capabilities.friction_deforms = setup.friction_coefficient > 0;
+  if (mesh.report && mesh.report->n_repetitions < fewest_repetitions)
+    capabilities.period_of_glass = 2 * dealii::numbers::PI / mesh.report->n_repetitions;
   return capabilities;
 }
 
@@ -105,20 +113,41 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   ContactState state;
   state.slip = slip;
   ContactControl control;
+  control.set_matters = softening_of_coarser == 1; // a spring's pressure is integrated along lines
   control.progress = [&](const ContactIteration &iteration)
   {
     state.history.push_back(iteration);
     if (progress)
       progress(iteration);
   };
-  if (!before)
-    before = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, contact_radius);
-  state.solution = solve_contact(body, *law, conditions_of(body.contact_surface(), demand), contact_radius,
-                                 control, before ? &*before : nullptr);
+  const double axis = axis_of(slip);
+  body.set_sliding({ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
+  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), control);
   before = { state.solution.motion, state.solution.normal_displacement };
+  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
   return state;
+}
+
+ContactSolution SolidFoot::press(const ContactDemand &demand, const ContactControl &control)
+{
+  const double radius = setup.profile.contact_radius;
+  const LinearConditions conditions = conditions_of(body.contact_surface(), demand);
+  if (before)
+    try
+    {
+      return solve_contact(body, *law, conditions, radius, control, &*before);
+    }
+    catch (const ContactFailure &failure)
+    {
+      before.reset();
+      if (failure.outcome == ContactOutcome::tipping)
+        throw;
+    }
+  const std::optional<ContactStart> start =
+    start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, radius);
+  return solve_contact(body, *law, conditions, radius, control, start ? &*start : nullptr);
 }
 
 unsigned int SolidFoot::n_resolved_harmonics() const
@@ -130,23 +159,29 @@ unsigned int SolidFoot::n_resolved_harmonics() const
 LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
                                 unsigned int n_harmonics)
 {
-  return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii);
+  return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii)
+    .turned(axis_of(state.slip));
 }
 
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
 {
-  return law->load(state.solution).points;
+  return turned_by(law->load(state.solution).points, axis_of(state.slip));
 }
 
 PressureMap SolidFoot::pressure_map(const ContactState &state)
 {
-  return law->pressure_map(state.solution);
+  const double axis = axis_of(state.slip);
+  PressureMap map = law->pressure_map(state.solution);
+  return axis == 0 ? map : map.turned(axis);
 }
 
 std::vector<FieldFile> SolidFoot::fields(const ContactState &state)
 {
-  require_latest(body, state);
-  std::string text = body.vtu_file(state.solution.motion, law->nodal_pressure(state.solution));
+  ContactState in_mesh_axes = state;
+  in_mesh_axes.solution.motion.tail<2>() =
+    Eigen::Rotation2Dd(-axis_of(state.slip)) * state.solution.motion.tail<2>();
+  require_latest(body, in_mesh_axes);
+  std::string text = body.vtu_file(in_mesh_axes.solution.motion, law->nodal_pressure(state.solution));
   if (text.empty()) // not on the first rank
     return {};
   return { { "contact.vtu", std::move(text) } };

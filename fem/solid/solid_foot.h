@@ -7,6 +7,7 @@
 #include "fem/geometry/glass_profile.h"
 #include "fem/solid/solid_body.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,7 +27,7 @@ SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution 
 
 /// The mesh of a file, which says all about its rim itself, with all cells halved @p refinements times.
 /// Throws as read_foot_mesh().
-SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0);
+SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0, const MeshMarks &marks = {});
 
 /// Glass, table and numerical parameters of a solid foot.
 struct SolidSetup
@@ -34,10 +35,16 @@ struct SolidSetup
   GlassProfile profile;
   ElasticMaterial material;
   Table table;
+  /// mu of the friction that deforms the foot; 0: friction does not act back on the pressure.
+  double friction_coefficient = 0;
+  /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
+  std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
 };
 
-/// The foot as three-dimensional finite elements on all MPI ranks. Friction does not deform it.
+/// The foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of
+/// the glass: the foot turns with Slip::orientation. A generated mesh is one of a body of revolution and does
+/// not turn.
 class SolidFoot : public Foot
 {
 public:
@@ -57,7 +64,11 @@ public:
   std::vector<FieldFile> fields(const ContactState &state) override;
 
 private:
-  const double contact_radius;
+  /// Azimuth of the mesh's x axis in the slip frame [rad].
+  double axis_of(const Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
+  ContactSolution press(const ContactDemand &demand, const ContactControl &control);
+
+  const SolidSetup setup;
   const SolidMesh mesh;
   SolidBody body;
   const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/contact/elastic_body.h"
+#include "fem/contact/sliding_traction.h"
 #include "fem/solid/solid_body.h"
 #include "fem/solid/solid_contact_zone.h"
 
@@ -34,6 +35,9 @@ public:
   /// The displacement with the values of all cells that this rank owns or sees.
   virtual dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const = 0;
 
+  /// Friction along @p traction deforms the body from now on.
+  void set_sliding(const SlidingTraction &traction);
+
   const SolidContactZone &contact_zone() const { return zone; }
   const ElasticMaterial &glass() const { return material; }
 
@@ -45,6 +49,9 @@ protected:
 
   const ElasticMaterial material;
   SolidContactZone zone;
+  /// Friction (x, y) at the contact nodes per normal force there: a force on the foot, shape [n_nodes, 2].
+  /// Empty: none.
+  Eigen::MatrixX2d friction;
 };
 
 /// Table motions counted so that all unknowns are lengths and all residuals forces: tilts as heights at the

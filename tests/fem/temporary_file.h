@@ -14,8 +14,8 @@ namespace stemware::fem_tests
 /// several ranks.
 struct TemporaryFile
 {
-  explicit TemporaryFile(const std::string &content)
-      : name(::testing::TempDir() + "stemware_mesh_file_test_" + std::to_string(getpid()) + ".msh")
+  explicit TemporaryFile(const std::string &content, const std::string &extension = ".msh")
+      : name(::testing::TempDir() + "stemware_mesh_file_test_" + std::to_string(getpid()) + extension)
   {
     std::ofstream(name) << content;
   }

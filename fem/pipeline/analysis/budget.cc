@@ -137,7 +137,8 @@ WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, 
     row.reason = "not defined";
     return row;
   }
-  if (variant.study.has_waviness() && variant.study.table.is_hard() && !complete_is_hard)
+  const bool depends_on_phase = variant.study.has_waviness() || complete.ripple > 0;
+  if (depends_on_phase && variant.study.table.is_hard() && !complete_is_hard)
   {
     row.reason = "not computed: a rim out of flat touches a hard table at few places, phase by phase others";
     return row;

@@ -113,7 +113,6 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.terminal = found.spin;
   row.ripple = found.ripple;
   row.spin_uncertainty = found.uncertainty;
-  row.phase_error = load.phases() ? load.phases()->error() : 0;
   row.zero_of_mean_torque = found.zero_of_mean_torque;
   row.at_terminal = ring_state(load, question, omega);
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
@@ -179,7 +178,11 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
+  const double torque_error = load.phases()->error() * motion.friction_coefficient * motion.normal_force() *
+                              load.report().rings.radius();
   result.uncertainty = mean.uncertainty;
+  if (!result.spin.held)
+    result.uncertainty += torque_error / std::abs(result.spin.torque_slope);
   return result;
 }
 

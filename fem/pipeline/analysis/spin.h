@@ -34,7 +34,8 @@ struct LongRunSpin
     spin = {}; ///< omega, the mean in the long run; slope and time constant of the mean torque
   double zero_of_mean_torque = 0; ///< [rad/s]; omega itself where the phase does not matter
   double ripple = 0;              ///< half of largest minus smallest spin in the long run [rad/s]
-  double uncertainty = 0;         ///< of the mean [rad/s]
+  /// Of the mean, by its average and by the loads between sampled phases [rad/s].
+  double uncertainty = 0;
 };
 
 /// The terminal spin under @p load, @p expected or not: the zero of the torque that is reached from rest, or,

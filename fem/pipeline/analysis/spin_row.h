@@ -49,8 +49,7 @@ struct SpinRow
   std::optional<RingState> at_rest;
   std::optional<ring::TerminalSpin> terminal;
   double ripple = 0; ///< half of largest minus smallest spin in the long run [rad/s]; 0 without phases
-  double spin_uncertainty = 0;    ///< of the mean in the long run [rad/s]
-  double phase_error = 0;         ///< of the load between sampled phases, PhaseLoads::error(), over a_0
+  double spin_uncertainty = 0;    ///< of the mean in the long run, LongRunSpin::uncertainty [rad/s]
   double zero_of_mean_torque = 0; ///< [rad/s]; the terminal spin itself where the phase does not matter
   std::optional<RingState> at_terminal;
   std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin

@@ -47,7 +47,7 @@ struct SpinUpCurves
 struct PhaseStudy
 {
   double spin_ripple = 0;         ///< half of largest minus smallest spin in the long run [rad/s]
-  double spin_uncertainty = 0;    ///< of the mean spin in the long run [rad/s]
+  double spin_uncertainty = 0;    ///< of the mean spin in the long run, LongRunSpin::uncertainty [rad/s]
   double zero_of_mean_torque = 0; ///< spin at which the torque vanishes on average over the phases [rad/s]
   double torque_ripple = 0; ///< half of largest minus smallest torque over the phases, at the mean spin [N m]
   double least_load = 0;    ///< pointwise, at rest, of all sampled phases [N/rad]
@@ -55,7 +55,7 @@ struct PhaseStudy
   unsigned int n_glass_phases = 1;   ///< sampled
   unsigned int n_table_phases = 1;
   std::size_t n_spins = 1;        ///< sampled; 1 for a load that does not depend on the spin
-  double interpolation_error = 0; ///< of the load between samples, over a_0
+  double interpolation_error = 0; ///< of the load between samples, torque_difference()
 
   /// At each sampled phase: where the marks stand [rad], and the torque at rest and at the mean spin [N m].
   std::vector<ring::Orientation> phases;

@@ -1,6 +1,7 @@
 #include "fem/pipeline/app/console_progress.h"
 
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/console.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -94,6 +95,10 @@ void note_load_source(const Study &study, Progress &progress)
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, fem::ComplianceCache &cache,
                                             Progress &progress)
 {
+  constexpr double worth_saying = 1e9;
+  if (const StudySize size = size_of(study); size.memory > worth_saying)
+    progress.note("Memory",
+                  fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} cells"), size.memory / 1e9, size.cells));
   std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
   if (!foot)
     return foot;

@@ -20,7 +20,7 @@ void add_defaults_verb(CLI::App &program, Verb &chosen)
   stemware defaults
   stemware defaults Table                    the entries of one section
   stemware defaults > all_entries.prm        a study file; `stemware new` writes a short one
-  stemware defaults | grep -A 3 radius)");
+  stemware defaults | grep -B 3 radius)");
   verb->callback([&chosen, section]
                  { chosen = [section] { console() << commented_defaults(*section) << std::flush; }; });
 }

@@ -55,9 +55,9 @@ void check_options(const MeshOptions &options)
   }
 }
 
-MeshFindings read_mesh(const std::string &file, Triangulation &mesh)
+MeshFindings read_mesh(const std::string &file, const fem::MeshMarks &marks, Triangulation &mesh)
 {
-  const fem::MeshReport report = read_mesh_file(file, mesh);
+  const fem::MeshReport report = read_mesh_file(file, marks, mesh);
   return { file, fem::check_mesh(mesh), report };
 }
 
@@ -109,7 +109,9 @@ void mesh(const MeshOptions &options)
 
   // 2. What it is like, and whether it can be used.
   Triangulation mesh;
-  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, mesh);
+  const MeshFindings findings =
+    file.empty() ? generate_mesh(*study, mesh)
+                 : read_mesh(file, study ? study->contact.mesh_marks : fem::MeshMarks(), mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check);
   if (study && findings.report)

@@ -56,7 +56,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
   CLI::App *verb =
-    program.add_subcommand("run", "Compute a study: contact, torque, spin, and what each effect does");
+    program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
   stemware run                                                the default study

@@ -12,29 +12,33 @@ namespace stemware::pipeline
 namespace
 {
 
-/// @p factor times a functional of the load that is turned by @p rotation first.
+/// @p factor times the functional of a load that is turned by @p rotation first.
 fem::LoadFunction load_function(const ring::LoadFunctional &functional, double factor, double rotation)
 {
-  fem::LoadFunction result = { functional.a, functional.b };
-  for (std::size_t j = 0; j < result.a.size(); ++j)
-    for (std::size_t n = 0; n < result.a[j].size(); ++n)
-    {
-      const double cosine = std::cos(static_cast<double>(n) * rotation);
-      const double sine = std::sin(static_cast<double>(n) * rotation);
-      const double even = functional.a[j][n], odd = functional.b[j][n];
-      result.a[j][n] = factor * (even * cosine + odd * sine);
-      result.b[j][n] = factor * (odd * cosine - even * sine);
-    }
-  return result;
+  return (factor * fem::LoadFunction{ functional.a, functional.b }).of_turned(rotation);
 }
 
 } // namespace
 
-BalancedContact::BalancedContact(std::shared_ptr<const ElasticFoot> foot_given, const ContactBalance &balance)
+BalancedContact::BalancedContact(std::shared_ptr<const ElasticFoot> foot_given, const ContactBalance &balance,
+                                 std::optional<fem::ContactState> start)
     : foot(std::move(foot_given))
     , balance(balance)
     , one_radius(foot->radius())
+    , before(std::move(start))
+    , place_of_before(foot->n_solutions())
 {
+}
+
+fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega, Progress &progress)
+{
+  if (before && place_of_before != foot->n_solutions())
+    foot->resume(*before);
+  const ring::Slip slip = { omega / balance.moments.motion.orbit_speed, balance.moments.orientation };
+  before = foot->solve(demand, slip, progress);
+  place_of_before = foot->n_solutions();
+  ++n_solved;
+  return *before;
 }
 
 fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<double> &radii,
@@ -62,11 +66,9 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
 {
   constexpr unsigned int most_rounds = 20;
   const ring::Motion &motion = balance.moments.motion;
-  const ring::Slip slip = { omega / motion.orbit_speed, balance.moments.orientation };
   for (unsigned int round = 0;; ++round)
   {
-    ++n_solved;
-    fem::ContactState state = foot->solve(demand_at(omega, { one_radius }, one_rotation), slip, progress);
+    fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega, progress);
     state.load = foot->gather(state);
     const double radius = state.load.radii.front(), rotation = ring_rotation(state.load);
     const bool settled =
@@ -85,9 +87,7 @@ fem::ContactState BalancedContact::contact(double omega, Progress &progress)
 {
   if (foot->ring_radii().empty())
     return contact_on_one_ring(omega, progress);
-  ++n_solved;
-  const ring::Slip slip = { omega / balance.moments.motion.orbit_speed, balance.moments.orientation };
-  return foot->solve(demand_at(omega, foot->ring_radii(), 0), slip, progress);
+  return solve(demand_at(omega, foot->ring_radii(), 0), omega, progress);
 }
 
 const LeaningLoad &BalancedContact::at(double omega)

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace stemware::pipeline
 {
@@ -21,11 +22,13 @@ struct ContactBalance
 };
 
 /// An elastic foot in balance at one spin after the other: contact, friction and moment balance are one
-/// system, solved by the contact (fem::ContactDemand). Loads are kept, contacts are not.
+/// system, solved by the contact (fem::ContactDemand). All loads are kept, of contacts the last one.
 class BalancedContact
 {
 public:
-  BalancedContact(std::shared_ptr<const ElasticFoot> foot, const ContactBalance &balance);
+  /// @p start is a contact near the first one asked for; nothing: the one that the foot has solved last.
+  BalancedContact(std::shared_ptr<const ElasticFoot> foot, const ContactBalance &balance,
+                  std::optional<fem::ContactState> start = {});
 
   /// The load at the spin @p omega [rad/s], of all harmonics. Throws fem::ContactFailure.
   const LeaningLoad &at(double omega);
@@ -38,6 +41,8 @@ public:
 
 private:
   fem::ContactDemand demand_at(double omega, const std::vector<double> &radii, double rotation) const;
+  /// From the contact before, even where the foot has been used for others since.
+  fem::ContactState solve(const fem::ContactDemand &demand, double omega, Progress &progress);
   /// With T of the one ring that carries moment and first harmonic, whose radius is part of the solution.
   fem::ContactState contact_on_one_ring(double omega, Progress &progress);
 
@@ -47,6 +52,8 @@ private:
   double one_radius;       ///< of the one ring in the solution before [m]
   double one_rotation = 0; ///< [rad]
   std::size_t n_solved = 0;
+  std::optional<fem::ContactState> before;
+  std::size_t place_of_before; ///< among the foot's solutions
 };
 
 /// The load of a contact, with its tilt where that is part of the balance.

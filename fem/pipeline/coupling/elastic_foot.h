@@ -35,6 +35,9 @@ public:
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress()) const;
 
+  /// The next contact starts from @p state, one of this foot's.
+  void resume(const fem::ContactState &state) const { foot->resume(state); }
+
   /// solve() that remembers the last contact it has found: what is asked for at rest is asked for often.
   const fem::ContactState &solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
                                          Progress &progress);

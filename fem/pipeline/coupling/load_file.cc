@@ -2,8 +2,8 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text_file.h"
 
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -53,34 +53,27 @@ bool read_row(const std::string &line, Coefficients &coefficients)
 
 ring::RingStack read_load_file(const std::string &file)
 {
-  std::ifstream stream(file);
-  if (!stream)
-    throw BadInput("The load file " + shortened_path(file) +
-                   " cannot be read; check its path and permissions.");
+  const std::string setting = "Load/File = " + shortened_path(file);
   Coefficients coefficients;
-  std::string line;
-  for (unsigned int number = 1; std::getline(stream, line); ++number)
+  for (const TextLine &line : read_lines(setting, file))
   {
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos)
+    if (line.text.front() == '#')
+    {
+      read_comment(line.text, coefficients);
       continue;
-    if (line[begin] == '#')
-      read_comment(line.substr(begin), coefficients);
-    else if (coefficients.a.size() > most_harmonics)
-      throw BadInput("The load file " + shortened_path(file) + " holds more than the " +
-                     std::to_string(most_harmonics) +
-                     " harmonics that a torque is computed from; leave the higher ones out.");
-    else if (!read_row(line, coefficients))
-      throw BadInput(shortened_path(file) + ", line " + std::to_string(number) + ": expected \"" +
-                     std::to_string(coefficients.a.size()) + " a b\" with finite numbers in N/rad" +
-                     (coefficients.a.empty() ? ", a greater than 0 and b = 0." : "."));
+    }
+    require(coefficients.a.size() <= most_harmonics,
+            setting + " holds more than the " + std::to_string(most_harmonics) +
+              " harmonics that a torque is computed from; leave the higher ones out.");
+    require(read_row(line.text, coefficients),
+            setting + ", line " + std::to_string(line.number) + ": expected \"" +
+              std::to_string(coefficients.a.size()) + " a b\" with finite numbers in N/rad" +
+              (coefficients.a.empty() ? ", a greater than 0 and b = 0." : "."));
   }
-  if (!coefficients.radius || *coefficients.radius <= 0)
-    throw BadInput("The load file " + shortened_path(file) +
-                   " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
-  if (coefficients.a.size() < 2)
-    throw BadInput("The load file " + shortened_path(file) +
-                   " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
+  require(coefficients.radius && *coefficients.radius > 0,
+          setting + " does not say how large the ring is; add a line \"# ring radius: 0.03 (m)\".");
+  require(coefficients.a.size() >= 2,
+          setting + " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
   return { coefficients.a, coefficients.b, *coefficients.radius };
 }
 

@@ -17,6 +17,19 @@ namespace stemware::pipeline
 namespace
 {
 
+/// Gives @p setup the friction that deforms the body, where one does.
+template <typename Setup>
+void set_friction(const Study &study, Setup &setup)
+{
+  if (!study.friction_deforms())
+    return;
+  const ring::Motion &motion = study.motion.orbit;
+  setup.friction_coefficient = motion.friction_coefficient;
+  if (!motion.has_constant_friction())
+    setup.friction_by_slip = [motion](double relative_slip)
+    { return motion.friction_at(relative_slip * motion.orbit_speed); };
+}
+
 fem::RevolutionSetup revolution_setup(const Study &study)
 {
   fem::RevolutionSetup setup;
@@ -24,13 +37,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.material = study.glass.material;
   setup.table = study.table.make();
   setup.imperfection = imperfection_of(study);
-  if (const ring::Motion &motion = study.motion.orbit; study.friction_deforms())
-  {
-    setup.friction_coefficient = motion.friction_coefficient;
-    if (!motion.has_constant_friction())
-      setup.friction_by_slip = [motion](double relative_slip)
-      { return motion.friction_at(relative_slip * motion.orbit_speed); };
-  }
+  set_friction(study, setup);
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
   setup.resolution.land_cells = study.contact.resolution.radial_cells;
@@ -55,7 +62,7 @@ fem::SolidMesh solid_mesh(const Study &study)
     return fem::generate_solid_mesh(study.glass.profile, resolution);
   }
   require_usable_mesh(study);
-  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements);
+  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
 }
 
 fem::SolidSetup solid_setup(const Study &study)
@@ -66,6 +73,8 @@ fem::SolidSetup solid_setup(const Study &study)
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
   setup.options.linear_solver = study.contact.linear_solver;
+  if (study.model.friction_in_foot)
+    set_friction(study, setup);
   return setup;
 }
 
@@ -103,7 +112,7 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study)
   if (study.contact.mesh_file.empty())
     fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
   else
-    read_mesh_file(study.contact.mesh_file, mesh);
+    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, mesh);
   return fem::section_cells(mesh, azimuth);
 }
 

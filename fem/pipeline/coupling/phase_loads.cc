@@ -1,6 +1,7 @@
 #include "fem/pipeline/coupling/phase_loads.h"
 
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/coulomb_ring.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -18,7 +19,7 @@ namespace
 /// Sampling goes on until the difference is below the first; once that has taken many phases, below the
 /// second: each doubling doubles the work, and the band of error contains the difference.
 constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
-constexpr unsigned int many_phases = 32;  ///< of one angle
+constexpr unsigned int many_phases = 32;
 constexpr double largest_allowed = 3e-2;  ///< the band of error contains it
 constexpr unsigned int most_phases = 128; ///< of one angle
 constexpr unsigned int most_steps = 16;   ///< on an interval of spins
@@ -34,16 +35,51 @@ PeriodicGrid first_grid(double period)
   return period > 0 ? PeriodicGrid(period, 8) : PeriodicGrid(boost::math::double_constants::two_pi, 1);
 }
 
-/// Largest difference of the interpolant on @p grids from the load at those phases of @p refined, where one
-/// of the grids has twice the nodes, that lie halfway between.
-double error_between(const LoadAtPhase &load, const PhaseGrids &grids, const PhaseGrids &refined)
+/// Largest difference at those nodes of @p grids that half as many in one angle leave out.
+double error_of_halved(const LoadAtPhase &load, const PhaseGrids &grids, bool in_glass)
+{
+  PhaseGrids halved = grids;
+  PeriodicGrid &angle = in_glass ? halved.glass : halved.table;
+  angle = angle.halved();
+  const PhaseLoads loads(load, halved, 0);
+  double error = 0;
+  for (unsigned int i = 0; i < grids.size(); ++i)
+    if ((in_glass ? i / grids.table.size() : i % grids.table.size()) % 2 == 1)
+      error = std::max(error, torque_difference(loads.at(0, grids.phase(i)), load(0, grids.phase(i))));
+  return error;
+}
+
+/// What the samples themselves tell of one angle's error.
+struct AngleError
+{
+  AngleError(const LoadAtPhase &load, const PhaseGrids &grids, bool in_glass)
+  {
+    if ((in_glass ? grids.glass : grids.table).size() == 1)
+      return;
+    PhaseGrids halved = grids;
+    PeriodicGrid &angle = in_glass ? halved.glass : halved.table;
+    angle = angle.halved();
+    const double of_quarter = error_of_halved(load, halved, in_glass);
+    of_half = error_of_halved(load, grids, in_glass);
+    falls = of_half < of_quarter / 2;
+    estimate = of_half * std::min(1., of_half / of_quarter);
+  }
+
+  double of_half = 0;  ///< with half the phases, measured
+  double estimate = 0; ///< with all of them, if it goes on to fall no slower
+  bool falls = false;  ///< whether twice the phases have halved it
+};
+
+/// Largest difference at a few phases, none of which is near a node for ever finer grids.
+double error_of_check(const LoadAtPhase &load, const PhaseGrids &grids)
 {
   const PhaseLoads loads(load, grids, 0);
-  const bool in_glass = refined.glass.size() > grids.glass.size();
   double error = 0;
-  for (unsigned int i = 0; i < refined.size(); ++i)
-    if ((in_glass ? i / refined.table.size() : i % refined.table.size()) % 2 == 1)
-      error = std::max(error, loads.at(0, refined.phase(i)).difference(load(0, refined.phase(i))));
+  for (const double turns : { 0.618034, 0.236068, 0.854102 })
+  {
+    const ring::Orientation phase = { turns * grids.periods.glass, (1 - turns) * grids.periods.table };
+    error = std::max(error, torque_difference(loads.at(0, phase), load(0, phase)));
+  }
   return error;
 }
 
@@ -74,6 +110,20 @@ PhaseGrids PhaseGrids::halved() const
   return { glass.halved(), table.halved(), periods, error, turning };
 }
 
+double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
+{
+  const ring::CoulombRing friction(1);
+  const double radius = other.rings.radius();
+  double largest = 0;
+  for (int quarter = -4; quarter <= 4; ++quarter)
+  {
+    const auto torque = [&](const LeaningLoad &load)
+    { return friction.wrench(load.rings, quarter / 4., radius).torque; };
+    largest = std::max(largest, std::abs(torque(one) - torque(other)));
+  }
+  return largest / (other.rings.normal_force() * radius);
+}
+
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
 {
   PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
@@ -81,35 +131,31 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, uns
   { return grid.size() > 1 && grid.size() < most_phases && 2 * grids.size() <= most_samples; };
   while (true)
   {
-    PhaseGrids in_glass = grids, in_table = grids;
-    in_glass.glass = grids.glass.refined();
-    in_table.table = grids.table.refined();
-    double of_glass = 0, of_table = 0;
-    grids.error = std::numeric_limits<double>::infinity();
-    for (const bool turning : { true, false })
+    grids.turning = true;
+    AngleError glass(load, grids, true), table(load, grids, false);
+    grids.turning = false;
+    const AngleError unturned_glass(load, grids, true), unturned_table(load, grids, false);
+    if (std::max(glass.of_half, table.of_half) < std::max(unturned_glass.of_half, unturned_table.of_half))
+      grids.turning = true;
+    else
     {
-      PhaseGrids tried = grids;
-      tried.turning = turning;
-      const double glass = grids.glass.size() > 1 ? error_between(load, tried, in_glass) : 0;
-      const double table = grids.table.size() > 1 ? error_between(load, tried, in_table) : 0;
-      if (std::max(glass, table) >= grids.error)
-        continue;
-      grids.turning = turning;
-      grids.error = std::max(glass, table);
-      of_glass = glass;
-      of_table = table;
+      glass = unturned_glass;
+      table = unturned_table;
     }
-    PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    const double wanted = worse.size() < many_phases ? tolerance : tolerance_of_many;
-    if (grids.error <= wanted || !can_refine(worse))
+    grids.error = std::max({ glass.estimate, table.estimate, error_of_check(load, grids) });
+    const bool glass_is_worse = glass.estimate > table.estimate;
+    PeriodicGrid &worse = glass_is_worse ? grids.glass : grids.table;
+    const bool pays = grids.error > largest_allowed || (glass_is_worse ? glass : table).falls;
+    if (grids.error <= (grids.size() < many_phases ? tolerance : tolerance_of_many) || !pays ||
+        !can_refine(worse))
       break;
     worse = worse.refined();
   }
   if (!(grids.error <= largest_allowed))
     throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
-                             std::to_string(grids.size()) + " phases it is off by " +
+                             std::to_string(grids.size()) + " phases its torque is off by " +
                              to_short_text(grids.error) +
-                             " of its mean; give more Contact/Azimuth lines, or a smaller waviness.");
+                             " mu N R; give more Contact/Azimuth lines, or a smaller waviness.");
   return grids;
 }
 
@@ -194,7 +240,7 @@ SpinInterval PhaseLoads::find_spins(long interval) const
       Eigen::VectorXd interpolated = Eigen::VectorXd::Zero(exact.size());
       for (unsigned int k = 0; k < spins.size(); ++k)
         interpolated += weights(k) * at_one_phase(spins.node(k));
-      error = std::max(error, load_of(interpolated).difference(load_of(exact)));
+      error = std::max(error, torque_difference(load_of(interpolated), load_of(exact)));
     }
     if (error <= std::max(tolerance, grids.error / 10) || 2 * (spins.size() - 1) > most_steps)
     {

@@ -23,7 +23,7 @@ struct PhaseGrids
   PeriodicGrid glass;
   PeriodicGrid table;
   PhasePeriods periods; ///< with which the load repeats itself
-  double error = 0;     ///< of the load at rest between them, over a_0 (of the ring radius: over it)
+  double error = 0;     ///< of the load at rest between them, torque_difference()
 
   /// Whether the samples are taken without what turns with the crests (PhaseLoads).
   bool turning = false;
@@ -40,11 +40,18 @@ struct PhaseGrids
   PhaseGrids halved() const;
 };
 
-/// As many phases as it takes until @p load at rest, halfway between them, is met by the interpolant to 1e-7
-/// of a_0, to 1e-5 where that takes more than 16 phases, at most 128 in each angle and @p most_samples
-/// together, with turning samples or not, whichever is better. Throws std::runtime_error, with a sentence,
-/// where the difference stays above 3e-2.
-PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples = 256);
+/// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the
+/// slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
+/// glass: those of a load that is gathered at crests reach far up, where the kernels have vanished.
+double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
+
+/// As many phases as it takes until the interpolant meets @p load at rest to a torque_difference() of 1e-7,
+/// to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples together, with turning samples or
+/// not, whichever is better. The error is that of half and of a quarter of the phases, measured at the others
+/// and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends, too, where
+/// twice the phases have not halved it: what is left is due to the azimuth lines. Throws std::runtime_error,
+/// with a sentence, where the error stays above that.
+PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
 /// The worst of all sampled phases, at rest.
 struct PhaseExtremes
@@ -77,7 +84,7 @@ public:
   const PhaseGrids &phases() const { return grids; }
 
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
-  /// Largest difference from the load found halfway between samples, over a_0 (of the ring radius: over it).
+  /// Largest torque_difference() from the load found halfway between samples.
   double error() const { return largest_error; }
   const PhasePeriods &periods() const { return grids.periods; }
   const PhaseExtremes &at_rest_extremes() const { return extremes; }

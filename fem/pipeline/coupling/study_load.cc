@@ -63,20 +63,19 @@ bool follows_spin(const Study &study)
   return study.load.is_in_balance() && spin_matters(study);
 }
 
-/// The foot in balance at every spin, with its marks where they are; @p at_rest is its load at rest.
+/// The foot in balance at every spin, with its marks where they are; @p at_rest is its contact at rest.
 BalancedLoad balanced_contact(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ring::Orientation &orientation, const LoadReport &at_rest,
+                              const ring::Orientation &orientation, const fem::ContactState &at_rest,
                               unsigned int n_harmonics, Progress &progress)
 {
   const auto contact =
-    std::make_shared<BalancedContact>(foot, contact_balance(study, orientation, n_harmonics));
+    std::make_shared<BalancedContact>(foot, contact_balance(study, orientation, n_harmonics), at_rest);
   const auto statistics = std::make_shared<CouplingStatistics>();
-  BalancedLoad::Parts parts = { at_rest };
+  BalancedLoad::Parts parts = { report_of(at_rest, foot->radius(), study.tilts()) };
   parts.statistics = statistics;
   parts.is_costly = true;
   parts.n_kept = n_harmonics;
-  parts.at_spin =
-    [contact, statistics, &progress, rest = LeaningLoad(at_rest.rings, at_rest.tilt)](double omega)
+  parts.at_spin = [contact, statistics, &progress, rest = leaning_load(at_rest, study.tilts())](double omega)
   {
     if (omega == 0)
       return rest;
@@ -93,17 +92,18 @@ BalancedLoad balanced_contact(const Study &study, const std::shared_ptr<ElasticF
 
 /// The load of a contact whose marks stay where they are.
 BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                               const ring::Orientation &orientation, const LoadReport &at_rest,
+                               const ring::Orientation &orientation, const fem::ContactState &at_rest,
                                unsigned int n_harmonics, Progress &progress)
 {
   if (follows_spin(study))
     return balanced_contact(study, foot, orientation, at_rest, n_harmonics, progress);
-  BalancedLoad::Parts parts = { at_rest };
+  BalancedLoad::Parts parts = { report_of(at_rest, foot->radius(), study.tilts()) };
   parts.n_kept = n_harmonics;
   return BalancedLoad(std::move(parts));
 }
 
-/// Loads of an out-of-flat foot or table, each phase with its own balances, solved as they are asked for.
+/// Loads of a foot or table that is not one of revolution, each phase with its own balances, solved as they
+/// are asked for.
 class LoadsByPhase
 {
 public:
@@ -122,8 +122,7 @@ public:
     const auto known = loads.find(place);
     if (known != loads.end())
       return known->second;
-    const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, orientation });
-    const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
+    const fem::ContactState at_rest = foot->solve(demand_at_rest(study), { 0, orientation });
     progress.pieces_done("phases", loads.size() + 1, 0);
     return loads.emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
       .first->second;
@@ -149,19 +148,31 @@ private:
   std::map<std::pair<double, double>, BalancedLoad> loads;
 };
 
+/// With which turns the load of the study's foot repeats itself.
+PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
+{
+  PhasePeriods periods = phase_periods(imperfection_of(study));
+  if (const double of_mesh = foot.body().capabilities().period_of_glass; of_mesh > 0)
+    periods.glass = of_mesh;
+  return periods;
+}
+
 /// @p at_rest is the load at the phase of t = 0.
 BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const LoadReport &at_rest, unsigned int n_harmonics, Progress &progress)
+                              const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
 {
   const auto loads = std::make_shared<LoadsByPhase>(study, foot, n_harmonics, progress);
   const LoadAtPhase exact = [loads](double omega, const ring::Orientation &orientation)
   { return loads->of(orientation).leaning(omega); };
-  const PhaseGrids grids = find_phases(exact, phase_periods(imperfection_of(study)));
+  // Under a hard contact each phase takes ten times as long, and the azimuth lines leave more than the phases.
+  const unsigned int most_samples = study.table.interface == TableInterface::hard ? 64 : 256;
+  const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), most_samples);
 
   // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   const bool follows = follows_spin(study);
-  const double spin_unit = follows ? study.motion.orbit.orbit_speed / at_rest.rings.radius() / 4 : 0;
-  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(at_rest));
+  const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
+  const double spin_unit = follows ? study.motion.orbit.orbit_speed / report.rings.radius() / 4 : 0;
+  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(report));
   const auto for_mean =
     follows ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
 
@@ -277,10 +288,9 @@ BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot>
   const ring::Orientation marks = moment_balance(study).orientation;
   fem::ContactState state = contact_at_rest(study, *foot, marks, progress);
   progress.stage_done("contact");
-  const LoadReport at_rest = report_of(state, foot->radius(), study.tilts());
-  const BalancedLoad load = study.has_waviness()
-                              ? load_over_phases(study, foot, at_rest, n_harmonics, progress)
-                              : load_at_one_phase(study, foot, marks, at_rest, n_harmonics, progress);
+  const BalancedLoad load = periods_of(study, *foot).any()
+                              ? load_over_phases(study, foot, state, n_harmonics, progress)
+                              : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
   BalancedLoad::Parts parts = load.insides();
   parts.contact = std::make_shared<const fem::ContactState>(std::move(state));
   return BalancedLoad(std::move(parts));
@@ -334,8 +344,7 @@ BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<Elasti
                                 const ring::Orientation &orientation, unsigned int n_harmonics)
 {
   const fem::ContactState state = contact_at_rest(study, *foot, orientation, silent_progress());
-  return load_at_one_phase(study, foot, orientation, report_of(state, foot->radius(), study.tilts()),
-                           n_harmonics, silent_progress());
+  return load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress());
 }
 
 MomentBalance moment_balance(const Study &study)

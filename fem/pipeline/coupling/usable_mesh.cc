@@ -2,24 +2,22 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
 {
 
-fem::MeshReport read_mesh_file(const std::string &file, dealii::Triangulation<3, 3> &mesh)
+fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
+                               dealii::Triangulation<3, 3> &mesh)
 try
 {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  require(!std::filesystem::exists(status) || std::filesystem::is_regular_file(status),
-          "The mesh " + shortened_path(file) + " is not a file; give the path of a .msh file.");
-  return fem::read_foot_mesh(file, mesh);
+  require_regular_file("The mesh " + shortened_path(file), file);
+  return fem::read_foot_mesh(file, mesh, marks);
 }
 catch (const std::invalid_argument &error)
 {
@@ -34,6 +32,11 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check)
     fmt::format(FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, "
                            "{:.4g}, {:.4g}); mesh that place anew."),
                 mesh, check.n_inverted, check.worst_place[0], check.worst_place[1], check.worst_place[2]));
+  require(
+    check.n_zones == 1,
+    fmt::format(FMT_STRING("{} has a contact zone of {} parts that share no edge; mark one ring of faces "
+                           "round the axis."),
+                mesh, check.n_zones));
   require(!(check.upward_share > 0),
           fmt::format(
             FMT_STRING("{} has a contact zone of which {:.3g} % looks up; turn the mesh so that the glass "
@@ -49,6 +52,11 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check)
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
 {
   const double radius = study.glass.profile.contact_radius;
+  require(
+    std::abs(report.rim_radius - 1000 * radius) > 100 * radius,
+    fmt::format(FMT_STRING("The mesh {} is in millimetres: its rim has a radius of {} and Glass/Contact "
+                           "radius = {} m; multiply its coordinates by 0.001."),
+                shortened_path(file), to_short_text(report.rim_radius), to_text(radius)));
   require(std::abs(report.rim_radius - radius) <= 0.1 * radius,
           fmt::format(
             FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; give "
@@ -60,7 +68,7 @@ void require_usable_mesh(const Study &study)
 {
   const std::string &file = study.contact.mesh_file;
   dealii::Triangulation<3> mesh;
-  const fem::MeshReport report = read_mesh_file(file, mesh);
+  const fem::MeshReport report = read_mesh_file(file, study.contact.mesh_marks, mesh);
   require_usable(file, fem::check_mesh(mesh));
   require_same_glass(report, file, study);
 }

@@ -10,10 +10,12 @@ namespace stemware::pipeline
 {
 
 /// Reads a mesh file as fem::read_foot_mesh() does. Throws BadInput.
-fem::MeshReport read_mesh_file(const std::string &file, dealii::Triangulation<3, 3> &mesh);
+fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
+                               dealii::Triangulation<3, 3> &mesh);
 
 /// Throws BadInput with one sentence about the first thing that makes a mesh useless: cells inside out, a
-/// contact zone that looks up or does not lie round the z axis. @p origin is where the mesh comes from.
+/// contact zone of several parts, that looks up or does not lie round the z axis. @p origin is where the mesh
+/// comes from.
 void require_usable(const std::string &origin, const fem::MeshCheck &check);
 
 /// A mesh in other units than the study, or of another glass, would pass unnoticed: its rim is compared with

@@ -101,6 +101,17 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
          ".";
 }
 
+/// Why a contact's spin stands without a band.
+std::string no_band_sentence(const Study &study)
+{
+  if (!study.load.is_from_contact())
+    return "";
+  return study.contact.body == BodyKind::revolution
+           ? "It has no band: one of the contacts that would tell, coarser, finer or stiffer, did not "
+             "converge."
+           : "It has no band here: stemware converge refines a solid body.";
+}
+
 /// What no band contains, with its sizes.
 std::string without_sentence(const Study &study, const Budget &budget, bool has_band)
 {
@@ -161,7 +172,8 @@ std::string run_answer(const Study &study, const SpinStudy &spin, const std::vec
   if (!is_spin(study, spin.all().omega_terminal().value()))
     return at_rest_sentence(study, spin.all(), "");
   const bool has_band = band_of(bands, "omega_terminal").has_value();
-  return joined({ terminal_spin_sentence(study, spin, bands), paper_sentence(study, spin.budget),
+  return joined({ terminal_spin_sentence(study, spin, bands), has_band ? "" : no_band_sentence(study),
+                  paper_sentence(study, spin.budget),
                   spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
                   largest_step_sentence(study, spin.budget),
                   without_sentence(study, spin.budget, has_band) });
@@ -247,7 +259,7 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> 
   const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
   return fmt::format(FMT_STRING("{} out of flat: the terminal spin is the mean in the long run, about which "
                                 "the spin swings by {:.3g} rad/s, and the torque by {:.3g} N m."),
-                     rim && table ? "Rim and table are" : (rim ? "The rim is" : "The table is"),
+                     rim && table ? "Rim and table are" : (table ? "The table is" : "The rim is"),
                      phases->spin_ripple, phases->torque_ripple);
 }
 

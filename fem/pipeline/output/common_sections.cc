@@ -113,7 +113,7 @@ ReportSection chain_section(const Study &study, const Budget &budget)
 {
   return { "From the paper's model to this study's",
            "Each row adds one thing to the model of the row above; its difference is what that thing does. A "
-           "formal load would have to pull on the table.",
+           "load is called formal where it is negative somewhere: the table would have to pull.",
            { waterfall_plot(budget, 1e-9 * spin_unit(study)) },
            { shown_budget_table(study, budget)
                .with("Terminal spin in models of increasing detail",

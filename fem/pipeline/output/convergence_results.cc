@@ -5,6 +5,7 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/study/study_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,12 @@ Findings findings_of(const RefinementResult &result)
   return findings;
 }
 
+/// What a level costs: unknowns of its largest linear system, estimated.
+double cost_of(const RefinementLevel &level)
+{
+  return size_of(level.study).unknowns;
+}
+
 // ---- files
 
 /// One row a level, one column a quantity.
@@ -88,6 +95,7 @@ Table axis_data(const AxisResult &result, const std::vector<BandedQuantity> &qua
   for (std::size_t i = 0; i < quantities.size(); ++i)
     table.columns.push_back(
       numbers(quantities[i].quantity.name, quantities[i].quantity.unit, result.quantities[i].values));
+  table.columns.push_back(column(quantity::unknowns_of_level, result.axis.levels, cost_of));
   return table;
 }
 
@@ -173,9 +181,7 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
 {
   ReportSection section = { "Refinement: " + result.axis.name, "" };
   CurvePlot plot = { "converge_" + result.axis.key,
-                     "Relative distance from the limit; bars reach up to the error band. A triangle has the "
-                     "slope of the first "
-                     "quantity's observed order.",
+                     "Relative distance from the limit; bars reach up to the error band.",
                      { is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0"
                                                    : result.axis.size,
                        result.axis.decay == Decay::algebraic || result.axis.sizes_double },
@@ -190,7 +196,10 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
         triangle = slope_triangle(result, i, curve);
     }
   if (triangle)
+  {
     plot.curves.push_back(*triangle);
+    plot.caption += " The triangle has the slope of the first quantity's observed order.";
+  }
   if (plot.curves.empty())
     section.text = "All levels agree to within the tolerances of the contact solver.";
   else
@@ -203,7 +212,7 @@ Table spin_budget_table(const RefinementResult &result)
 {
   const std::size_t spin = index_of(result.quantities, "omega_terminal");
   std::vector<std::string> names, sizes;
-  std::vector<std::optional<double>> bands, orders;
+  std::vector<std::optional<double>> bands, orders, own_costs, finest_costs;
   for (const AxisResult &axis : result.axes)
   {
     const RefinementSequence &judged = axis.quantities.at(spin).judged;
@@ -211,14 +220,18 @@ Table spin_budget_table(const RefinementResult &result)
     sizes.push_back(axis.axis.size + ": " + std::to_string(axis.axis.levels.at(axis.axis.own).size));
     bands.push_back(judged.bands.at(axis.axis.own));
     orders.push_back(judged.order);
+    own_costs.push_back(cost_of(axis.axis.levels.at(axis.axis.own)));
+    finest_costs.push_back(cost_of(axis.axis.levels.back()));
   }
   names.push_back("all together");
   sizes.push_back("");
   bands.push_back(result.quantities[spin].band);
-  orders.push_back(std::nullopt);
+  for (auto *column : { &orders, &own_costs, &finest_costs })
+    column->push_back(std::nullopt);
   return { "Error band of the terminal spin, axis by axis",
            { column(quantity::refined, names), column(quantity::own_size, sizes),
-             column(quantity::spin_band, bands), column(quantity::observed_order, orders) } };
+             column(quantity::spin_band, bands), column(quantity::observed_order, orders),
+             column(quantity::own_unknowns, own_costs), column(quantity::finest_unknowns, finest_costs) } };
 }
 
 /// The errors that dual problems estimate on each level of @p axis, beside those against the level two

@@ -29,6 +29,13 @@ unsigned int n_other_faces(const fem::MeshCheck &check)
   return n;
 }
 
+/// "x -34 to 34", in mm; a single number where both are equal.
+std::string mesh_range(const std::string &name, double least, double most)
+{
+  return fmt::format(FMT_STRING("{} {:.6g}"), name, 1e3 * least) +
+         (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
+}
+
 /// What a mesh is like, line by line: a word, and what there is to say.
 std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
 {
@@ -37,15 +44,15 @@ std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
   std::vector<std::vector<std::string>> lines = {
     { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
                           check.n_vertices) },
-    { "Box", fmt::format(FMT_STRING("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g} (mm)"),
-                         1e3 * check.lower[0], 1e3 * check.upper[0], 1e3 * check.lower[1],
-                         1e3 * check.upper[1], 1e3 * check.lower[2], 1e3 * check.upper[2]) },
+    { "Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
+               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
+               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)" },
     { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
                            n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
                            n_faces(check, FootBoundary::free), n_other_faces(check)) },
-    { "Contact", fmt::format(FMT_STRING("r {:.6g} to {:.6g}, z {:.6g} to {:.6g} (mm), area {:.6g} mm²"),
-                             1e3 * check.inner_radius, 1e3 * check.outer_radius, 1e3 * check.lowest,
-                             1e3 * check.highest, 1e6 * check.contact_area) }
+    { "Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
+                   mesh_range("z", check.lowest, check.highest) +
+                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area) }
   };
   if (const auto &report = findings.report)
     lines.push_back(

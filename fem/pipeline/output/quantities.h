@@ -26,7 +26,7 @@ inline const Quantity omega_terminal_band("omega_terminal_band", "", "rad/s");
 inline const Quantity relative_change("relative_change", "relative change of terminal omega to all harmonics",
                                       "1", "change of spin", "change\nof spin", change);
 inline const Quantity difference_to_paper("difference_to_paper", "relative difference to the paper", "1",
-                                          "to the paper's", "to the\npaper's", change, change_fixed);
+                                          "against the paper", "to the\npaper's", change, change_fixed);
 inline const Quantity harmonic_effect("harmonic_effect", "harmonic effect", "rad/s", "harmonic effect",
                                       "harmonic\neffect", signed_significant<4>);
 inline const Quantity harmonic_effect_relative("harmonic_effect_relative", "relative harmonic effect", "1",
@@ -167,6 +167,9 @@ inline const Quantity effectivity("effectivity", "estimated over true error", "1
                                   "estimated / true", fixed<3>);
 
 inline const Quantity refined("axis", "", "", "what is refined", "what is refined");
+inline const Quantity unknowns_of_level("unknowns", "unknowns of the largest linear system, estimated");
+inline const Quantity own_unknowns("unknowns", "", "1", "unknowns", "unknowns", about);
+inline const Quantity finest_unknowns("finest", "", "1", "on the finest level", "finest", about);
 inline const Quantity own_size("own", "", "", "the study has", "the study has");
 
 // ---- sweeps

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 
@@ -39,7 +40,14 @@ Table truncation_table(const SpinStudy &spin)
 /// truncation_table() for people, with all harmonics on one ring as a further row.
 Table shown_truncation_table(const SpinStudy &spin)
 {
-  std::vector<SpinRow> rows = spin.rows;
+  constexpr double nothing = 1e-9;
+  std::vector<SpinRow> rows;
+  std::copy_if(spin.rows.begin(), spin.rows.end(), std::back_inserter(rows),
+               [&](const SpinRow &row)
+               {
+                 return row.harmonics == spin.rows.back().harmonics || !row.relative_change ||
+                        std::abs(*row.relative_change) >= nothing;
+               });
   std::vector<std::string> names;
   for (const SpinRow &row : rows)
     names.push_back(std::to_string(row.harmonics));
@@ -167,7 +175,9 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
       "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
       "The "
       "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
-      "torque are those of the harmonics that are kept. A formal load would have to pull on the table.",
+      "torque are those of the harmonics that are kept. A load is called formal where it is negative "
+      "somewhere: the "
+      "table would have to pull.",
     {},
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
@@ -220,7 +230,8 @@ ReportSection load_section(const Study &study, const LoadReport &load,
         ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
         : "The ring",
       rings.radius()),
-    { load_plot(rings, pointwise), line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
+    { load_plot(rings, pointwise, study.motion.orbit.orbit_sense),
+      line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
     { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
   };
   if (rings.n_harmonics() > 1)
@@ -267,12 +278,15 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
 
 ReportSection truncation_section(const SpinStudy &spin)
 {
-  return { "Fewer harmonics",
-           "The torque at rest is that of the first harmonic. The terminal spin is that of the ring under "
-           "the load with fewer harmonics. The bound on the change of τ_z holds a priori, at the terminal "
-           "spin of all harmonics. A truncated load whose least value is negative would have to pull.",
-           { truncation_plot(spin.rows) },
-           { shown_truncation_table(spin) } };
+  return {
+    "Fewer harmonics",
+    "No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from "
+    "the harmonics left out alone, at the terminal spin of all harmonics. Where the least load is "
+    "negative, the table would have to pull. Rows that change the spin by less than 1e-9 stand in "
+    "truncation.dat only.",
+    { truncation_plot(spin.rows) },
+    { shown_truncation_table(spin) }
+  };
 }
 
 /// The foot in pictures: its section, its rim, and where it presses on the table.

@@ -137,7 +137,7 @@ Plot speed_plot(const SlideStudy &slide)
     of_points(slide, [&](const SlidePoint &p) { return p.state.omega * slide.inertia.outer_radius; });
   return curve_plot(
     { "speeds",
-      "Speed v of the centre and ωR of the rim: both end at once unless one of them dies first.",
+      "Speed v of the centre and ωR of the rim: both end at the same instant unless one of them ends first.",
       { time_axis },
       { "speed (m/s)" },
       { curve_of("v", time, speed), curve_of("ωR", time, rim) },
@@ -220,11 +220,11 @@ std::string end_sentence(const SlideStudy &slide)
 {
   const double eps = slide.final_slip_ratio;
   if (eps == 0)
-    return slide.question.spin == 0 ? "It does not turn." : "The spin dies before the sliding.";
+    return slide.question.spin == 0 ? "It does not turn." : "The spin ends before the sliding.";
   if (!std::isfinite(eps))
-    return "The sliding dies before the spin.";
+    return "The sliding ends before the spin.";
   return fmt::format(FMT_STRING("Speed and spin end at the same instant, with ωR/v = {} (v/ωR = {})."),
-                     format::significant<8>(eps), format::significant<8>(1 / eps));
+                     format::significant<5>(eps), format::significant<5>(1 / eps));
 }
 
 std::string formal_sentence(const SlideStudy &slide)
@@ -240,8 +240,9 @@ std::string formal_sentence(const SlideStudy &slide)
 constexpr char curl_text[] =
   "Friction acts at the table, below the centre of mass, and presses the front down. On a body that turns "
   "counter-clockwise the front moves to the left, so the friction there points to the right, and at the rear "
-  "to the left. The front carries more: the path bends to the right, by -μ² g (h/R) ωR/v for slow spin of a "
-  "ring. A curling stone that turns counter-clockwise bends to the left: friction must then be larger at its "
+  "to the left. The front carries more, so the path bends to the right; a slowly spinning ring is "
+  "accelerated sideways by μ² g (h/R) (ωR/v), h the height of its centre of mass. A curling stone that turns "
+  "counter-clockwise bends to the left: friction must then be larger at its "
   "rear, which a constant coefficient cannot do; scratches that the front leaves in the ice and the rear "
   "follows are what explains the size.";
 
@@ -294,10 +295,10 @@ std::string slide_answer(const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state;
   const std::string start = fmt::format(
-    FMT_STRING("A {} pushed with {} m/s and spinning at {} rad/s slides {} m in {} s and makes {} turns."),
+    FMT_STRING("A {} pushed with {} m/s and spinning at {} rad/s slides {} mm in {} s and makes {} turns."),
     to_string(slide.question.body), format::significant<6>(slide.question.speed),
-    format::significant<6>(slide.question.spin), format::significant<6>(slide.stop().state.distance),
-    format::significant<6>(stop.time), format::significant<4>(std::abs(stop.yaw) / turn));
+    format::significant<6>(slide.question.spin), format::significant<4>(1e3 * slide.stop().state.distance),
+    format::significant<4>(stop.time), format::significant<4>(std::abs(stop.yaw) / turn));
   const std::string drift =
     drifts(slide) ? fmt::format(FMT_STRING("The spin bends the path {}: it ends {} mm beside the line of the "
                                            "push. A curling stone bends to the other side."),

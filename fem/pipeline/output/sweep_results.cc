@@ -118,7 +118,7 @@ ReportSection plan_section(const SweepPlan &plan)
     else
       for (const std::string &value : entry.values)
         values += (values.empty() ? "" : ", ") + value;
-    rows.push_back({ entry.path, entry.unit, values });
+    rows.push_back({ entry.path, entry.unit == "1" ? "–" : entry.unit, values });
   }
   return { "The sweep",
            "",
@@ -245,7 +245,8 @@ Table case_table(const SweepPlan &plan, const FinishedCases &cases)
 Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings> &quantities)
 {
   using Row = QuantityFindings;
-  const auto title = [](const Row &row) { return with_unit(row.quantity().name, row.quantity().unit); };
+  const auto title = [](const Row &row)
+  { return with_unit(row.quantity().name, row.quantity().unit, false); };
   const auto place = [&](std::size_t Row::*index)
   {
     return [&plan, index](const Row &row)

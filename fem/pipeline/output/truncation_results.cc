@@ -152,14 +152,14 @@ ReportSection table_section(const Study &study, const TruncationStudy &truncatio
   return section;
 }
 
-ReportSection load_section(const LoadReport &load)
+ReportSection load_section(const LoadReport &load, ring::OrbitSense sense)
 {
   return { "The load at rest",
            fmt::format(
              FMT_STRING("Moment ratio {:.5g}; the equivalent ring has a radius of {:.6g} m. {:.1f} % of the "
                         "rim carries load."),
              load.moment_ratio, load.rings.radius(), 100 * load.contact_fraction),
-           { load_plot(load.rings, drawn_pointwise(load)), spectrum_plot(load.rings) },
+           { load_plot(load.rings, drawn_pointwise(load), sense), spectrum_plot(load.rings) },
            { harmonics_table(load.rings) } };
 }
 
@@ -190,8 +190,9 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   if (truncations.all().relative_change && truncations.rows.size() > 1)
     report.sections.push_back(
       { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
-  report.sections.insert(report.sections.end(), { chain_section(study, budget), load_section(load),
-                                                  table_section(study, truncations) });
+  report.sections.insert(report.sections.end(),
+                         { chain_section(study, budget), load_section(load, study.motion.orbit.orbit_sense),
+                           table_section(study, truncations) });
   if (is_one_way(study))
     say_one_way(report);
   add_closing_sections(report, study, results.files);

@@ -73,7 +73,8 @@ std::vector<Condition> conditions_of_body(const Study &study)
   return { { is_generated, "Contact", { "Radial cells" } },
            { is_generated && !is_of_revolution, "Contact", { "Azimuthal cells", "Foot layers" } },
            { !is_of_revolution, "Contact", { "Linear solver" } },
-           { is_of_revolution, "Contact", { "Harmonics", "Azimuth lines", "Friction coupling" } },
+           { !is_generated, "Contact", { "Mesh contact id", "Mesh stem id", "Mesh contact height" } },
+           { is_of_revolution, "Contact", { "Harmonics", "Azimuth lines" } },
            { is_of_revolution && study.glass.profile.crown_radius > 0, "Contact", { "Land grading" } } };
 }
 

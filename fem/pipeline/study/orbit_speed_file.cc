@@ -1,17 +1,11 @@
 #include "fem/pipeline/study/orbit_speed_file.h"
 
-#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/column_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <boost/algorithm/string/trim.hpp>
-
 #include <fmt/format.h>
-#include <fstream>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -26,67 +20,23 @@ std::string speed_entry(const std::string &file)
   return "Motion/Orbit speed file = " + shortened_path(file);
 }
 
-/// The columns of a line.
-std::vector<std::string> columns_of(const std::string &line)
-{
-  std::vector<std::string> columns;
-  boost::split(columns, line, boost::is_any_of(",;\t"));
-  for (std::string &column : columns)
-    boost::trim(column);
-  return columns;
-}
-
-/// The unit in brackets of "t (s)" as a factor to @p unit; nothing where there is none of that kind.
-std::optional<double> factor_in(const std::string &column, const std::string &unit)
-{
-  const auto begin = column.find_first_of("(["), end = column.find_last_of(")]");
-  if (begin == std::string::npos || end == std::string::npos || end <= begin + 1)
-    return std::nullopt;
-  return parse_quantity("1 " + column.substr(begin + 1, end - begin - 1), unit);
-}
-
 } // namespace
 
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
 {
-  constexpr std::size_t most_rows = 100000;
-  std::ifstream stream(file);
-  require(static_cast<bool>(stream), speed_entry(file) + " cannot be read; check its path and permissions.");
   std::vector<double> times, speeds;
-  std::optional<double> seconds, metres_per_second;
-  std::string line;
-  for (unsigned int number = 1; std::getline(stream, line); ++number)
+  for (const FileRow &row :
+       read_column_file(speed_entry(file), file, { { { "t", "time" }, "s" }, { { "v", "speed" }, "m/s" } }))
   {
-    boost::trim(line);
-    if (line.empty() || line.front() == '#')
-      continue;
-    const std::vector<std::string> columns = columns_of(line);
-    const std::string place =
-      fmt::format(FMT_STRING("{}, line {}: \"{}\""), speed_entry(file), number, shortened(line));
-    if (!seconds)
-    {
-      require(columns.size() == 2, place + " is no header; begin with \"t (s), v (m/s)\".");
-      seconds = factor_in(columns[0], "s");
-      metres_per_second = factor_in(columns[1], "m/s");
-      require(seconds && metres_per_second,
-              place + " does not name a time and a speed with their units; begin with \"t (s), v (m/s)\".");
-      continue;
-    }
-    const auto time = columns.size() == 2 ? parse_number(columns[0]) : std::nullopt;
-    const auto speed = columns.size() == 2 ? parse_number(columns[1]) : std::nullopt;
-    require(time && speed, place + " is not a row; write a time and a speed with a comma between them.");
-    require(*speed > 0,
-            place + " has a speed that is not greater than 0; the direction of friction needs one.");
-    require(times.empty() || *seconds * *time > times.back(),
-            place + " is not later than the row before; sort the rows by time.");
-    require(times.size() < most_rows, fmt::format(FMT_STRING("{} has more than {} rows; leave some out."),
-                                                  speed_entry(file), most_rows));
-    times.push_back(*seconds * *time);
-    speeds.push_back(*metres_per_second * *speed);
+    const std::string place = fmt::format(FMT_STRING("{}, line {}: "), speed_entry(file), row.line);
+    require(row.values[1] > 0,
+            place + "the speed is not greater than 0; the direction of friction needs one.");
+    require(times.empty() || row.values[0] > times.back(),
+            place + "the time is not later than in the row before; sort the rows by time.");
+    times.push_back(row.values[0]);
+    speeds.push_back(row.values[1]);
   }
-  require(times.size() >= 2, speed_entry(file) +
-                               " has fewer than two rows; write a header \"t (s), v (m/s)\" and at "
-                               "least two rows.");
+  require(times.size() >= 2, speed_entry(file) + " has one row; give at least two.");
   try
   {
     return { times, speeds };

@@ -184,7 +184,7 @@ const std::vector<Preset> &table_presets()
          asperities("0.2 GPa", "1 um")),
     bare("marble", "a polished marble top, 20 mm thick", "0.25", "rough", "55 GPa", "0.25", "20 mm",
          asperities("5 GPa", "0.3 um")),
-    bare("steel", "a steel plate, 5 mm thick", "0.25", "rough", "200 GPa", "0.3", "5 mm",
+    bare("steel", "a steel plate, 5 mm thick", "0.25", "rough", "210 GPa", "0.3", "5 mm",
          asperities("7 GPa", "0.5 um")),
     bare("window glass", "a pane of float glass, 6 mm thick", "0.3", "hard", "70 GPa", "0.2", "6 mm"),
     bare("cork mat", "a mat of agglomerated cork, 5 mm thick", "0.4", "hard", "17 MPa", "0", "5 mm"),

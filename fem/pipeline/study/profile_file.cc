@@ -1,16 +1,12 @@
 #include "fem/pipeline/study/profile_file.h"
 
+#include "fem/pipeline/study/column_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-
-#include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/split.hpp>
-#include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -19,42 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
-std::vector<std::string> words_of(std::string line, const std::string &separators)
-{
-  boost::trim_if(line, boost::is_any_of(separators));
-  std::vector<std::string> words;
-  boost::split(words, line, boost::is_any_of(separators), boost::token_compress_on);
-  return words;
-}
-
 constexpr char contact_radius_entry[] = "Glass/Contact radius", crown_radius_entry[] = "Glass/Crown radius";
-
-/// The length in m of the unit in the words of a header; nothing for a line that is none.
-std::optional<double> unit_in_header(const std::string &line)
-{
-  double unit = 1;
-  bool has_radius = false;
-  for (const std::string &word : words_of(line, " \t\r,;()[]/\"'"))
-  {
-    if (word == "mm")
-      unit = 1e-3;
-    else if (word == "r" || word == "radius" || word == "R")
-      has_radius = true;
-    else if (word != "m" && word != "z" && word != "height" && word != "Z")
-      return {};
-  }
-  return has_radius ? std::optional(unit) : std::nullopt;
-}
-
-/// The two numbers of a line.
-std::optional<std::pair<double, double>> point_of(const std::string &line)
-{
-  const std::vector<std::string> words = words_of(line, " \t\r,;");
-  if (words.size() != 2)
-    return {};
-  const auto radius = parse_number(words[0]), height = parse_number(words[1]);
-  return radius && height ? std::optional(std::pair(*radius, *height)) : std::nullopt;
-}
 
 std::string entry_of(const std::string &file)
 {
@@ -116,40 +77,10 @@ void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
 
 std::vector<fem::SectionVertex> read_profile_file(const std::string &file)
 {
-  constexpr std::size_t most_points = 1000000;
-  std::ifstream stream(file);
-  require(static_cast<bool>(stream), entry_of(file) + " cannot be read; check its path and permissions.");
   std::vector<fem::SectionVertex> points;
-  double unit = 1;
-  bool has_header = false;
-  std::string line;
-  for (unsigned int number = 1; std::getline(stream, line); ++number)
-  {
-    if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
-      line.erase(0, 3);
-    boost::trim(line);
-    if (line.empty() || line.front() == '#')
-      continue;
-    if (const auto header = unit_in_header(line); header && points.empty() && !has_header)
-    {
-      unit = *header;
-      has_header = true;
-      continue;
-    }
-    const auto point = point_of(line);
-    require(
-      point.has_value(),
-      fmt::format(FMT_STRING("{}, line {}: \"{}\" is not a point; write two numbers, r and z, or as the "
-                             "first line \"r (mm), z (mm)\"."),
-                  entry_of(file), number, shortened(line)));
-    points.push_back({ unit * point->first, unit * point->second, number });
-    require(points.size() <= most_points,
-            fmt::format(FMT_STRING("{} has more than {} points; leave out what lies closer together than a "
-                                   "micrometre."),
-                        entry_of(file), most_points));
-  }
-  require(!points.empty(),
-          entry_of(file) + " has no points; write one point (r, z) of the section's outline a line.");
+  for (const FileRow &row : read_column_file(
+         entry_of(file), file, { { { "r", "R", "radius" }, "m" }, { { "z", "Z", "height" }, "m" } }))
+    points.push_back({ row.values[0], row.values[1], row.line });
   require_metres(file, points);
   return points;
 }

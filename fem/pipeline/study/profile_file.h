@@ -9,9 +9,8 @@
 namespace stemware::pipeline
 {
 
-/// The points (r, z) of a drawn meridian: one point a line, two numbers parted by a comma, a semicolon or
-/// blanks, in m, or in mm where a first line such as "r (mm), z (mm)" says so; empty lines and comments (#)
-/// are skipped. Throws BadInput with one sentence that names the line.
+/// The points (r, z) in m of a drawn meridian, from a file of two columns (read_column_file()). Throws
+/// BadInput with one sentence that names the line.
 std::vector<fem::SectionVertex> read_profile_file(const std::string &file);
 
 /// Whether the entry at @p path, if it is not given, follows from the points of a drawn section.

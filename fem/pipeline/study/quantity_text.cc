@@ -146,6 +146,7 @@ struct Parts
 Parts split_number(const std::string &whole)
 {
   std::string text = boost::trim_copy(whole);
+  boost::replace_first(text, "\u2212", "-"); // a minus copied from a report
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.erase(0, 1);
   double value = 0;

@@ -13,7 +13,7 @@ BodyAbilities abilities(BodyKind body)
 {
   BodyAbilities can;
   can.is_of_revolution = body == BodyKind::revolution;
-  can.stands_on_elastic_disc = can.friction_can_deform = can.is_of_revolution;
+  can.stands_on_elastic_disc = can.is_of_revolution;
   can.reads_meshes = can.is_collective = !can.is_of_revolution;
   can.highest_degree = can.is_of_revolution ? 4 : 2;
   return can;
@@ -21,8 +21,7 @@ BodyAbilities abilities(BodyKind body)
 
 bool Study::friction_deforms() const
 {
-  return contact.friction_coupling == FrictionCoupling::elastic &&
-         abilities(contact.body).friction_can_deform;
+  return contact.friction_coupling == FrictionCoupling::elastic;
 }
 
 bool Study::tilts() const
@@ -70,8 +69,7 @@ std::string friction_note(const Study &study)
   if (study.friction_deforms())
     return std::string("deforms the foot") + (study.table.make().substrate ? " and the table" : "") +
            (is_hard ? ": on this hard table it decides the second harmonic" : "");
-  return std::string("does not deform ") +
-         (abilities(study.contact.body).friction_can_deform ? "the" : "a solid") + " foot" +
+  return std::string("does not deform the foot") +
          (is_hard ? "; on this hard table that would decide the second harmonic" : "");
 }
 

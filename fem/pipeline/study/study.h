@@ -8,6 +8,7 @@
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/meridian_mesh.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/pipeline/study/waviness_text.h"
 #include "fem/solid/solid_body.h"
 #include "ring_model/moment_balance.h"
@@ -92,9 +93,8 @@ struct BodyAbilities
   bool reads_meshes = false;     ///< takes its shape from Contact/Mesh file
   bool is_of_revolution = false; ///< answers a moment in all directions alike, and has a gap that can turn
   bool stands_on_elastic_disc = false;
-  bool friction_can_deform = false; ///< friction tractions can act back on the pressure
-  bool is_collective = false;       ///< solving takes all MPI ranks together
-  unsigned int highest_degree = 2;  ///< of its elements
+  bool is_collective = false;      ///< solving takes all MPI ranks together
+  unsigned int highest_degree = 2; ///< of its elements
 };
 
 BodyAbilities abilities(BodyKind body);
@@ -102,7 +102,7 @@ BodyAbilities abilities(BodyKind body);
 enum class FrictionCoupling
 {
   none,   ///< friction tractions do not act back on the pressure
-  elastic ///< they deform foot and substrate; see Study::friction_deforms()
+  elastic ///< they deform foot and substrate
 };
 
 /// The number that a mesh is refined for.
@@ -122,6 +122,7 @@ struct ContactSection
 {
   BodyKind body = BodyKind::revolution;
   std::string mesh_file; ///< empty: the mesh is generated from the glass
+  fem::MeshMarks mesh_marks;
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;

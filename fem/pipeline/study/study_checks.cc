@@ -3,8 +3,8 @@
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text_file.h"
 
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -114,17 +114,6 @@ void require_load_file(const LoadSection &load)
                       to_text(load.moment_ratio)));
 }
 
-/// Missing files are found here, before anything is computed; what is in them is found when they are read.
-void require_readable(const std::string &entry, const std::string &file)
-{
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  const std::string setting = entry + " = " + shortened_path(file);
-  require(std::filesystem::exists(status), setting + " does not exist; give a path that starts at the study "
-                                                     "file (with --set: where the program is started).");
-  require(std::filesystem::is_regular_file(status), setting + " is not a file; give the path of a file.");
-}
-
 /// An out-of-flat rim or table needs a body whose gap can turn, a contact to feel it, and a response fine
 /// enough.
 void require_known_waviness(const Study &study)
@@ -160,10 +149,12 @@ void check_study(const Study &study)
   require_resolved_load(study.contact);
   require_goal_with_estimate(study);
   require_load_file(study.load);
+  // Missing files are found here, before anything is computed; what is in them is found when they are read.
   if (study.load.source == LoadSource::file)
-    require_readable("Load/File", study.load.file);
+    require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
   if (!study.contact.mesh_file.empty())
-    require_readable("Contact/Mesh file", study.contact.mesh_file);
+    require_regular_file("Contact/Mesh file = " + shortened_path(study.contact.mesh_file),
+                         study.contact.mesh_file);
   try
   {
     study.motion.orbit.validate();

@@ -166,7 +166,8 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.path(
     "Orbit speed file", motion.orbit_speed_file,
     "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v (m/s)\" "
-    "and a row for each time, from 0 to End time at least. All else belongs to Orbit speed. A relative "
+    "(other units too) and a row for each time, from 0 to End time at least. All else belongs to Orbit "
+    "speed. A relative "
     "path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
@@ -218,12 +219,12 @@ void add_glass(EntryList &list, GlassSection &glass)
     "Section of the glass near the table. step: a plate on a ring (the land) under a cylinder (the stem); "
     "foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the stem; profile: "
     "the points in Profile file");
-  list.path(
-    "Profile file", glass.profile_file,
-    "Points (r, z) of the section's outline for Shape = profile, a CSV file in m or mm: from the axis "
-    "under the foot along the underside, round the edge, over the top and up the stem to the axis in "
-    "its cut. A contact radius or crown radius that the study does not give follows from the points "
-    "of the land. A relative path starts at the study file");
+  list.path("Profile file", glass.profile_file,
+            "Points (r, z) of the section's outline for Shape = profile, a CSV file (in m, or with the "
+            "header \"r (mm), z (mm)\"): from the axis "
+            "under the foot along the underside, round the edge, over the top and up the stem to the axis in "
+            "its cut. A contact radius or crown radius that the study does not give follows from the points "
+            "of the land. A relative path starts at the study file");
   list.number("Contact radius", profile.contact_radius, positive, "m",
               "Radius R of the rim that stands on the table");
   list.number("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot");
@@ -298,12 +299,20 @@ void add_contact(EntryList &list, ContactSection &contact)
   list.enter("Contact");
   list.choice("Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
               "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of "
-              "revolution: fast, and the way to friction coupling and elastic tables; solid: the foot in "
-              "three-dimensional finite elements, for any mesh");
-  list.path(
-    "Mesh file", contact.mesh_file,
-    "Mesh of the foot (.msh, hexahedra, physical ids 1 = stem cut, 2 = contact zone), which then also gives "
-    "its shape; empty: generated from the subsection Glass. A relative path starts at the study file");
+              "revolution: fast, and the way to elastic tables; solid: the foot in three-dimensional finite "
+              "elements, for any mesh");
+  list.path("Mesh file", contact.mesh_file,
+            "Mesh of the foot (.msh, .inp or .vtu, hexahedra), which then also gives its shape; empty: "
+            "generated from "
+            "the subsection Glass. A relative path starts at the study file");
+  list.count("Mesh contact id", contact.mesh_marks.contact_id, 1, 65000,
+             "Id of the faces of the mesh file that may touch the table");
+  list.count("Mesh stem id", contact.mesh_marks.stem_id, 1, 65000,
+             "Id of the faces of the mesh file where the stem was cut");
+  list.number(
+    "Mesh contact height", contact.mesh_marks.contact_height, not_negative, "m",
+    "All faces of the mesh file that look down and lie at most this high above its lowest point may "
+    "touch the table, whatever their ids; 0: those of the id");
   list.count("Degree", contact.degree, 1, 4,
              "Polynomial degree of the elements: 1 or 2 for a solid body, 1 to 4 for a body of revolution");
   list.count("Azimuthal cells", contact.resolution.azimuthal_cells, 8, 2000,
@@ -339,8 +348,8 @@ void add_contact(EntryList &list, ContactSection &contact)
   list.choice(
     "Friction coupling", contact.friction_coupling,
     { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
-    "elastic: the friction's tractions deform the foot and an elastic substrate (body of revolution; "
-    "without effect on a solid one); none: friction does not act back on the pressure");
+    "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction does not act "
+    "back on the pressure");
   list.choice("Goal", contact.goal, goal_words(),
               "What cells of a body of revolution are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",

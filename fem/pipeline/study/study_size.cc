@@ -6,13 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <sstream>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
+
+constexpr char mesh_file_entry[] = "Contact/Mesh file";
 
 /// The program and its libraries.
 constexpr double memory_of_the_program = 1.6e8;
@@ -37,12 +42,39 @@ void add_body_of_revolution(const Study &study, StudySize &size)
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
 }
 
+/// The vertices of a mesh file: the number in its section $Nodes, the second one of Gmsh's format 4; of files
+/// without that section the bytes over those that a vertex takes with its cell. 0 where there is no file.
+double n_vertices(const std::string &file)
+{
+  constexpr double bytes_per_vertex = 80;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    return 0;
+  std::ifstream stream(file);
+  std::string line;
+  for (unsigned int n_lines = 0; n_lines < 1000 && std::getline(stream, line); ++n_lines)
+    if (line.rfind("$Nodes", 0) == 0 && std::getline(stream, line))
+    {
+      double first = 0, second = 0;
+      std::istringstream numbers(line);
+      return numbers >> first >> second ? second : first;
+    }
+  return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_vertex;
+}
+
+/// Cells of the generated mesh, or at most those of the file: hexahedra have about as many vertices.
+double coarse_cells(const ContactSection &contact)
+{
+  if (!contact.mesh_file.empty())
+    return n_vertices(contact.mesh_file);
+  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
+  return contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
+}
+
 void add_solid_body(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
-  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
-  size.cells =
-    contact.resolution.azimuthal_cells * std::max(per_sector, 16.) * std::pow(8., contact.refinements);
+  size.cells = coarse_cells(contact) * std::pow(8., contact.refinements);
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
   // Bytes per unknown; a refined mesh is solved over its hierarchy (docs/method/solid_at_scale.md).
   constexpr double largest_direct = 150000, factorised = 25e3, iterated = 8e3, over_hierarchy = 500;
@@ -63,7 +95,7 @@ StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
   for (std::size_t i = 0; i < tried.size(); ++i)
   {
     const std::string before = tried[i].text();
-    if (before == standard[i].text() || tried[i].unit.empty())
+    if (before == standard[i].text() || (tried[i].unit.empty() && tried[i].path() != mesh_file_entry))
       continue;
     tried[i].assign(standard[i].text());
     if (const double size = measure(size_of(trial)); size < least)
@@ -87,7 +119,7 @@ StudySize size_of(const Study &study)
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)
     add_body_of_revolution(study, size);
-  else if (study.load.is_from_contact() && study.contact.mesh_file.empty())
+  else if (study.load.is_from_contact())
     add_solid_body(study, size);
   return size;
 }
@@ -113,11 +145,12 @@ void require_affordable(const Study &study)
   {
     const StudyEntry entry = greediest(study, [](const StudySize &of) { return of.memory; });
     throw BadInput(fmt::format(
-      FMT_STRING(
-        "{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), above {} GB; give "
-        "a value nearer to its default, or allow more with Contact/Memory limit = {:.0f} GB."),
-      entry.path(), text_of(study, entry), size.memory / 1e9, size.cells, size.unknowns,
-      to_short_text(study.contact.memory_limit / 1e9), std::ceil(1.1 * size.memory / 1e9)));
+      FMT_STRING("{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), above {} GB; "
+                 "give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
+      entry.path(), shortened_path(text_of(study, entry)), size.memory / 1e9, size.cells, size.unknowns,
+      to_short_text(study.contact.memory_limit / 1e9),
+      entry.path() == mesh_file_entry ? "coarser mesh" : "value nearer to its default",
+      std::ceil(1.1 * size.memory / 1e9)));
   }
 }
 

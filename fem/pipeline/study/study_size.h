@@ -5,11 +5,11 @@
 namespace stemware::pipeline
 {
 
-/// What a study will take, estimated from its entries alone, before anything is made. Measured factors, good
-/// to two or three.
+/// What a study will take, estimated from its entries and from the number of vertices that its mesh file
+/// states, before anything is made. Measured factors, good to two or three.
 struct StudySize
 {
-  double cells = 0;    ///< of the generated mesh; 0 for meshes from files and without a contact
+  double cells = 0;    ///< of the mesh, of a file at most; 0 without a contact
   double unknowns = 0; ///< of the largest linear system
   double memory = 0;   ///< [byte]
   double steps = 0;    ///< of the spin-up

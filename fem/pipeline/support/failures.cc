@@ -1,5 +1,7 @@
 #include "fem/pipeline/support/failures.h"
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -13,7 +15,11 @@ void require(bool condition, const std::string &sentence)
 
 std::string on_one_line(const std::string &text)
 {
-  std::istringstream words(text);
+  // Control characters would end a message, or move a console's cursor.
+  std::string printable = text;
+  std::replace_if(
+    printable.begin(), printable.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
+  std::istringstream words(printable);
   std::string line;
   for (std::string word; words >> word;)
     line += (line.empty() ? "" : " ") + word;

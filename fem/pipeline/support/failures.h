@@ -34,8 +34,8 @@ public:
 /// Throws BadInput with @p sentence unless @p condition holds.
 void require(bool condition, const std::string &sentence);
 
-/// Runs of white space, line ends included, as single blanks: multi-line messages of other libraries on one
-/// line.
+/// Runs of white space and control characters, line ends included, as single blanks: multi-line messages of
+/// other libraries on one line.
 std::string on_one_line(const std::string &text);
 
 /// What somebody gave, as a message repeats it: on one line, and at most @p longest characters of it, "..."

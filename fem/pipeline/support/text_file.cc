@@ -3,6 +3,8 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/folders.h"
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -106,6 +108,37 @@ std::string read_text_file(const std::filesystem::path &file)
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+void require_regular_file(const std::string &setting, const std::filesystem::path &file)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  require(std::filesystem::exists(status), setting +
+                                             " does not exist; give a path that starts at the study "
+                                             "file (on the command line: where the program is started).");
+  require(std::filesystem::is_regular_file(status), setting + " is not a file; give the path of a file.");
+}
+
+std::vector<TextLine> read_lines(const std::string &setting, const std::filesystem::path &file)
+{
+  constexpr std::uintmax_t most_bytes = 16000000;
+  require_regular_file(setting, file);
+  std::ifstream stream(file);
+  require(static_cast<bool>(stream), setting + " cannot be read; check its permissions.");
+  require(std::filesystem::file_size(file) <= most_bytes,
+          setting + " is larger than 16 MB; leave out rows, or name the right file.");
+  std::vector<TextLine> lines;
+  std::string text;
+  for (unsigned int number = 1; std::getline(stream, text); ++number)
+  {
+    if (number == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+      text.erase(0, 3);
+    boost::trim(text);
+    if (!text.empty())
+      lines.push_back({ text, number });
+  }
+  return lines;
 }
 
 } // namespace stemware::pipeline

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -23,5 +24,20 @@ bool write_all(int descriptor, const std::string &text);
 
 /// All bytes of a file; nothing of one that cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
+
+/// Throws BadInput with one sentence, which begins with @p setting ("Load/File = my.dat"), unless @p file is
+/// there and is no folder, pipe or device.
+void require_regular_file(const std::string &setting, const std::filesystem::path &file);
+
+/// A line of a text file.
+struct TextLine
+{
+  std::string text;        ///< without blanks at its ends; not empty
+  unsigned int number = 0; ///< counted from 1
+};
+
+/// The lines that are not empty of a file of at most 16 MB, without a byte order mark. Throws BadInput with
+/// one sentence, which begins with @p setting, for what is no such file.
+std::vector<TextLine> read_lines(const std::string &setting, const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

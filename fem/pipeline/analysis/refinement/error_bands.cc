@@ -225,15 +225,12 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     }
     progress.pieces_done("error bands", ++n_done, changes.size());
   }
-  // A load that is off by a share of a_0 moves the spin by that share of v / R or less.
-  const double interpolation =
-    all.spin_uncertainty + all.phase_error * study.motion.orbit.orbit_speed / foot->radius();
-  if (interpolation > 0)
+  if (all.spin_uncertainty > 0)
     for (BandedQuantity &banded : bands)
       if (banded.quantity.key == "omega_terminal")
       {
-        banded.parts["interpolation"] = interpolation;
-        banded.band += interpolation;
+        banded.parts["interpolation"] = all.spin_uncertainty;
+        banded.band += all.spin_uncertainty;
       }
   return bands;
 }

@@ -116,9 +116,10 @@ std::string values_of_case(const SweepPlan &plan, std::size_t index)
   std::string text;
   for (std::size_t i = 0; i < plan.entries.size(); ++i)
   {
-    const std::string &value = plan.cases.at(index)[i];
-    const auto number = plan.entries[i].unit.empty() ? std::nullopt : parse_number(value);
-    text += (i == 0 ? "" : ", ") + plan.entries[i].path + " = " + (number ? to_short_text(*number) : value);
+    const std::string &value = plan.cases.at(index)[i], &unit = plan.entries[i].unit;
+    const auto number = unit.empty() ? std::nullopt : parse_number(value);
+    text += (i == 0 ? "" : ", ") + plan.entries[i].path + " = " + (number ? to_short_text(*number) : value) +
+            (number && unit != "1" ? " " + unit : "");
   }
   return text;
 }

@@ -333,7 +333,8 @@ Plot harmonic_torque_plot(const Budget &budget)
 
 Plot one_way(Plot plot)
 {
-  plot.caption += " One-way: the load of rest is kept at every spin.";
+  plot.caption += std::string(plot.caption.empty() || plot.caption.back() == '.' ? "" : ".") +
+                  " One-way: the load of rest is kept at every spin.";
   plot.script = "set label 99 \"one-way: load of rest kept\" at screen 0.01, screen 0.03 left font \",11\" "
                 "textcolor rgb \"#555555\"\n" +
                 plot.script;

@@ -79,12 +79,6 @@ double round_down(double factor)
   return std::floor(2 * factor / power) / 2 * power;
 }
 
-/// Every so many of @p n things, so that about @p wanted are left.
-std::size_t stride_of(std::size_t n, std::size_t wanted)
-{
-  return std::max<std::size_t>(1, n / wanted);
-}
-
 } // namespace
 
 FootLengths measured(const std::vector<fem::SectionPolygon> &cells, double contact_radius)
@@ -196,12 +190,9 @@ Plot rim_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &
 Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
                           const ring::Motion &motion)
 {
-  constexpr double n_around = 72, n_across = 16, share_of_radius = 0.12;
+  constexpr double share_of_radius = 0.12;
   const double radius = lengths.contact_radius;
-  double largest = 0;
-  for (const auto &cut : footprint.cuts)
-    for (const fem::PressurePoint &point : cut)
-      largest = std::max(largest, point.pressure);
+  const double largest = largest_pressure(footprint);
   const auto [inner, outer] = loaded_band(footprint);
   const double extent = std::max({ radius - inner, outer - radius, 1e-4 * radius });
   const double magnification = std::max(1., round_down(share_of_radius * radius / extent));
@@ -213,22 +204,15 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
                "rim, the thin circle, are drawn {:g} times larger; v is the direction of travel."),
     magnification);
 
-  // Seen from below y points downwards. One block a cut, closed after a turn.
+  // Seen from below y points downwards.
   std::string data = "# " + caption + "\n# 1: x (mm)\n# 2: -y (mm)\n# 3: " + pressure + "\n";
-  const std::size_t stride = stride_of(footprint.cuts.size(), n_around);
-  for (std::size_t c = 0; c < footprint.cuts.size() + stride; c += stride)
+  for (const auto &cut : drawn_cuts(footprint))
   {
-    if (c >= footprint.cuts.size() && !footprint.is_grid)
-      break;
-    const auto &cut = footprint.cuts[c < footprint.cuts.size() ? c : 0];
-    const std::size_t step = stride_of(cut.size(), n_across);
-    for (std::size_t i = 0; i < cut.size(); i += footprint.is_grid ? step : 1)
+    for (const fem::PressurePoint &point : cut)
     {
-      const double drawn = radius + magnification * (cut[i].radius - radius);
-      data +=
-        fmt::format(FMT_STRING("{:.5g} {:.5g} {:.5g}\n"), 1000 * drawn * std::cos(cut[i].azimuth),
-                    -1000 * drawn * std::sin(cut[i].azimuth),
-                    cut[i].pressure > 0 ? cut[i].pressure / unit : std::numeric_limits<double>::quiet_NaN());
+      const double drawn = radius + magnification * (point.radius - radius);
+      data += fmt::format(FMT_STRING("{:.5g} {:.5g} {:.5g}\n"), 1000 * drawn * std::cos(point.azimuth),
+                          -1000 * drawn * std::sin(point.azimuth), point.pressure / unit);
     }
     data += '\n';
   }
@@ -237,7 +221,6 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
   const double half = std::max(1.05 * edge, 1.2 * r);
   // The orbit's centre lies to the left, at +y, where the orbit runs counter-clockwise seen from above.
   const double side = motion.orbit_sense == ring::OrbitSense::counterclockwise ? -1 : 1;
-  const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
   std::string script = no_axes;
   script +=
     "set lmargin at screen 0.02; set rmargin at screen 0.80; set bmargin at screen 0.02; set tmargin at "
@@ -264,8 +247,8 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
                            "set label \"to the orbit's centre,\\n{} from here\" at 0,{:.5g} center "
                            "front font \",13\"\n"),
                 side * 0.36 * r, length_text(motion.orbit_radius), side * (side > 0 ? 0.54 : 0.44) * r);
-  script += has_cells ? "splot data using 1:2:3 with pm3d\n"
-                      : "splot data using 1:2:3 with points pt 5 ps 0.5 lc palette\n";
+  script += has_cells(footprint) ? "splot data using 1:2:3 with pm3d\n"
+                                 : "splot data using 1:2:3 with points pt 5 ps 0.5 lc palette\n";
   return { "foot_from_below", caption, script, data, 540, 430 };
 }
 

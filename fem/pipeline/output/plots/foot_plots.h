@@ -30,6 +30,17 @@ FootLengths measured(const std::vector<fem::SectionPolygon> &cells, double conta
 /// Least and largest radius under pressure [m]. The footprint must have a point under pressure.
 std::pair<double, double> loaded_band(const fem::PressureMap &footprint);
 
+/// Whether a footprint is a grid with several points across the contact.
+bool has_cells(const fem::PressureMap &footprint);
+
+/// The largest pressure [Pa].
+double largest_pressure(const fem::PressureMap &footprint);
+
+/// The cuts that a picture shows: of a footprint with cells every so many, the first one again after a whole
+/// turn, each at equally many places between the edges of its pressure, which lie between the points of the
+/// grid, and not a number where it has no load; of others the points under pressure.
+std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &footprint);
+
 /// The section of a foot with its cells and lengths.
 Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &lengths);
 

@@ -1,11 +1,15 @@
+#include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
+#include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/plot_script.h"
-#include "fem/pipeline/output/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 namespace stemware::pipeline
@@ -14,14 +18,147 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Cuts that are drawn of a footprint with many: a picture needs no more.
-constexpr std::size_t n_drawn_cuts = 72;
-
 struct PressureUnit
 {
   double pascals;
   std::string name;
 };
+
+constexpr double degree = boost::math::double_constants::degree,
+                 whole_turn = boost::math::double_constants::two_pi;
+constexpr double micrometre = 1e-6;
+
+/// Where the pressure ends beyond the loaded point @p i of a cut, whose neighbour under the contact is
+/// @p inner: where the line through both meets zero, between this point and the next.
+double edge_beyond(const std::vector<fem::PressurePoint> &cut, std::size_t i, std::size_t inner)
+{
+  const bool outwards = inner <= i;
+  if (outwards ? i + 1 == cut.size() : i == 0)
+    return cut[i].radius;
+  const double to_next = cut[outwards ? i + 1 : i - 1].radius - cut[i].radius;
+  const double fall = cut[inner].pressure - cut[i].pressure;
+  const double reach = fall > 0 ? cut[i].pressure / fall * (cut[i].radius - cut[inner].radius) : to_next / 2;
+  return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
+}
+
+double pressure_at(const std::vector<fem::PressurePoint> &cut, double radius)
+{
+  const auto above =
+    std::lower_bound(cut.begin(), cut.end(), radius,
+                     [](const fem::PressurePoint &point, double r) { return point.radius < r; });
+  if (above == cut.begin() || above == cut.end())
+    return (above == cut.end() ? cut.back() : cut.front()).pressure;
+  const auto below = above - 1;
+  const double share = (radius - below->radius) / (above->radius - below->radius);
+  return (1 - share) * below->pressure + share * above->pressure;
+}
+
+/// The cut at @p n places between the edges of its pressure; without a pressure where it has no load.
+std::vector<fem::PressurePoint> between_edges(const std::vector<fem::PressurePoint> &cut, std::size_t n)
+{
+  std::size_t first = cut.size(), last = 0;
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    if (cut[i].pressure > 0)
+    {
+      first = std::min(first, i);
+      last = i;
+    }
+  const double nothing = std::numeric_limits<double>::quiet_NaN(), azimuth = cut.front().azimuth;
+  if (first == cut.size())
+    return std::vector<fem::PressurePoint>(n, { cut.front().radius, azimuth, nothing });
+  const double begin = edge_beyond(cut, first, std::min(first + 1, last)),
+               end = edge_beyond(cut, last, last > first ? last - 1 : last);
+  std::vector<fem::PressurePoint> points;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const double share = static_cast<double>(i) / static_cast<double>(n - 1);
+    const double radius = (1 - share) * begin + share * end;
+    const bool is_edge = radius < cut[first].radius || radius > cut[last].radius;
+    const double beyond = radius < cut[first].radius
+                            ? cut[first].pressure * (radius - begin) / (cut[first].radius - begin)
+                            : cut[last].pressure * (end - radius) / (end - cut[last].radius);
+    points.push_back({ radius, azimuth, is_edge ? beyond : pressure_at(cut, radius) });
+  }
+  return points;
+}
+
+/// Largest and mean pressure and the width of the contact, from the cuts of a grid.
+std::string measures_of(const fem::PressureMap &footprint, const PressureUnit &unit)
+{
+  const std::size_t n_cuts = footprint.cuts.size();
+  double force = 0, area = 0, narrowest = std::numeric_limits<double>::infinity(), widest = 0;
+  fem::PressurePoint largest;
+  for (std::size_t c = 0; c < n_cuts; ++c)
+  {
+    const double before =
+      c > 0 ? footprint.cuts[c - 1].front().azimuth : footprint.cuts.back().front().azimuth - whole_turn;
+    const double after = c + 1 < n_cuts ? footprint.cuts[c + 1].front().azimuth
+                                        : footprint.cuts.front().front().azimuth + whole_turn;
+    const auto points = between_edges(footprint.cuts[c], 2 * footprint.cuts[c].size());
+    const bool has_load = points.front().pressure >= 0;
+    const double width = has_load ? points.back().radius - points.front().radius : 0;
+    narrowest = std::min(narrowest, width);
+    widest = std::max(widest, width);
+    for (std::size_t i = 1; i < points.size() && has_load; ++i)
+    {
+      const double piece = (after - before) / 2 * (points[i].radius - points[i - 1].radius) *
+                           (points[i].radius + points[i - 1].radius) / 2;
+      area += piece;
+      force += piece * (points[i].pressure + points[i - 1].pressure) / 2;
+    }
+    for (const fem::PressurePoint &point : footprint.cuts[c])
+      if (point.pressure > largest.pressure)
+        largest = point;
+  }
+  const std::string widths =
+    widest - narrowest < 0.005 * widest
+      ? fmt::format(FMT_STRING("{:.3g} µm"), widest / micrometre)
+      : fmt::format(FMT_STRING("{:.3g} µm to {:.3g} µm"), narrowest / micrometre, widest / micrometre);
+  return fmt::format(
+    FMT_STRING("Largest pressure {:.3g} {} at θ = {:.0f}°, mean {:.3g} {}; the contact is {} "
+               "wide."),
+    largest.pressure / unit.pascals, unit.name, largest.azimuth / degree, force / area / unit.pascals,
+    unit.name, widths);
+}
+
+/// Columns azimuth, distance from the contact radius, pressure: a block for each cut.
+std::string drawn_points(const std::string &title, const std::vector<std::vector<fem::PressurePoint>> &cuts,
+                         double contact_radius, const PressureUnit &unit)
+{
+  std::string data =
+    "# " + title + "\n# 1: theta (degrees)\n# 2: r - R (µm)\n# 3: pressure (" + unit.name + ")\n";
+  for (const auto &cut : cuts)
+  {
+    for (const fem::PressurePoint &point : cut)
+      data += fmt::format(FMT_STRING("{:.6g} {:.6g} {:.6g}\n"), point.azimuth / degree,
+                          (point.radius - contact_radius) / micrometre, point.pressure / unit.pascals);
+    data += '\n';
+  }
+  return data;
+}
+
+/// What the vertical axis has to show; never less than a micrometre to both sides.
+std::pair<double, double> height_of(const std::vector<std::vector<fem::PressurePoint>> &cuts,
+                                    double contact_radius)
+{
+  Extent radii;
+  for (const auto &cut : cuts)
+    for (const fem::PressurePoint &point : cut)
+      if (point.pressure >= 0)
+        radii.include((point.radius - contact_radius) / micrometre);
+  const auto [least, most] = radii;
+  if (least > most)
+    return { -1, 1 };
+  const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);
+  return { least - margin, most + margin };
+}
+
+} // namespace
+
+bool has_cells(const fem::PressureMap &footprint)
+{
+  return footprint.is_grid && footprint.cuts.front().size() > 1;
+}
 
 double largest_pressure(const fem::PressureMap &footprint)
 {
@@ -32,87 +169,52 @@ double largest_pressure(const fem::PressureMap &footprint)
   return largest;
 }
 
-/// Every so many cuts, and the first one again after a whole turn.
 std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &footprint)
 {
-  if (!footprint.is_grid)
-    return footprint.cuts;
+  constexpr std::size_t n_cuts = 72, n_across = 24;
   std::vector<std::vector<fem::PressurePoint>> cuts;
-  const std::size_t stride = (footprint.cuts.size() - 1) / n_drawn_cuts + 1;
+  if (!has_cells(footprint))
+  {
+    for (const auto &cut : footprint.cuts)
+    {
+      cuts.emplace_back();
+      std::copy_if(cut.begin(), cut.end(), std::back_inserter(cuts.back()),
+                   [](const fem::PressurePoint &point) { return point.pressure > 0; });
+    }
+    return cuts;
+  }
+  const std::size_t stride = (footprint.cuts.size() - 1) / n_cuts + 1;
   for (std::size_t c = 0; c < footprint.cuts.size(); c += stride)
-    cuts.push_back(footprint.cuts[c]);
+    cuts.push_back(between_edges(footprint.cuts[c], n_across));
   cuts.push_back(cuts.front());
   for (fem::PressurePoint &point : cuts.back())
-    point.azimuth += boost::math::double_constants::two_pi;
+    point.azimuth += whole_turn;
   return cuts;
 }
-
-/// Columns azimuth, distance from the contact radius, pressure, and the bounds of the cell that a point of a
-/// grid stands for, a little wider than it is: that closes the seams in the picture.
-Table drawn_points(const std::string &title, const std::vector<std::vector<fem::PressurePoint>> &cuts,
-                   double contact_radius, const PressureUnit &unit)
-{
-  constexpr double overlap = 1.03, degree = boost::math::double_constants::degree;
-  std::vector<std::vector<double>> rows;
-  for (std::size_t c = 0; c < cuts.size(); ++c)
-  {
-    const double azimuth = cuts[c].front().azimuth;
-    const double before = c > 0 ? azimuth - cuts[c - 1].front().azimuth : 0;
-    const double after = c + 1 < cuts.size() ? cuts[c + 1].front().azimuth - azimuth : 0;
-    const double half_step = cuts[c].size() > 1 ? (cuts[c][1].radius - cuts[c][0].radius) / 2 : 0;
-    for (const fem::PressurePoint &point : cuts[c])
-    {
-      if (!(point.pressure > 0))
-        continue;
-      const double r = point.radius - contact_radius;
-      rows.push_back({ point.azimuth / degree, 1e6 * r, point.pressure / unit.pascals,
-                       (azimuth - overlap * before / 2) / degree, (azimuth + overlap * after / 2) / degree,
-                       1e6 * (r - overlap * half_step), 1e6 * (r + overlap * half_step) });
-    }
-  }
-  return number_rows(title,
-                     { { "theta", "degrees" },
-                       { "r - R", "µm" },
-                       { "pressure", unit.name },
-                       { "from theta", "degrees" },
-                       { "to", "degrees" },
-                       { "from r - R", "µm" },
-                       { "to", "µm" } },
-                     rows);
-}
-
-/// What the vertical axis has to show; never less than a micrometre to both sides.
-std::pair<double, double> height_of(const Table &points)
-{
-  Extent radii;
-  for (const std::size_t bound : { 5, 6 })
-    for (const Cell &cell : points.columns[bound].cells)
-      radii.include(std::get<double>(cell));
-  const auto [least, most] = radii;
-  if (least > most)
-    return { -1, 1 };
-  const double margin = std::max(0.05 * (most - least), most - least < 1 ? 1. : 0.);
-  return { least - margin, most + margin };
-}
-
-} // namespace
 
 Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
 {
   const double largest = largest_pressure(footprint);
   const PressureUnit unit = largest < 1e6 ? PressureUnit{ 1e3, "kPa" } : PressureUnit{ 1e6, "MPa" };
-  const bool has_cells = footprint.is_grid && footprint.cuts.front().size() > 1;
-  const std::string drawing = has_cells ? "plot data using 1:2:4:5:6:7:3 with boxxyerror lc palette\n"
-                                        : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
-  const std::string caption =
+  const bool is_map = has_cells(footprint);
+  const std::string label = "pressure (" + unit.name + ")";
+  // In a view of three dimensions places are those of the screen.
+  const std::string view_margins =
+    "set lmargin at screen 0.19; set bmargin at screen 0.22; set tmargin at screen 0.95; set border 15; "
+    "unset grid\n"
+    "set colorbox user origin screen 0.79, screen 0.22 size screen 0.03, screen 0.73\nset label 1 " +
+    gnuplot_text(label) + " at screen 0.97, screen 0.58 rotate by 90 center\n";
+  const std::string drawing =
+    is_map ? view_margins + "set view map; set pm3d corners2color mean\nsplot data using 1:2:3 with pm3d\n"
+           : "plot data using 1:2:3 with points pt 5 ps 0.4 lc palette\n";
+  const std::string title =
     "Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.";
-  const Table points = drawn_points(caption, drawn_cuts(footprint), contact_radius, unit);
-  return { "footprint", caption,
+  const auto cuts = drawn_cuts(footprint);
+  return { "footprint", is_map ? title + ' ' + measures_of(footprint, unit) : title,
            axis_commands("x", { quantity::axis::azimuth, false, std::pair(0., 360.) }) +
-             axis_commands("y", { quantity::axis::distance_to_rim, false, height_of(points) }) +
-             colour_commands("pressure (" + unit.name + ")", 0, largest / unit.pascals) +
-             "set xtics 90\nunset key\nset style fill solid noborder\n" + drawing,
-           data_table(points) };
+             axis_commands("y", { quantity::axis::distance_to_rim, false, height_of(cuts, contact_radius) }) +
+             colour_commands(label, 0, largest / unit.pascals) + "set xtics 90\nunset key\n" + drawing,
+           drawn_points(title, cuts, contact_radius, unit) };
 }
 
 } // namespace stemware::pipeline

@@ -91,11 +91,13 @@ set offsets 0.1, 0.1, 0.1, 0.1
 set key at screen 0.67, screen 0.72 left top vertical
 set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
 set label 1 "v" at 0.46,0 left
+set arrow 2 from 0,0 to 0,side * 0.3 lw 1 dt (6,4) lc rgb "#333333"
+set label 6 "orbit's centre" at 0,side * 0.45 center font ",12"
 set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(pi * i / 2),0.78 * sin(pi * i / 2) center font ",12"
 set parametric; set trange [0:2 * pi]; set samples 181
-plot cos(t), sin(t) with lines lt 8 title "rim", \
+plot cos(t), sin(t) with lines lt 8 title rim, \
      data index arc using ($2 * cos($1)):($2 * sin($1)) with lines lt 7 lw 5 title "under load", \
-     x(t, 1), y(t, 1) with lines lt 8 dt 3 title "mean load")gp";
+     x(t, 1), y(t, 1) with lines lt 8 dt 3 title mean)gp";
 
 } // namespace
 
@@ -106,7 +108,8 @@ std::string truncation_title(unsigned int n, unsigned int n_all)
   return (n == n_all ? "all, n ≤ " : "n ≤ ") + std::to_string(n);
 }
 
-Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise)
+Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+               ring::OrbitSense sense)
 {
   const std::vector<unsigned int> orders = shown_truncations(load, load.a(0));
   const std::vector<fem::AzimuthLoad> whole = whole_load(load, pointwise);
@@ -126,11 +129,16 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
               std::to_string(i + 1 == orders.size() ? 1 : i + 2) + " title " + gnuplot_text(name);
   }
   blocks.push_back(contact_arc(whole));
+  const bool carries_everywhere =
+    std::all_of(whole.begin(), whole.end(), [](const fem::AzimuthLoad &place) { return place.density > 0; });
   return {
     "load",
     "Load round the rim, seen from above and drawn outwards from the rim, the mean load as half a radius; "
     "v is the direction of travel, n the harmonics kept. A curve inside the rim would pull on the table.",
-    "arc = " + std::to_string(orders.size()) + "\n" + view_from_above + curves + "\n",
+    std::string("side = ") + (sense == ring::OrbitSense::counterclockwise ? "1" : "-1") +
+      "; arc = " + std::to_string(orders.size()) + "; rim = \"" + (carries_everywhere ? "" : "rim") +
+      "\"; mean = \"mean, " + format::significant<3>(load.a(0) / load.radius()) + " N/m\"\n" +
+      view_from_above + curves + "\n",
     data_tables(blocks),
     540,
     380

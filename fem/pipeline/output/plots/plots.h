@@ -21,8 +21,10 @@ std::string truncation_title(unsigned int n, unsigned int n_all);
 
 /// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
 /// and the arc of the rim that carries load. Where @p pointwise (sorted by azimuth) is given, it is drawn
-/// instead of all harmonics, and tells which arc carries load; else that is where the series is positive.
-Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise);
+/// instead of all harmonics, and tells which arc carries load; else that is where the series is positive. An
+/// arrow points to the orbit's centre, whose side @p sense tells.
+Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+               ring::OrbitSense sense);
 
 /// What the harmonics beyond the first add to the load, over a_0; @p pointwise as in load_plot().
 Plot higher_harmonics_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise = {});

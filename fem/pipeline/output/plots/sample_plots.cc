@@ -62,7 +62,7 @@ Plot tornado(const SweepPlan &plan, const std::string &name, const QuantityFindi
   return tornado_plot(name + "_tornado",
                       "Change of the " + about.quantity().name +
                         " by one standard deviation of each parameter, from a linear fit of the samples",
-                      "change: " + label_of(about), bars);
+                      "change of " + label_of(about), bars);
 }
 
 Plot scatter(const SweepPlan &plan, const FinishedCases &cases, const std::string &name,

@@ -195,7 +195,7 @@ Plot truncation_plot(const std::vector<SpinRow> &rows)
                      { "|Δω / ω|", true },
                      { change } };
   if (!change.x.empty() && change.x.back() <= 8)
-    plot.commands = "set xtics 1\n";
+    plot.commands = "set xtics 1\nset autoscale xfix; set offsets graph 0.05, graph 0.05\n";
   return curve_plot(plot);
 }
 

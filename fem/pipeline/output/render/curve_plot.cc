@@ -2,6 +2,7 @@
 #include "fem/pipeline/output/render/plot_script.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +143,16 @@ std::string tics_of_narrow_axis(const CurvePlot &plot)
   return x_axis.most - x_axis.least < share ? tic_commands("x", x_axis.least, x_axis.most) : "";
 }
 
+/// Room for short titles in the key: with the style's allowance for long ones they would overlap.
+std::string key_of_short_titles(const CurvePlot &plot)
+{
+  constexpr std::size_t short_title = 6;
+  const bool all_are_short =
+    std::all_of(plot.curves.begin(), plot.curves.end(),
+                [](const Curve &curve) { return width_of(curve.title) < short_title; });
+  return all_are_short ? "set key width 1\n" : "";
+}
+
 /// Instead of a plot without a single point.
 constexpr char nothing_to_show[] = R"gp(unset logscale; unset tics; set xrange [0:1]; set yrange [0:1]
 set label "nothing to show" at 0.5,0.5 center
@@ -165,7 +176,7 @@ Plot curve_plot(const CurvePlot &plot)
       (i == 0 ? "" : ", \\\n     ") + drawing(curve, i, curve.line_type > 0 ? curve.line_type : ++line_type);
   }
   const std::string script = axis_commands("x", plot.x) + axis_commands("y", plot.y) +
-                             tics_of_narrow_axis(plot) + plot.commands +
+                             tics_of_narrow_axis(plot) + key_of_short_titles(plot) + plot.commands +
                              (is_empty ? nothing_to_show : "plot " + drawings + "\n");
   return { plot.name, plot.caption, script, data_tables(blocks) };
 }

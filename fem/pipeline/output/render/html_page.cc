@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
+#include <regex>
 
 namespace stemware::pipeline
 {
@@ -26,10 +27,10 @@ std::string link(const std::string &file, const std::string &text)
   return "<a href=\"" + html_text(file) + "\">" + html_text(text) + "</a>";
 }
 
-/// A text as HTML; numbers stay on one line with their units.
+/// A text as HTML; numbers have a true minus and stay on one line with their units.
 std::string flowing_text(const std::string &text)
 {
-  std::string html = html_formula(text);
+  std::string html = with_true_minus(html_formula(text));
   for (const std::string unit : { "%", "rad/s" })
     boost::replace_all(html, " " + unit, "\u00a0" + unit);
   return html;
@@ -63,7 +64,7 @@ std::string figure(const Plot &plot, const std::map<std::string, std::string> &p
     "\n" +
       (drawn ? inline_svg(picture->second, plot.name, plot.caption)
              : element("p class=\"missing\"", "This plot has not been drawn.")) +
-      element("figcaption", html_formula(plot.caption) + " <span class=\"files\">" + files + "</span>"));
+      element("figcaption", flowing_text(plot.caption) + " <span class=\"files\">" + files + "</span>"));
 }
 
 std::string file_list(const std::vector<FileNote> &files)
@@ -125,6 +126,12 @@ std::string html_text(const std::string &text)
 std::string html_formula(const std::string &text)
 {
   return with_subscripts(text, html_text, "<sub>", "</sub>");
+}
+
+std::string with_true_minus(const std::string &text)
+{
+  static const std::regex minus("(^|[\\s(\\[<>=±≤,])-(?=[0-9])");
+  return std::regex_replace(text, minus, "$1\u2212");
 }
 
 std::string inline_svg(const std::string &svg, const std::string &name, const std::string &label)

@@ -18,11 +18,11 @@ h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 1rem; }
 h2 { font-size: 1.2rem; line-height: 1.3; margin: 2.2rem 0 .6rem; }
 p { margin: .6rem 0; max-width: 46rem; }
 a { color: var(--accent); }
-sub { line-height: 0; font-size: .75em; }
+sub, sup { line-height: 0; font-size: .75em; }
 .answer { font-size: 1.12rem; max-width: none; padding: .9rem 1.1rem; background: var(--panel); border-left: .3rem solid var(--accent); border-radius: .2rem; }
 .notice { padding: .5rem .9rem; border: 1px solid #d55e00; border-radius: .2rem; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 1.2rem; align-items: start; margin: 1rem 0; }
-figure { margin: 0; max-width: 36rem; }
+figure { margin: 0; max-width: 29rem; }
 figure > svg { display: block; width: 100%; height: auto; background: #ffffff; border: 1px solid var(--line); border-radius: .2rem; }
 figcaption { margin-top: .4rem; font-size: .9rem; }
 .files, footer, caption, .missing { color: var(--soft); font-size: .85rem; }
@@ -33,7 +33,7 @@ caption { text-align: left; padding-bottom: .35rem; }
 th, td { padding: .25rem .8rem .25rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid var(--line); }
 th { font-weight: 600; vertical-align: bottom; }
 .number { text-align: right; }
-td.number { white-space: nowrap; }
+td.number, td:first-child { white-space: nowrap; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1rem; margin: .6rem 0; }
 dd { margin: 0; }
 summary { cursor: pointer; margin: 2.2rem 0 .6rem; }

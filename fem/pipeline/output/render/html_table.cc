@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace stemware::pipeline
 {
@@ -18,6 +19,17 @@ bool is_number(const std::string &cell)
   const std::size_t digit = cell.find_first_not_of("+-");
   return cell.empty() || cell == "–" ||
          (digit != std::string::npos && digit < 2 && std::isdigit(static_cast<unsigned char>(cell[digit])));
+}
+
+/// A number as print shows it: a true minus, and 3.4 · 10⁻⁶ for 3.4e-06.
+std::string html_number(const std::string &cell)
+{
+  static const std::regex power("(^|[^0-9.])([0-9.]+)e([+-])0*([0-9]+)");
+  std::string html, rest = html_formula(cell);
+  for (std::smatch match; std::regex_search(rest, match, power); rest = match.suffix())
+    html += match.prefix().str() + match[1].str() + (match[2] == "1" ? "" : match[2].str() + " · ") +
+            "10<sup>" + (match[3] == "-" ? "\u2212" : "") + match[4].str() + "</sup>";
+  return with_true_minus(html + rest);
 }
 
 /// With a unit that is not broken at the end of a line.
@@ -43,7 +55,10 @@ std::string html_table(const Table &table)
     has_header = has_header || !heading.empty();
     head += "<th scope=\"col\"" + type + ">" + html_formula(heading) + "</th>";
     for (std::size_t row = 0; row < rows.size(); ++row)
-      rows[row] += "<td" + type + ">" + html_formula(cells[row]) + "</td>";
+      rows[row] +=
+        "<td" + type + ">" +
+        (is_number(cells[row]) ? html_number(cells[row]) : with_true_minus(html_formula(cells[row]))) +
+        "</td>";
   }
   std::string html = "<div class=\"wide\"><table>\n";
   if (!table.title.empty())

@@ -31,6 +31,13 @@ std::string signed_significant(double value)
   return value == 0 ? "0" : fmt::format(FMT_STRING("{:+.{}g}"), value, digits);
 }
 
+/// A count that is an estimate, to two significant digits: "about 4400".
+inline std::string about(double value)
+{
+  const double unit = value > 0 ? std::pow(10., std::floor(std::log10(value)) - 1) : 1;
+  return fmt::format(FMT_STRING("about {:.0f}"), std::round(value / unit) * unit);
+}
+
 /// "-3.129e+00".
 template <int digits>
 std::string scientific(double value)

@@ -148,7 +148,7 @@ TEST(Compare, ProgramsAndPeopleAreToldTheSame)
   }
   const std::string page = read_text(results / "report.html");
   EXPECT_NE(page.find("moment balance: +61.3\u00a0%"), std::string::npos);
-  EXPECT_NE(page.find("rad/s, -2.45\u00a0%"), std::string::npos);
+  EXPECT_NE(page.find("rad/s, \u22122.45\u00a0%"), std::string::npos);
   EXPECT_NE(page.find("<figure id=\"terminal_spins\""), std::string::npos);
 
   const Ended talking = stemware(scratch, { "compare", study, "--set", "Load/Source=first harmonic", "--set",

@@ -231,6 +231,9 @@ TEST(ContactRun, ReadsMeshFiles)
 
   const auto oval = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/oval_foot.msh" });
   EXPECT_FALSE(oval["contact"]["mesh"]["round_rim"].get<bool>());
+  EXPECT_TRUE(oval["ring"]["phase_dependent"].get<bool>()); // the foot turns under the moment
+  EXPECT_FALSE(flat["ring"]["phase_dependent"].get<bool>());
+  EXPECT_GT(oval["ring"]["spin_ripple"].get<double>(), 0);
   EXPECT_GT(oval["contact"]["mesh"]["land_area_deficit"].get<double>(), 0);
   EXPECT_GT(std::abs(oval["load"]["a"][2].get<double>()), 1e-3 * oval["load"]["a"][0].get<double>());
 

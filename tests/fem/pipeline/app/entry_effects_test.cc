@@ -71,6 +71,7 @@ EntryValues with(EntryValues values, const std::string &entry, const std::string
 }
 
 const EntryValues solid_rough = with(solid, "Table/Interface", "rough");
+const EntryValues crowned_mesh = with(solid, "Contact/Mesh file", STEMWARE_MESHES "/crowned_foot.msh");
 const EntryValues quadratic_solid = with(solid, "Contact/Degree", "2");
 
 const std::string nothing, second_harmonic = "/load/a/2", unknowns = "/contact/unknowns";
@@ -141,6 +142,9 @@ const std::vector<Effect> effects = {
   { "Table/Waviness", "2: 1e-6", second_harmonic },
   { "Contact/Body", "revolution", unknowns, solid },
   { "Contact/Mesh file", std::string(STEMWARE_MESHES) + "/crowned_foot.msh", second_harmonic, solid },
+  { "Contact/Mesh contact id", "3", nothing, {}, second_harmonic },
+  { "Contact/Mesh stem id", "3", nothing, {}, second_harmonic },
+  { "Contact/Mesh contact height", "5e-5", "/contact/contact_nodes", crowned_mesh },
   { "Contact/Degree", "1", unknowns },
   { "Contact/Degree", "2", unknowns, solid },
   { "Contact/Azimuthal cells", "20", unknowns, solid },
@@ -157,6 +161,7 @@ const std::vector<Effect> effects = {
   { "Contact/Rings", "1", "/ring/omega_terminal" },
   { "Contact/Load harmonics", "2", "/load/a" },
   { "Contact/Friction coupling", "elastic", second_harmonic },
+  { "Contact/Friction coupling", "elastic", second_harmonic, solid },
   // The mesh of this study is fine enough for both; in goal_mesh_test.cc it is not.
   { "Contact/Goal", "a2", nothing, {}, second_harmonic },
   { "Contact/Goal tolerance", "1e-3", nothing, {}, second_harmonic },

@@ -161,11 +161,9 @@ TEST(OrbitSpeed, WrongFilesEndInOneSentence)
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   };
   const std::string good = "t (s), v (m/s)\n0, 0.2\n2, 0.5\n";
-  refused("", "fewer than two rows");
-  refused("0, 0.2\n2, 0.5\n", "with their units");
-  refused("t (s), v (kg)\n0, 0.2\n2, 0.5\n", "line 1");
+  refused("", "has no rows");
+  refused("0, 0.2\n", "has one row");
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
-  refused("t (s), v (m/s)\n0, 0.2\n2, fast\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "--set", "Load/Moment ratio=0.3" });

@@ -1,6 +1,7 @@
 // The report of `run`: the answer with the numbers of summary.json, every figure, nothing from outside.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
@@ -73,8 +74,9 @@ std::vector<std::string> all_between(const std::string &text, const std::string 
 }
 
 /// The number in front of "\u00b1 band" in @p text, and the band; both as printed.
-std::pair<double, double> with_band(const std::string &text)
+std::pair<double, double> with_band(const std::string &printed)
 {
+  const std::string text = boost::replace_all_copy(printed, "\u2212", "-");
   const auto sign = text.find(" \u00b1 ");
   if (sign == std::string::npos)
     return { std::nan(""), std::nan("") };

@@ -1,10 +1,8 @@
-// The budget of effects from one made by hand: its tables in every form, its pictures, and what is said about
-// it. The second row is formal, that with tilt has no balance.
-#include "fem/pipeline/output/answer.h"
+// The budget of effects from one made by hand: its tables in every form, and its
+// pictures. The second row is formal, that with tilt has no balance.
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/run_results.h"
-#include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/output/hand_made_studies.h"
 #include "tests/fem/pipeline/program_runner.h"
 
@@ -132,8 +130,6 @@ TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
   EXPECT_TRUE(std::holds_alternative<std::monostate>(table.columns[0].cells[1]));
   EXPECT_FALSE(std::holds_alternative<std::monostate>(table.columns[0].cells[2]));
 }
-
-// ---- pictures
 
 /// What gnuplot complains about; the words of the picture go to @p words.
 std::string draw(const Plot &plot, std::string &words)
@@ -285,108 +281,6 @@ TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
   EXPECT_NE(plot.caption.find("One-way"), std::string::npos);
 }
 
-// ---- sentences
-
-/// A study of two rows with a budget and bands.
-struct SpunStudy
-{
-  SpunStudy()
-  {
-    Numbers next;
-    spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
-    spin.rows.back().terminal->omega = -3.25;
-    spin.budget.rows = { { "1", "paper", 1, -3. },
-                         { "2", "moment balance", 1, -3.5, -0.5 },
-                         { "3", "where the foot touches", 1, -3.4, 0.1 },
-                         { "4", "harmonics", {}, -3.25, 0.15 } };
-    spin.budget.harmonics = { 0.15, -0.15 / 3.4 };
-    spin.budget.without = { { "tilt", -3.24, 0.01, "" },
-                            { "grip", -3.3, -0.05, "" },
-                            { "compliance of the interface", {}, {}, "not defined" } };
-    bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
-  }
-
-  std::string answer() const { return run_answer(study, spin, bands); }
-
-  Study study;
-  SpinStudy spin;
-  std::vector<BandedQuantity> bands;
-};
-
-TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
-{
-  EXPECT_EQ(
-    wrapped(SpunStudy().answer()),
-    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the
-paper's model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the
-first make it 4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one
-is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not
-contain what the model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
-+0.01 and grip -0.05.)");
-}
-
-TEST(RunAnswer, SaysOneWayInEverySentence)
-{
-  SpunStudy one_way;
-  one_way.study.load.coupling = LoadCoupling::one_way;
-  EXPECT_EQ(
-    wrapped(one_way.answer()),
-    R"(With the load of rest kept at every spin (one-way), the glass spins clockwise, against its orbit,
-one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the paper's model it makes one turn in 2.09 s:
--3.00000 rad/s. The harmonics of the one-way load beyond the first make it 4.41 % slower
-(+0.15 rad/s). The largest other step from the paper's model to this one-way one is "moment
-balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not contain
-what the one-way model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
-+0.01 and grip -0.05.)");
-  one_way.study.load.moment_ratio = 0.5;
-  EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
-  one_way.study.load.source = LoadSource::file;
-  EXPECT_EQ(one_way.answer().substr(0, 25), "Under the given load (one");
-}
-
-TEST(RunAnswer, WithoutBandsAndEffects)
-{
-  SpunStudy plain;
-  plain.bands.clear();
-  plain.spin.budget.without.clear();
-  plain.spin.budget.harmonics = { 1e-12, 1e-12 };
-  plain.spin.budget.rows[1].standing = Standing::formal;
-  EXPECT_EQ(
-    wrapped(plain.answer()),
-    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.25000 rad/s. In the paper's
-model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the first do not
-change that. The largest other step from the paper's model to this one is "moment balance":
--0.5 rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
-}
-
-TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
-{
-  SpunStudy spun;
-  const auto begins = [&](double omega, ring::OrbitSense sense)
-  {
-    spun.spin.rows.back().terminal->omega = omega;
-    spun.study.motion.orbit.orbit_sense = sense;
-    const std::string answer = spun.answer();
-    return answer.substr(0, answer.find(", one turn"));
-  };
-  using ring::OrbitSense;
-  EXPECT_EQ(begins(-2, OrbitSense::counterclockwise), "The glass spins clockwise, against its orbit");
-  EXPECT_EQ(begins(2, OrbitSense::counterclockwise), "The glass spins counter-clockwise, with its orbit");
-  EXPECT_EQ(begins(-2, OrbitSense::clockwise), "The glass spins clockwise, with its orbit");
-  EXPECT_EQ(begins(2, OrbitSense::clockwise), "The glass spins counter-clockwise, against its orbit");
-}
-
-TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
-{
-  SpunStudy spun;
-  spun.spin.budget.rows.front().omega_terminal = 1e-13;
-  EXPECT_NE(spun.answer().find("rad/s. In the paper's model it does not spin up. "), std::string::npos);
-  spun.spin.budget.rows.front().omega_terminal.reset();
-  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
-  spun.spin.budget.rows = { { "1", "paper", 1, -3.25 } };
-  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
-}
-
 TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
 {
   const std::vector<BudgetRow> rows = named_steps({ { "1", "paper", 1, -3. },
@@ -403,61 +297,6 @@ TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
                              { "5", "harmonics", {}, -3.25, -0.05 } })
                  .back()
                  .difference);
-}
-
-TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
-{
-  SpunStudy resting;
-  resting.spin.rows.back().terminal->omega = 1e-13;
-  EXPECT_EQ(resting.answer(), "The glass does not spin up.");
-}
-
-TEST(RunAnswer, PrintedBandsContainTheWholeBand)
-{
-  // Value and band are rounded: what is printed must contain value -/+ band.
-  for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
-    for (const double value : { -3.2549, -3.25451, 1.000049 })
-    {
-      const std::string text = with_band(value, band);
-      const double printed = std::stod(text), half = std::stod(text.substr(text.find("± ") + 3));
-      EXPECT_LE(printed - half, value - band + 1e-12) << text;
-      EXPECT_GE(printed + half, value + band - 1e-12) << text;
-      EXPECT_LE(half, 1.2 * band) << text;
-    }
-}
-
-// ---- remarks
-
-TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
-{
-  Study study;
-  EXPECT_EQ(layer_remark(study, 2e-4), ""); // no layer is named
-  study.table.layer_thickness = 5e-3;
-  EXPECT_EQ(wrapped(layer_remark(study, 2e-4)),
-            R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
-thickness). A Winkler interface stands for a layer only where the contact is much wider than it;
-take an elastic disc instead (Table/Substrate = elastic).)");
-  EXPECT_EQ(layer_remark(study, 6e-3), "");
-  study.table.interface = TableInterface::hard;
-  EXPECT_EQ(layer_remark(study, 2e-4), "");
-}
-
-TEST(Remarks, LiftOffAndLoadsThatPull)
-{
-  LoadReport load = { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) };
-  load.contact_fraction = 1;
-  load.minimum = 0.1;
-  load.moment_ratio = 0.9;
-  EXPECT_EQ(lift_off_remark(load), "");
-  load.contact_fraction = 0.75;
-  load.minimum = 0;
-  EXPECT_EQ(lift_off_remark(load),
-            "The foot has left the table in part: 75.0 % of the rim carries load, at a "
-            "moment ratio of 0.9.");
-  load.minimum = -999999;
-  EXPECT_EQ(lift_off_remark(load),
-            "The load is negative somewhere, down to -1e+06 N/rad: the table would have "
-            "to pull. 75.0 % of the rim carries load.");
 }
 
 } // namespace

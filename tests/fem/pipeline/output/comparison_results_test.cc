@@ -93,11 +93,11 @@ TEST(ComparisonByHand, Report)
             R"(Terminal spin (rad/s) by load and harmonics kept, and by moment balance
 load: first harmonic | elastic foot, n = 1 | elastic foot, all
 paper: -1.13012 (formal) | -1.50012 | -1.87012
-to the paper&#39;s: 0 % | +1.71 % | +2.08 %
+against the paper: 0 % | +1.71 % | +2.08 %
 hand: -2.24012 (formal) | no balance | no balance
-to the paper&#39;s: +2.45 % | – | –
+against the paper: +2.45 % | – | –
 full: -3.35012 (formal) | -3.72012 | -4.09012
-to the paper&#39;s: +3.56 % | +3.93 % | +4.3 %
+against the paper: +3.56 % | +3.93 % | +4.3 %
 )");
   EXPECT_EQ(report_lines(results, "All rows"), R"(Closure paper
 load: first harmonic | elastic foot, n = 1 | elastic foot, all

@@ -28,9 +28,9 @@ meridional mesh, Richardson value 1.0601 rad/s.
 
 Error band of the terminal spin, axis by axis
                                                  band
-  what is refined  the study has              (rad/s)  order
-  meridional mesh  halvings of every cell: 1  1.5e-03   1.45
-  all together                                1.1e-03      -
+  what is refined  the study has              (rad/s)  order   unknowns     finest
+  meridional mesh  halvings of every cell: 1  1.5e-03   1.45  about 560  about 560
+  all together                                1.1e-03      -          -          -
 
 Error bands of the main quantities; the report has all of them
   quantity        value  Richardson value     band  unit
@@ -55,6 +55,7 @@ b4 (1): 1.3201234567 | 1.3301234567
 b_2/a_0 (1): 1.3801234567 | 1.3901234567
 terminal spin (rad/s): 1.4301234567 | 1.4401234567
 time constant (s): 1.4901234567 | 1.5001234567
+unknowns of the largest linear system, estimated (1): 561 | 561
 )");
   EXPECT_EQ(data_lines(file_text(results, "error_bands.dat")),
             R"(# Values, half-widths of their error bands, Richardson values
@@ -82,9 +83,9 @@ unit: – | rad/s | s
 )");
   EXPECT_EQ(report_lines(results, "What the discretisation leaves open", true),
             R"(Error band of the terminal spin, axis by axis
-what is refined | the study has | band (rad/s) | observed order
-meridional mesh | halvings of every cell: 1 | 1.5e-03 | 1.45
-all together |  | 1.1e-03 | –
+what is refined | the study has | band (rad/s) | observed order | unknowns | on the finest level
+meridional mesh | halvings of every cell: 1 | 1.5e-03 | 1.45 | about 560 | about 560
+all together |  | 1.1e-03 | – | – | –
 )");
   EXPECT_EQ(report_lines(results, "All levels"),
             R"(Values on each level of the meridional mesh; * the study&#39;s own

@@ -6,9 +6,12 @@
 #include "fem/pipeline/output/results.h"
 #include "tests/fem/pipeline/csv_table.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -159,9 +162,25 @@ inline std::string as_rows(const std::vector<std::vector<std::string>> &columns)
   return lines;
 }
 
-/// HTML tables, the caption first, then a line for each column, or @p by_rows for each row, without markup.
-inline std::string html_lines(const std::string &html, bool by_rows = false)
+/// A page of HTML with numbers as the console has them: -3.4e-06 for a true minus and a power of ten.
+inline std::string with_plain_numbers(std::string html)
 {
+  boost::replace_all(html, "\u2212", "-");
+  static const std::regex power("([0-9.]+ · )?10<sup>(-?)([0-9]+)</sup>");
+  std::string plain;
+  for (std::smatch match; std::regex_search(html, match, power); html = match.suffix())
+  {
+    const std::string mantissa = match[1].str().substr(0, match[1].str().find(' '));
+    plain += match.prefix().str() + (mantissa.empty() ? "1" : mantissa) + 'e' +
+             (match[2] == "-" ? '-' : '+') + (match[3].length() < 2 ? "0" : "") + match[3].str();
+  }
+  return plain + html;
+}
+
+/// HTML tables, the caption first, then a line for each column, or @p by_rows for each row, without markup.
+inline std::string html_lines(const std::string &page, bool by_rows = false)
+{
+  const std::string html = with_plain_numbers(page);
   std::string text, content;
   std::vector<std::vector<std::string>> columns;
   std::size_t c = 0;

@@ -5,6 +5,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/output/mesh_results.h"
+#include "fem/pipeline/output/run_results.h"
 #include "tests/fem/pipeline/output/hand_made.h"
 
 namespace stemware::test
@@ -128,6 +129,12 @@ struct RunByHand
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;
 };
+
+inline pipeline::Results made_run()
+{
+  const RunByHand by_hand;
+  return tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+}
 
 struct TruncationByHand
 {

@@ -52,11 +52,12 @@ TEST(Plots, Load)
 {
   const ScratchFolder scratch;
   const std::vector<fem::AzimuthLoad> pointwise = { { 0, 1 }, { 1.5, 0 }, { 3, 1 }, { 4.5, 2 } };
-  const Plot plot = load_plot(lifted, pointwise);
+  const Plot plot = load_plot(lifted, pointwise, ring::OrbitSense::counterclockwise);
   EXPECT_EQ(draw(plot, scratch), "");
   const std::string words = words_of(plot, scratch);
   for (const char *name : { "first harmonic", "n ≤ 2", "n ≤ 3", "all harmonics" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
+  EXPECT_NE(plot.script.find("side = 1;"), std::string::npos); // the orbit's centre, to the left of v
   // One block for each of three series, the load as it was solved, then the arc: both closed, the latter
   // interrupted where nothing is carried.
   const auto columns = data_of(plot, scratch);
@@ -70,7 +71,7 @@ TEST(Plots, Load)
   EXPECT_NEAR(columns[0].back(), full_turn, 1e-12);
 
   // Without lift-off the series is drawn.
-  EXPECT_EQ(draw(load_plot(lifted, {}), scratch), "");
+  EXPECT_EQ(draw(load_plot(lifted, {}, ring::OrbitSense::clockwise), scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("all, n ≤ 4"), std::string::npos);
   EXPECT_NEAR(data_of(plot, scratch)[1][3 * 361 + 90], 1 - 1.3 + 0.4 - 0.1 + 0.05, 1e-12);
 }
@@ -78,7 +79,7 @@ TEST(Plots, Load)
 TEST(Plots, LoadOfOneHarmonicWithoutSamples)
 {
   const ScratchFolder scratch;
-  const Plot plot = load_plot(lifted.truncated(1), {});
+  const Plot plot = load_plot(lifted.truncated(1), {}, ring::OrbitSense::clockwise);
   EXPECT_EQ(draw(plot, scratch), "");
   const auto columns = data_of(plot, scratch);
   EXPECT_TRUE(std::isnan(columns[1][361 + 90])); // formally negative there
@@ -107,7 +108,7 @@ TEST(Plots, TruncationsAreDrawnWhereTheyCanBeSeen)
 {
   // The third harmonic is 0.5 % of the mean, and a quarter of what is beyond the first.
   const ring::RingStack load({ 1, 0, 0.02, 0.005 }, { 0, 0.5, 0, 0 }, 0.03);
-  EXPECT_EQ(load_plot(load, {}).script.find("n ≤ 2"), std::string::npos);
+  EXPECT_EQ(load_plot(load, {}, ring::OrbitSense::clockwise).script.find("n ≤ 2"), std::string::npos);
   EXPECT_NE(higher_harmonics_plot(load).script.find("n ≤ 2"), std::string::npos);
 }
 
@@ -154,16 +155,21 @@ TEST(Plots, Footprint)
   const Plot plot = footprint_plot(footprint, 0.03);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("pressure (kPa)"), std::string::npos);
-  // The first cut comes again after a whole turn; cells reach half-way to their neighbours, and 3 % on.
+  // The first cut comes again after a whole turn; each has 24 places up to the edges of its pressure, here
+  // the last points.
   const auto columns = data_of(plot, scratch);
-  ASSERT_EQ(columns[0].size(), 6u);
-  EXPECT_NEAR(columns[0][2], 90, 1e-12);
-  EXPECT_NEAR(columns[0][5], 360, 1e-12);
-  EXPECT_NEAR(columns[1][1], 100, 1e-9);
-  EXPECT_NEAR(columns[2][1], 3, 1e-12);
-  EXPECT_NEAR(columns[3][2], 90 - 1.03 * 45, 1e-9);
-  EXPECT_NEAR(columns[4][2], 90 + 1.03 * 135, 1e-9);
-  EXPECT_NEAR(columns[6][0] - columns[5][0], 1.03 * 100, 1e-9);
+  ASSERT_EQ(columns[0].size(), 72u);
+  EXPECT_NEAR(columns[0][24], 90, 1e-4);
+  EXPECT_NEAR(columns[0][71], 360, 1e-4);
+  EXPECT_NEAR(columns[1][24], -100, 1e-3);
+  EXPECT_NEAR(columns[1][47], 100, 1e-3);
+  EXPECT_NEAR(columns[2][24], 0, 1e-12);
+  EXPECT_NEAR(columns[2][47], 3, 1e-5);
+  EXPECT_NEAR(columns[2][24 + 6], 2 * (200. * 6 / 23) / 100, 1e-4); // between the first two points
+  // The mean of a polygon through 0, 2 and 3 kPa is 1.75 kPa; six places cut its corner.
+  EXPECT_NE(plot.caption.find("Largest pressure 3 kPa at θ = 0°, mean 1.74 kPa; the contact is 200 µm wide."),
+            std::string::npos)
+    << plot.caption;
 
   footprint.is_grid = false;
   footprint.cuts[0][1].pressure = 4e6;
@@ -171,6 +177,36 @@ TEST(Plots, Footprint)
   EXPECT_EQ(draw(points, scratch), "");
   EXPECT_NE(words_of(points, scratch).find("pressure (MPa)"), std::string::npos);
   EXPECT_EQ(data_of(points, scratch)[0].size(), 4u);
+}
+
+/// A strip of parabolic pressure whose half-width goes from 0.2 to 0.1 mm: the edges between the points of
+/// the grid are found, and the mean is two thirds of the largest pressure of each cut.
+TEST(Plots, FootprintOfAParabolicPressureEndsBetweenThePoints)
+{
+  fem::PressureMap footprint;
+  footprint.is_grid = true;
+  const auto half_width = [](double azimuth) { return 1.5e-4 + 0.5e-4 * std::cos(azimuth); };
+  for (unsigned int c = 0; c < 72; ++c)
+  {
+    const double azimuth = full_turn * c / 72, b = half_width(azimuth);
+    footprint.cuts.emplace_back();
+    for (int i = -16; i <= 16; ++i)
+    {
+      const double x = 2.5e-4 * i / 16;
+      footprint.cuts.back().push_back({ 0.03 + x, azimuth, 9e4 * std::max(0., 1 - x * x / (b * b)) });
+    }
+  }
+  const Plot plot = footprint_plot(footprint, 0.03);
+  const ScratchFolder scratch;
+  EXPECT_EQ(draw(plot, scratch), "");
+  const auto columns = data_of(plot, scratch);
+  ASSERT_EQ(columns[0].size(), 73u * 24);
+  for (unsigned int c = 0; c < 72; ++c)
+    for (const std::size_t edge : { 24 * c, 24 * c + 23 })
+      EXPECT_NEAR(std::abs(columns[1][edge]), 1e6 * half_width(full_turn * c / 72), 5) << c;
+  const auto mean = plot.caption.find("Largest pressure 90 kPa at θ = 0°, mean ");
+  ASSERT_NE(mean, std::string::npos) << plot.caption;
+  EXPECT_NEAR(std::stod(plot.caption.substr(plot.caption.find("mean ") + 5)), 60, 1) << plot.caption;
 }
 
 /// Rows with terminal spins, the last of which has all harmonics.

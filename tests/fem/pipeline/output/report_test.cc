@@ -2,6 +2,7 @@
 #include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/html_page.h"
 #include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <boost/property_tree/ptree.hpp>
@@ -86,7 +87,7 @@ TEST(Report, IsWellFormedAndEscapedOnce)
   const auto page = parse(read_text(scratch / "report.html")).get_child("html");
   EXPECT_EQ(page.get<std::string>("head.title"), "A <title>");
   EXPECT_EQ(page.get<std::string>("body.main.h1"), "A <title>");
-  EXPECT_EQ(page.get<std::string>("body.main.p"), "The answer is -3.5 ± 0.1\u00a0rad/s & no more.");
+  EXPECT_EQ(page.get<std::string>("body.main.p"), "The answer is \u22123.5 ± 0.1\u00a0rad/s & no more.");
   const auto &figure = page.get_child("body.main.section.div.figure");
   EXPECT_EQ(figure.get<std::string>("svg.<xmlattr>.aria-label"), "τ_z & \"more\"");
   EXPECT_EQ(figure.get<std::string>("figcaption.sub"), "z");
@@ -152,6 +153,21 @@ TEST(Report, APlotThatFailsCostsTheOthersNothing)
   EXPECT_NE(html.find("no such file"), std::string::npos);
   EXPECT_EQ(html.find("id=\"first-"), std::string::npos);
   parse(html);
+}
+
+TEST(Report, NumbersHaveATrueMinusAndPowersOfTen)
+{
+  EXPECT_EQ(with_true_minus("-3.5 (-2) ω=-1 x-2 --at one-way <b>-0.1"),
+            "\u22123.5 (\u22122) ω=\u22121 x-2 --at one-way <b>\u22120.1");
+  const Quantity shown("n", "n", "1", "n", "n", format::scientific<1>);
+  const std::string html =
+    html_table({ "", { column(shown, std::vector<double>{ -3.4e-6, 2e12 }, [](double x) { return x; }) } });
+  EXPECT_NE(html.find("<td class=\"number\">\u22123.4 · 10<sup>\u22126</sup></td>"), std::string::npos)
+    << html;
+  EXPECT_NE(html.find("<td class=\"number\">2.0 · 10<sup>12</sup></td>"), std::string::npos) << html;
+  EXPECT_NE(html_table(words("", { "a" }, { { "1e-06" } })).find(">10<sup>\u22126</sup><"),
+            std::string::npos);
+  EXPECT_NE(html_table(words("", { "a" }, { { "spin 2e-06.prm" } })).find("2e-06.prm"), std::string::npos);
 }
 
 TEST(Report, FormulasOfAPlainText)

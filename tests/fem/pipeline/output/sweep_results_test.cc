@@ -30,8 +30,8 @@ by the grip" of sweep.csv. The harmonics of the load beyond the first make it up
 sweep.csv says why.
 
   quantity                                             least     most
-  moment ratio (1)                                   1.02012  1.76012
-  contact fraction (1)                               1.03012  1.77012
+  moment ratio                                       1.02012  1.76012
+  contact fraction                                   1.03012  1.77012
   torque at rest (N m)                               1.24012  1.98012
   terminal spin (rad/s)                              1.25012  1.99012
   terminal spin of the first harmonic alone (rad/s)  1.26012  2.00012
@@ -42,14 +42,14 @@ sweep.csv says why.
   EXPECT_EQ(console_text(sample), R"(
 In 7 samples the glass spins up to 2.36 ± 0.80 rad/s (mean and standard deviation; 95 % of them lie
 between 1.31 and 3.41 rad/s). In some of them the fingers hold the glass at rest (Motion/Mass =
-0.290243, Table/Foundation modulus = 2.4434e9); see the column "held by the grip" of sweep.csv. The
-harmonics of the load beyond the first change it by 2.44 % (mean; 95 % of the samples: 1.39 % to
-3.49 %). 1 of 8 cases failed; the column message of sweep.csv says why.
+0.290243 kg, Table/Foundation modulus = 2.4434e9 Pa/m); see the column "held by the grip" of
+sweep.csv. The harmonics of the load beyond the first change it by 2.44 % (mean; 95 % of the
+samples: 1.39 % to 3.49 %). 1 of 8 cases failed; the column message of sweep.csv says why.
 
                                                                standard
   quantity                                              mean  deviation    2.5 %   97.5 %
-  moment ratio (1)                                   2.13012   0.799291  1.07562  3.18462
-  contact fraction (1)                               2.14012   0.799291  1.08562  3.19462
+  moment ratio                                       2.13012   0.799291  1.07562  3.18462
+  contact fraction                                   2.14012   0.799291  1.08562  3.19462
   torque at rest (N m)                               2.35012   0.799291  1.29562  3.40462
   terminal spin (rad/s)                              2.36012   0.799291  1.30562  3.41462
   terminal spin of the first harmonic alone (rad/s)  2.37012   0.799291  1.31562  3.42462
@@ -114,8 +114,8 @@ TEST(SweepByHand, RangesOfAGrid)
   EXPECT_EQ(report_lines(grid, "What comes out", true), R"(Least and largest values
 quantity | least | at | most | at
 normal force (N) | 1.01012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.75012 | Load/Moment ratio = 1.5, Motion/Closure = full
-moment ratio (1) | 1.02012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.76012 | Load/Moment ratio = 1.5, Motion/Closure = full
-contact fraction (1) | 1.03012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.77012 | Load/Moment ratio = 1.5, Motion/Closure = full
+moment ratio | 1.02012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.76012 | Load/Moment ratio = 1.5, Motion/Closure = full
+contact fraction | 1.03012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.77012 | Load/Moment ratio = 1.5, Motion/Closure = full
 least load (N/rad) | 1.04012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.78012 | Load/Moment ratio = 1.5, Motion/Closure = full
 ring radius (m) | 1.05012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.79012 | Load/Moment ratio = 1.5, Motion/Closure = full
 mean radius (m) | 1.06012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.80012 | Load/Moment ratio = 1.5, Motion/Closure = full
@@ -130,9 +130,9 @@ where the foot touches (rad/s) | 1.30012 | Load/Moment ratio = 1, Motion/Closure
 tilt (rad/s) | 1.31012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.05012 | Load/Moment ratio = 1.5, Motion/Closure = full
 absolute harmonic effect (rad/s) | 1.32012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.06012 | Load/Moment ratio = 1.5, Motion/Closure = full
 harmonic effect (%) | 1.33012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.07012 | Load/Moment ratio = 1.5, Motion/Closure = full
-held by the grip (1) | 0 | 2 cases | 1 | Load/Moment ratio = 1, Motion/Closure = full
+held by the grip | 0 | 2 cases | 1 | Load/Moment ratio = 1, Motion/Closure = full
 time constant (s) | 1.36012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.10012 | Load/Moment ratio = 1.5, Motion/Closure = full
-contact iterations (1) | 1.37012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.11012 | Load/Moment ratio = 1.5, Motion/Closure = full
+contact iterations | 1.37012 | Load/Moment ratio = 1, Motion/Closure = paper | 2.11012 | Load/Moment ratio = 1.5, Motion/Closure = full
 )");
   EXPECT_EQ(grid.findings.summary["quantities"]["terminal spin"].dump(1), R"({
  "unit": "rad/s",
@@ -178,8 +178,8 @@ Table/Foundation modulus | 0.533
 Bands of all samples
 quantity | samples | mean | standard deviation | 2.5 % | 97.5 %
 normal force (N) | 7 | 2.12012 | 0.799 | 1.06562 | 3.17462
-moment ratio (1) | 7 | 2.13012 | 0.799 | 1.07562 | 3.18462
-contact fraction (1) | 7 | 2.14012 | 0.799 | 1.08562 | 3.19462
+moment ratio | 7 | 2.13012 | 0.799 | 1.07562 | 3.18462
+contact fraction | 7 | 2.14012 | 0.799 | 1.08562 | 3.19462
 least load (N/rad) | 7 | 2.15012 | 0.799 | 1.09562 | 3.20462
 ring radius (m) | 7 | 2.16012 | 0.799 | 1.10562 | 3.21462
 mean radius (m) | 7 | 2.17012 | 0.799 | 1.11562 | 3.22462
@@ -194,9 +194,9 @@ where the foot touches (rad/s) | 7 | 2.41012 | 0.799 | 1.35562 | 3.46462
 tilt (rad/s) | 7 | 2.42012 | 0.799 | 1.36562 | 3.47462
 absolute harmonic effect (rad/s) | 7 | 2.43012 | 0.799 | 1.37562 | 3.48462
 harmonic effect (%) | 7 | 2.44012 | 0.799 | 1.38562 | 3.49462
-held by the grip (1) | 7 | 0.142857 | 0.378 | 0 | 0.85
+held by the grip | 7 | 0.142857 | 0.378 | 0 | 0.85
 time constant (s) | 7 | 2.47012 | 0.799 | 1.41562 | 3.52462
-contact iterations (1) | 7 | 2.48012 | 0.799 | 1.42562 | 3.53462
+contact iterations | 7 | 2.48012 | 0.799 | 1.42562 | 3.53462
 )");
 }
 

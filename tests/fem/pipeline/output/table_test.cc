@@ -95,7 +95,7 @@ TEST(Table, AsHtml)
 <thead><tr><th scope="col">name</th><th scope="col" class="number">ω_∞ (rad/s)</th><th scope="col" class="number">band (rad/s)</th><th scope="col"></th></tr>
 </thead>
 <tbody>
-<tr><td>a, &quot;b&quot;</td><td class="number">-1.23</td><td class="number">0.25</td><td>yes</td></tr>
+<tr><td>a, &quot;b&quot;</td><td class="number">−1.23</td><td class="number">0.25</td><td>yes</td></tr>
 <tr><td>c &lt; d</td><td class="number">0</td><td class="number">–</td><td>no</td></tr>
 </tbody>
 </table>

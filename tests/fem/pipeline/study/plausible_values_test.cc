@@ -133,6 +133,32 @@ TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
   EXPECT_EQ(why_refused({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
 }
 
+TEST(StudySize, AMeshFileIsCountedBeforeItIsRead)
+{
+  const test::ScratchFolder scratch;
+  const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")
+  {
+    return size_of(with_values(Study(), "the test",
+                               { { "Contact/Body", "solid" },
+                                 { "Contact/Degree", "1" },
+                                 { "Contact/Refinements", refinements },
+                                 { "Contact/Mesh file", scratch.write("foot.msh", mesh) } }));
+  };
+  const std::string format_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n7000\n";
+  const std::string format_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n1 2\n$EndEntities\n"
+                               "$Nodes\n12 7000 1 7000\n";
+  for (const std::string &mesh : { format_2, format_4, std::string(560000, 'x') })
+    EXPECT_NEAR(size_with(mesh).cells, 7000, 1e-9);
+  EXPECT_NEAR(size_with(format_2, "1").cells, 56000, 1e-9);
+  const std::string large = scratch.write("large.msh", "$Nodes\n20000000\n");
+  const std::string refusal =
+    why_refused({ { "Contact/Body", "solid" }, { "Contact/Degree", "2" }, { "Contact/Mesh file", large } });
+  EXPECT_EQ(refusal.rfind("Contact/Mesh file = ", 0), 0u) << refusal;
+  EXPECT_NE(refusal.find("give a coarser mesh, or allow more with Contact/Memory limit = "),
+            std::string::npos)
+    << refusal;
+}
+
 TEST(StudySize, MemoryIsThatOfMeasuredRuns)
 {
   // Peak of `stemware truncate`, resident, of version 0.2: default 189 MB, Refinements = 2 454 MB, Azimuth

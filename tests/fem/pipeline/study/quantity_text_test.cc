@@ -42,6 +42,7 @@ TEST(QuantityText, UnitsOfTenAreTheNearestDouble)
     { "30%", "", 0.3 },
     { "8 GB", "B", 8e9 },
     { "1 bar", "Pa", 1e5 },
+    { "\u22125 cm", "m", -0.05 }, // as a report prints it
   };
   for (const auto &[text, unit, expected] : cases)
     EXPECT_EQ(parse_quantity(text, unit), expected) << text;

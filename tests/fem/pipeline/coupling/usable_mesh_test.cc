@@ -1,0 +1,163 @@
+// Meshes of other programs, good and bad: what they are, or the one sentence that says what is wrong.
+#include "fem/geometry/foot_mesh.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/fem/geometry/mesh_writers.h"
+#include "tests/fem/temporary_file.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using fem_tests::mesh_text;
+using fem_tests::TemporaryFile;
+using Mesh = dealii::Triangulation<3, 3>;
+
+class ForeignMesh : public testing::TestWithParam<std::string>
+{
+protected:
+  void SetUp() override { fem::make_foot_mesh(Study().glass.profile, { 12, 2, 1 }, mesh); }
+
+  void move(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &change)
+  {
+    dealii::GridTools::transform(change, mesh);
+  }
+  std::string text() const { return mesh_text(mesh, GetParam()); }
+
+  /// The sentence about @p text as a mesh file; empty where it can be used.
+  static std::string sentence(const std::string &text, const fem::MeshMarks &marks = {})
+  {
+    const TemporaryFile file(text, GetParam());
+    Study study;
+    study.contact.mesh_file = file.name;
+    study.contact.mesh_marks = marks;
+    try
+    {
+      require_usable_mesh(study);
+    }
+    catch (const BadInput &error)
+    {
+      const std::string message = error.what();
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+      EXPECT_LT(message.size(), 330u) << message;
+      EXPECT_EQ(message.back(), '.') << message;
+      return message;
+    }
+    return "";
+  }
+
+  static void expect_sentence(const std::string &text, const std::string &part,
+                              const fem::MeshMarks &marks = {})
+  {
+    const std::string found = sentence(text, marks);
+    EXPECT_NE(found.find(part), std::string::npos) << "\"" << found << "\" lacks \"" << part << "\"";
+  }
+
+  Mesh mesh;
+};
+
+TEST_P(ForeignMesh, IsTheFootThatWasWritten)
+{
+  const TemporaryFile file(text(), GetParam());
+  Mesh read;
+  const fem::MeshReport report = read_mesh_file(file.name, {}, read);
+  EXPECT_EQ(report.n_cells, mesh.n_active_cells());
+  EXPECT_EQ(report.n_contact_faces, 24u);
+  EXPECT_TRUE(report.round_rim);
+  EXPECT_EQ(report.n_repetitions, 12u);
+  const fem::MeshCheck expected = fem::check_mesh(mesh), check = fem::check_mesh(read);
+  EXPECT_EQ(check.n_faces, expected.n_faces);
+  EXPECT_NEAR(check.contact_area, expected.contact_area, 1e-8 * expected.contact_area);
+  EXPECT_NEAR(check.least_jacobian, expected.least_jacobian, 1e-8); // deal.II rounds the coordinates of .inp
+  EXPECT_EQ(sentence(text()), "");
+}
+
+TEST_P(ForeignMesh, TakesItsContactZoneByIdOrByHeight)
+{
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(face->boundary_id() == 2 ? 7 : face->boundary_id() == 1 ? 8 : 0);
+  const std::string marked = text();
+  expect_sentence(marked, "no contact zone");
+  expect_sentence(marked, "7");
+  expect_sentence(marked, "no stem cut", { 7, 3, 0 });
+  EXPECT_EQ(sentence(marked, { 7, 8, 0 }), "");
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(0);
+  expect_sentence(text(), "none of its faces has an id");
+  EXPECT_EQ(sentence(text(), { 2, 1, 1e-4 }), "");
+}
+
+TEST_P(ForeignMesh, IsRefusedWithASentenceWhereItIsBroken)
+{
+  const std::string whole = text();
+  expect_sentence("", "is empty");
+  expect_sentence("this is no mesh at all\n", "is not a");
+  expect_sentence(whole.substr(0, whole.size() / 3), "Mesh file");
+  std::string letters = whole;
+  std::replace(letters.begin() + static_cast<long>(letters.size() / 4),
+               letters.begin() + static_cast<long>(letters.size() / 4) + 40, '0', 'x');
+  expect_sentence(letters, GetParam() == ".inp" ? "esh" : "Mesh file"); // there letters end a number
+}
+
+TEST_P(ForeignMesh, IsRefusedWhereItHasOtherElements)
+{
+  const std::string tetrahedron =
+    GetParam() == ".inp" ? "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n*ELEMENT, TYPE=C3D4, "
+                           "ELSET=EB1\n1, 1, 2, 3, 4\n"
+    : GetParam() == ".vtu"
+      ? "<?xml version=\"1.0\"?><VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece "
+        "NumberOfPoints=\"4\" NumberOfCells=\"1\"><Points><DataArray NumberOfComponents=\"3\" "
+        "format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells><DataArray "
+        "Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray><DataArray Name=\"offsets\" "
+        "format=\"ascii\">4</DataArray><DataArray Name=\"types\" format=\"ascii\">10</DataArray>"
+        "</Cells></Piece></UnstructuredGrid></VTKFile>"
+      : "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+        "$Elements\n1\n1 4 2 0 0 1 2 3 4\n$EndElements\n";
+  expect_sentence(tetrahedron, "hexahedra");
+}
+
+TEST_P(ForeignMesh, IsRefusedWhereItIsInsideOut)
+{
+  // One vertex of the top is pushed through the cells below it.
+  const dealii::Point<3> place = mesh.begin_active()->vertex(7);
+  move([&](const dealii::Point<3> &x)
+       { return x.distance(place) < 1e-9 ? dealii::Point<3>(x[0], x[1], x[2] - 0.02) : x; });
+  expect_sentence(text(), "inside out");
+}
+
+TEST_P(ForeignMesh, IsRefusedInMillimetres)
+{
+  move([](const dealii::Point<3> &x) { return dealii::Point<3>(1000 * x); });
+  expect_sentence(text(), "millimetres");
+}
+
+TEST_P(ForeignMesh, IsRefusedUpsideDown)
+{
+  move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], -x[1], -x[2]); });
+  expect_sentence(text(), "looks up");
+}
+
+TEST_P(ForeignMesh, IsRefusedWithSeveralContactZones)
+{
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == 2 && std::abs(face->center()[0]) < 0.01)
+      face->set_boundary_id(0);
+  expect_sentence(text(), "2 parts");
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ForeignMesh, testing::Values(".msh", ".inp", ".vtu"),
+                         [](const auto &given) { return given.param.substr(1); });
+
+} // namespace
+} // namespace stemware::pipeline

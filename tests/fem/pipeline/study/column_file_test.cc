@@ -1,0 +1,109 @@
+// Files of numbers in columns: what may be written, and the files that are refused with one sentence.
+#include "fem/pipeline/study/column_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using test::ScratchFolder;
+
+const std::vector<FileColumn> time_and_speed = { { { "t", "time" }, "s" }, { { "v", "speed" }, "m/s" } };
+
+std::vector<FileRow> rows_of(const std::string &file)
+{
+  return read_column_file("Entry = my.csv", file, time_and_speed);
+}
+
+/// The sentence with which a file is refused.
+std::string column_refusal(const std::string &file)
+{
+  try
+  {
+    rows_of(file);
+  }
+  catch (const BadInput &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ColumnFile, MayBeWrittenInManyWays)
+{
+  const ScratchFolder scratch;
+  for (const std::string text :
+       { "t (s), v (m/s)\n0.5, 0.2\n1.5, 0.35\n", "t, v\n0.5, 0.2\n1.5, 0.35\n",
+         "# measured\n\n0.5 0.2\n 1.5\t0.35 \n", "time [ms]; speed [cm/s]\r\n500; 20\r\n\r\n1500; 35\r\n",
+         "\xEF\xBB\xBF\"time (ms)\",\"speed (mm/s)\"\n# by hand\n500,200\n1500,350",
+         "t v\n0.5  0.2\n1.5 0.35\n", "t ms, v cm/s\n5e2, 20\n+1500, 35\n" })
+  {
+    SCOPED_TRACE(text);
+    const std::vector<FileRow> rows = rows_of(scratch.write("my.csv", text));
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_DOUBLE_EQ(rows[0].values.at(0), 0.5);
+    EXPECT_DOUBLE_EQ(rows[0].values.at(1), 0.2);
+    EXPECT_DOUBLE_EQ(rows[1].values.at(0), 1.5);
+    EXPECT_DOUBLE_EQ(rows[1].values.at(1), 0.35);
+  }
+  EXPECT_EQ(rows_of(scratch.write("my.csv", "\n# one\n\n1 2\n")).front().line, 4u);
+}
+
+TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
+{
+  const ScratchFolder scratch;
+  const std::string header = "t (s), v (m/s)\n";
+  const std::vector<std::pair<std::string, std::string>> bad = {
+    { "", "has no rows" },
+    { header + "# nothing\n", "has no rows" },
+    { "t (s), v (kg)\n0, 1\n", "line 1: \"t (s), v (kg)\" is not a row; write 2 numbers, t, v, in SI units" },
+    { "v (m/s), t (s)\n0, 1\n", "line 1" },
+    { "t (s), v (furlong/s)\n0, 1\n", "line 1" },
+    { "t (s)\n0\n", "line 1" },
+    { header + header + "0, 1\n", "line 2" },
+    { "0, 1\n" + header, "line 2" },
+    { header + "0, 1, 2\n", "line 2" },
+    { header + "\n0\n", "line 3" },
+    { header + "0, 1\n1, two\n", "line 3: \"1, two\" is not a row" },
+    { header + "0, nan\n", "line 2" },
+    { header + "0, 1e999\n", "line 2" },
+    { header + "0,,1\n", "line 2" },
+    { header + "0,5; 1,2\n", "line 2" },
+    { std::string("\x7f"
+                  "ELF\0\0\1",
+                  7),
+      "line 1" },
+    { std::string(100000, '7'), "line 1" },
+  };
+  for (const auto &[text, words] : bad)
+  {
+    const std::string sentence = column_refusal(scratch.write("my.csv", text));
+    EXPECT_EQ(sentence.rfind("Entry = my.csv", 0), 0u) << sentence;
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+    EXPECT_LT(sentence.size(), 300u) << sentence;
+  }
+}
+
+/// What is no file is not read: a pipe or a device would never end.
+TEST(ColumnFile, WhatIsNoFileIsRefusedUnread)
+{
+  const ScratchFolder scratch;
+  const std::string pipe = scratch / "pipe.csv";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string &file : { scratch.path().string(), pipe, std::string("/dev/zero") })
+    EXPECT_EQ(column_refusal(file), "Entry = my.csv is not a file; give the path of a file.") << file;
+  EXPECT_NE(column_refusal(scratch / "missing.csv").find("does not exist"), std::string::npos);
+  EXPECT_NE(column_refusal(scratch.write("long.csv", std::string(16000001, '\n'))).find("larger than 16 MB"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,86 @@
+// Friction that deforms a solid foot against the body of revolution, whose compliances carry it: the lagged
+// traction of the one is a column of the matrix of the other.
+#include "fem/contact/hard_interface.h"
+#include "fem/contact/rough_interface.h"
+#include "fem/revolution/revolution_foot.h"
+#include "fem/solid/solid_foot.h"
+#include "tests/fem/reference_load.h"
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+GlassProfile rounded_foot()
+{
+  GlassProfile profile;
+  profile.shape = GlassShape::foot;
+  return profile;
+}
+
+struct FrictionCase
+{
+  GlassProfile profile;
+  std::shared_ptr<const InterfaceLaw> interface;
+  double friction;
+};
+
+SolidFoot solid_foot(const FrictionCase &given, const FootResolution &resolution, LinearSolver solver)
+{
+  SolidSetup setup;
+  setup.profile = given.profile;
+  setup.table.interface = given.interface;
+  setup.options.linear_solver = solver;
+  setup.friction_coefficient = given.friction;
+  return SolidFoot(generate_solid_mesh(given.profile, resolution), setup);
+}
+
+RevolutionFoot revolution_foot(const FrictionCase &given)
+{
+  RevolutionSetup setup;
+  setup.profile = given.profile;
+  setup.table.interface = given.interface;
+  setup.friction_coefficient = given.friction;
+  setup.meridian.n_harmonics = 16;
+  setup.n_lines = 96;
+  return RevolutionFoot(setup.resolved_for(weight));
+}
+
+} // namespace
+
+TEST(SolidFriction, DeformsTheFootAsItDoesTheBodyOfRevolution)
+{
+  // The difference is that of two discretisations; friction changes a_2 / a_0 by 3e-3 to 3e-2.
+  const auto mat = std::make_shared<WinklerInterface>(1e11);
+  const struct
+  {
+    FrictionCase given;
+    LinearSolver solver;
+    double tolerance;
+  } cases[] = { { { rounded_foot(), mat, 0.2 }, LinearSolver::multigrid, 2e-5 },
+                { { rounded_foot(), mat, 0.6 }, LinearSolver::direct, 2e-5 },
+                { { rounded_foot(), std::make_shared<RoughInterface>(1e5, 1e-6), 0.2 },
+                  LinearSolver::multigrid,
+                  3e-5 },
+                { { rounded_foot(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-4 },
+                { { flat_profile(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-3 } };
+  for (const auto &[given, solver, tolerance] : cases)
+  {
+    ContactDemand demand = load_at(0.8, 0.3);
+    demand.n_harmonics = 8;
+    demand.tilt_moment = 0.1 * weight; // the conditions are then no resultants
+    const Slip slip = { -10, {} };
+    const ContactState state = solid_foot(given, { 24, 2, 1, 1 }, solver).solve(demand, slip);
+    const ContactState expected = revolution_foot(given).solve(demand, slip);
+    EXPECT_LT(state.solution.equilibrium_residual, 1e-9);
+    EXPECT_LT(state.solution.moment_residual, 1e-9);
+    for (unsigned int n = 2; n <= 4; ++n)
+    {
+      const double a_0 = expected.load.a[0][0];
+      EXPECT_NEAR(state.load.a[0][n] / a_0, expected.load.a[0][n] / a_0, tolerance) << n;
+      EXPECT_NEAR(state.load.b[0][n] / a_0, expected.load.b[0][n] / a_0, tolerance) << n;
+    }
+  }
+}
