@@ -91,6 +91,23 @@ TEST(StudyChecks, LoadHarmonicsNeedLines)
     "or fewer load harmonics.");
 }
 
+TEST(StudyChecks, AGoalNeedsAFootWhoseErrorIsEstimated)
+{
+  EXPECT_EQ(refusal_of({ { "Contact/Goal", "torque" }, { "Contact/Degree", "3" } }), "");
+  for (const auto &[settings, needs] :
+       { std::pair(Settings{ { "Contact/Body", "solid" } }, "Contact/Goal needs a body of revolution"),
+         std::pair(Settings{ { "Contact/Degree", "4" } }, "Contact/Goal needs elements of a degree below 4"),
+         std::pair(Settings{ { "Contact/Rings", "1" } }, "Contact/Goal needs more than one ring"),
+         std::pair(Settings{ { "Table/Waviness", "2: 1e-6" } },
+                   "Contact/Goal needs a rim and a table that are flat") })
+  {
+    Settings with_goal = settings;
+    with_goal.emplace_back("Contact/Goal", "a2");
+    EXPECT_EQ(refusal_of(with_goal).find(needs), 0u) << refusal_of(with_goal);
+    EXPECT_EQ(refusal_of(settings), "");
+  }
+}
+
 TEST(StudyChecks, ALoadFileHasAMomentOfItsOwn)
 {
   EXPECT_EQ(
