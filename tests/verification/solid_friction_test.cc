@@ -59,13 +59,13 @@ TEST(SolidFriction, DeformsTheFootAsItDoesTheBodyOfRevolution)
     FrictionCase given;
     LinearSolver solver;
     double tolerance;
-  } cases[] = { { { rounded_foot(), mat, 0.2 }, LinearSolver::multigrid, 2e-5 },
-                { { rounded_foot(), mat, 0.6 }, LinearSolver::direct, 2e-5 },
-                { { rounded_foot(), std::make_shared<RoughInterface>(1e5, 1e-6), 0.2 },
-                  LinearSolver::multigrid,
-                  3e-5 },
-                { { rounded_foot(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-4 },
-                { { flat_profile(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-3 } };
+  } cases[] = {
+    { { rounded_foot(), mat, 0.2 }, LinearSolver::multigrid, 2e-5 },
+    { { rounded_foot(), mat, 0.6 }, LinearSolver::direct, 2e-5 },
+    { { rounded_foot(), std::make_shared<RoughInterface>(1e5, 1e-6), 0.2 }, LinearSolver::multigrid, 3e-5 },
+    { { rounded_foot(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-4 },
+    { { flat_profile(), std::make_shared<HardInterface>(), 0.2 }, LinearSolver::multigrid, 1e-3 }
+  };
   for (const auto &[given, solver, tolerance] : cases)
   {
     ContactDemand demand = load_at(0.8, 0.3);

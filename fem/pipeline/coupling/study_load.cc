@@ -164,7 +164,8 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   const auto loads = std::make_shared<LoadsByPhase>(study, foot, n_harmonics, progress);
   const LoadAtPhase exact = [loads](double omega, const ring::Orientation &orientation)
   { return loads->of(orientation).leaning(omega); };
-  // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to do.
+  // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
+  // do.
   const bool follows = follows_spin(study);
   const unsigned int most_samples = follows || study.table.interface == TableInterface::hard ? 64 : 256;
   const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), most_samples);

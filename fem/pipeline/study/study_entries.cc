@@ -1,12 +1,11 @@
 #include "fem/pipeline/study/study_entries.h"
 
+#include "fem/pipeline/study/entry_list.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/renamed_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
-
-#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,134 +16,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// Numbers that an entry takes, with the words for it.
-struct Range
-{
-  std::string words;
-  std::function<bool(double)> contains;
-};
-
-const Range any_number = { "a finite number", [](double) { return true; } };
-const Range positive = { "a number greater than 0", [](double value) { return value > 0; } };
-const Range not_negative = { "a number not less than 0", [](double value) { return value >= 0; } };
-
-Range between(double lower, double upper)
-{
-  return { fmt::format(FMT_STRING("a number greater than {} and less than {}"), to_text(lower),
-                       to_text(upper)),
-           [=](double value) { return lower < value && value < upper; } };
-}
-
-const Range not_tipping = { "a number less than 2, where the foot tips",
-                            [](double value) { return value < 2; } };
-
-/// Collects the entries of one subsection after the other.
-class EntryList
-{
-public:
-  void enter(const std::string &name) { section = name; }
-
-  /// A quantity; @p unit is empty for pure numbers.
-  void number(const std::string &name, double &value, const Range &range, const std::string &unit,
-              const std::string &help)
-  {
-    const auto parse = [range, unit](const std::string &text)
-    {
-      const auto number = parse_quantity(text, unit);
-      return number && range.contains(*number) ? number : std::nullopt;
-    };
-    StudyEntry &entry =
-      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, parse, to_text);
-    entry.unit = unit.empty() ? "1" : unit;
-    entry.is_quantity = true;
-  }
-
-  /// A number of things, from @p least to @p most.
-  void count(const std::string &name, unsigned int &value, unsigned int least, unsigned int most,
-             const std::string &help)
-  {
-    const auto parse = [=](const std::string &text)
-    {
-      const auto count = parse_count(text);
-      return count && least <= *count && *count <= most ? count : std::nullopt;
-    };
-    const auto print = [](unsigned int count) { return std::to_string(count); };
-    append(name, value, fmt::format(FMT_STRING("a whole number from {} to {}"), least, most), help, parse,
-           print)
-      .unit = "1";
-  }
-
-  /// The path of a file.
-  void path(const std::string &name, std::string &value, const std::string &help)
-  {
-    const auto parse = [](const std::string &text)
-    { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
-    append(name, value, "a path without # and line ends, or nothing", help, parse,
-           [](const std::string &text) { return text; });
-  }
-
-  /// How a surface is out of flat.
-  void waviness(const std::string &name, Waviness &value, const std::string &help)
-  {
-    append(name, value, waviness_words, help, parse_waviness, waviness_text);
-  }
-
-  /// One of several named values.
-  template <typename Choice>
-  void choice(const std::string &name, Choice &value,
-              const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help)
-  {
-    const auto parse = [choices](const std::string &text)
-    {
-      std::optional<Choice> found;
-      for (const auto &[word, choice] : choices)
-        if (boost::iequals(word, text))
-          found = choice;
-      return found;
-    };
-    const auto print = [choices](Choice present)
-    {
-      for (const auto &[word, choice] : choices)
-        if (choice == present)
-          return word;
-      throw std::logic_error("a study holds a value without a name");
-    };
-    std::string words;
-    for (const auto &[word, choice] : choices)
-      words += (word == choices.front().first ? "" : word == choices.back().first ? " or " : ", ") + word;
-    append(name, value, words, help, parse, print);
-  }
-
-  std::vector<StudyEntry> entries;
-
-private:
-  template <typename Value, typename Parse, typename Print>
-  StudyEntry &append(const std::string &name, Value &value, const std::string &allowed,
-                     const std::string &help, const Parse &parse, const Print &print)
-  {
-    StudyEntry entry;
-    entry.section = section;
-    entry.name = name;
-    entry.allowed = allowed;
-    entry.help = help;
-    entry.text = [&value, print] { return print(value); };
-    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
-      entry.json = [&value] { return nlohmann::ordered_json(value); };
-    else
-      entry.json = [&value, print] { return nlohmann::ordered_json(print(value)); };
-    entry.assign = [&value, parse](const std::string &text)
-    {
-      const auto parsed = parse(text);
-      value = parsed.value_or(value);
-      return parsed.has_value();
-    };
-    entries.push_back(entry);
-    return entries.back();
-  }
-
-  std::string section;
-};
 
 void add_motion(EntryList &list, MotionSection &motion)
 {

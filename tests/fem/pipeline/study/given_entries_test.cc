@@ -105,7 +105,8 @@ TEST(IdleEntries, OfTheBodyFollowItsKind)
             Names({ "Contact/Azimuthal cells", "Contact/Foot layers", "Contact/Linear solver" }));
   Settings solid = both;
   solid.emplace_back("Contact/Body", "solid");
-  EXPECT_EQ(idle_with(solid), Names({ "Contact/Land grading", "Contact/Harmonics", "Contact/Azimuth lines" }));
+  EXPECT_EQ(idle_with(solid),
+            Names({ "Contact/Land grading", "Contact/Harmonics", "Contact/Azimuth lines" }));
   EXPECT_EQ(idle_with({ { "Contact/Mesh contact id", "2" }, { "Contact/Mesh contact height", "0" } }),
             Names({ "Contact/Mesh contact id", "Contact/Mesh contact height" }));
   EXPECT_EQ(idle_with({ { "Contact/Body", "solid" },
