@@ -124,6 +124,12 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
   return largest / (other.rings.normal_force() * radius);
 }
 
+Eigen::VectorXd PhaseGrids::weights(const ring::Orientation &phase) const
+{
+  const Eigen::VectorXd of_glass = glass.weights(phase.glass), of_table = table.weights(phase.table);
+  return (of_table * of_glass.transpose()).reshaped(); // the table's angle runs fastest
+}
+
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
 {
   PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
@@ -165,7 +171,7 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double s
     , grids(grids)
     , spin_unit(spin_unit)
     , extremes(extremes)
-    , at_rest(sample(0))
+    , at_rest(sample(0, grids))
     , largest_error(grids.error)
 {
 }
@@ -206,20 +212,20 @@ void PhaseLoads::turn(Eigen::VectorXd &column, double angle) const
   }
 }
 
-Eigen::MatrixXd PhaseLoads::sample(double omega) const
+Eigen::MatrixXd PhaseLoads::sample(double omega, const PhaseGrids &on) const
 {
   Eigen::MatrixXd columns;
-  const unsigned int n_table = grids.table.size();
-  for (unsigned int step = 0; step < grids.size(); ++step)
+  const unsigned int n_table = on.table.size();
+  for (unsigned int step = 0; step < on.size(); ++step)
   {
     // To and fro in the table's angle: each contact starts from that of the phase before.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
-    const LeaningLoad exact = load(omega, grids.phase(i));
+    const LeaningLoad exact = load(omega, on.phase(i));
     n_rings = exact.rings.rings().size();
     Eigen::VectorXd column = column_of(exact);
-    turn(column, -grids.turning_angle(grids.phase(i)));
-    columns.conservativeResize(column.size(), grids.size());
+    turn(column, -on.turning_angle(on.phase(i)));
+    columns.conservativeResize(column.size(), on.size());
     columns.col(i) = column;
   }
   return columns;
@@ -258,9 +264,38 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   if (known != intervals.end())
     return known->second;
   Samples samples = { find_spins(interval), {} };
-  for (unsigned int k = 0; k < samples.spins.size(); ++k)
-    samples.columns.push_back(sample(samples.spins.node(k)));
+  for (const PhaseGrids &on : { grids.halved(), grids })
+  {
+    Eigen::MatrixXd weights(on.size(), grids.size());
+    for (unsigned int i = 0; i < grids.size(); ++i)
+      weights.col(i) = on.weights(grids.phase(i));
+    const Eigen::MatrixXd rest = sample(0, on);
+    samples.columns.clear();
+    for (unsigned int k = 0; k < samples.spins.size(); ++k)
+      samples.columns.push_back(at_rest + (sample(samples.spins.node(k), on) - rest) * weights);
+    const double error = error_of(samples);
+    if (error > std::max(tolerance_of_many, grids.error) && on.size() < grids.size())
+      continue;
+    largest_error = std::max(largest_error, error);
+    break;
+  }
   return intervals.emplace(interval, std::move(samples)).first->second;
+}
+
+double PhaseLoads::error_of(const Samples &samples) const
+{
+  const unsigned int n_table = grids.table.size(), k = samples.spins.size() / 2;
+  double error = 0;
+  for (const unsigned int row : { 1u, grids.glass.size() / 2 + 1 })
+    for (const unsigned int place : { 1u, n_table / 2 + 1 })
+    {
+      const unsigned int i = row % grids.glass.size() * n_table + place % n_table;
+      const ring::Orientation phase = grids.phase(i);
+      Eigen::VectorXd column = samples.columns[k].col(i);
+      turn(column, grids.turning_angle(phase));
+      error = std::max(error, torque_difference(load_of(column), load(samples.spins.node(k), phase)));
+    }
+  return error;
 }
 
 Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
@@ -285,11 +320,7 @@ Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
 
 LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
 {
-  const Eigen::VectorXd of_glass = grids.glass.weights(phase.glass),
-                        of_table = grids.table.weights(phase.table);
-  Eigen::VectorXd of_phase(grids.size());
-  for (Eigen::Index i = 0; i < of_glass.size(); ++i)
-    of_phase.segment(i * of_table.size(), of_table.size()) = of_glass(i) * of_table;
+  const Eigen::VectorXd of_phase = grids.weights(phase);
   Eigen::VectorXd column;
   if (spin_unit == 0 || omega == 0)
     column = at_rest * of_phase;

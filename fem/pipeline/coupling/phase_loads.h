@@ -36,8 +36,9 @@ struct PhaseGrids
   double turning_angle(const ring::Orientation &phase) const;
   double turning_period() const;
   unsigned int n_turning_phases() const;
-  /// With half the phases: enough for the mean over them.
-  PhaseGrids halved() const;
+  PhaseGrids halved() const; ///< with half the phases of each angle
+  /// Weights of the phases in the interpolant at @p phase. Shape [size()].
+  Eigen::VectorXd weights(const ring::Orientation &phase) const;
 };
 
 /// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the
@@ -62,7 +63,8 @@ struct PhaseExtremes
 
 /// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled on a grid
 /// of phases and, interval by interval as spins are asked for, on Chebyshev points; interpolated in between,
-/// trigonometrically in the phases and by polynomials in the spin.
+/// trigonometrically in the phases and by polynomials in the spin. What the spin adds to the load of rest is
+/// sampled at half the phases, unless others show that all are needed.
 ///
 /// A load that rests on w crests turns with them: its harmonic n goes round with the angle phi like exp(i k w
 /// phi), k the integer next to n / w. That factor is taken out of the samples, and what is left depends on
@@ -104,9 +106,12 @@ private:
   unsigned int crest_harmonic(Eigen::Index n) const;
   /// Multiplies the load harmonics of @p column with exp(i k w angle).
   void turn(Eigen::VectorXd &column, double angle) const;
-  Eigen::MatrixXd sample(double omega) const;
+  /// A column per phase of @p on.
+  Eigen::MatrixXd sample(double omega, const PhaseGrids &on) const;
   SpinInterval find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
+  /// Largest torque_difference() of @p samples from the load at phases that half the grid leaves out.
+  double error_of(const Samples &samples) const;
   /// A column per phase, in the slip frame.
   Eigen::MatrixXd at_spin(double omega) const;
 

@@ -174,13 +174,11 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   const double spin_unit = follows ? study.motion.orbit.orbit_speed / report.rings.radius() / 4 : 0;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(report));
-  const auto for_mean =
-    follows ? std::make_shared<const PhaseLoads>(exact, grids.halved(), spin_unit) : phases;
 
   BalancedLoad::Parts parts =
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress)
       .insides();
-  parts.at_spin = [for_mean](double omega) { return for_mean->mean(omega); };
+  parts.at_spin = [phases](double omega) { return phases->mean(omega); };
   parts.is_costly = false; // between the samples it is interpolated
   parts.phases = phases;
   return BalancedLoad(std::move(parts));
