@@ -381,7 +381,8 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  return turned_by(zone_of(state).law->load(state.solution).points, axis());
+  const std::vector<PointForce> on_lines = zone_of(state).law->load(state.solution).points;
+  return turned_by(on_lines, axis()); // which is that of the state by now
 }
 
 PressureMap RevolutionFoot::pressure_map(const ContactState &state)

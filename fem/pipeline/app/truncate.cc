@@ -65,10 +65,10 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
   stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=two-way"
 
-The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads, moment balance and contact are
-solved again with the friction of the harmonics that are kept; one-way, and with a given moment, the
-load of the glass that does not spin yet is truncated. Beside that, the terminal spin step by step
-from the paper's model to the study's.
+The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads, moment balance and contact
+are solved again with the friction of the harmonics that are kept; one-way, and with a given moment,
+the load of the glass that does not spin yet is truncated. Beside that, the terminal spin step by
+step from the paper's model to the study's.
 
   truncation.dat     torque, terminal spin, deviations, bounds
   spin_up.dat        the spin against time

@@ -257,8 +257,7 @@ std::optional<Table> effectivity_table(const AxisResult &axis, const std::vector
   if (names.empty())
     return std::nullopt;
   return Table{ "What the " + axis.axis.name +
-                  " leaves out of a number, as a dual problem estimates it, and "
-                  "against the level two further on",
+                  " leaves out: by a dual problem, and measured two levels further on",
                 { column(quantity::quantity_name, names), column(quantity::mesh_level, levels),
                   column(quantity::mesh_correction, corrections), column(quantity::mesh_error, errors),
                   column(quantity::effectivity, ratios) } };
