@@ -98,7 +98,7 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, fem::ComplianceC
   constexpr double worth_saying = 1e9;
   if (const StudySize size = size_of(study); size.memory > worth_saying)
     progress.note("Memory",
-                  fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} cells"), size.memory / 1e9, size.cells));
+                  fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
   std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
   if (!foot)
     return foot;

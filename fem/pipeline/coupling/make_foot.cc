@@ -6,6 +6,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_foot.h"
+#include "fem/solid/contact_checkpoint.h"
 #include "fem/solid/solid_foot.h"
 
 #include <deal.II/grid/tria.h>
@@ -77,6 +78,8 @@ fem::SolidSetup solid_setup(const Study &study)
   if (study.model.friction_in_foot)
     set_friction(study, setup);
   setup.checkpoint_folder = study.contact.checkpoint_folder;
+  if (!setup.checkpoint_folder.empty())
+    fem::ContactCheckpoint(setup.checkpoint_folder, ""); // says before the work where it cannot be made
   setup.problem = study_as_prm(study);
   return setup;
 }
@@ -90,7 +93,10 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     switch (study.contact.body)
     {
     case BodyKind::solid:
-      return std::make_shared<fem::SolidFoot>(solid_mesh(study), solid_setup(study));
+    {
+      const fem::SolidSetup setup = solid_setup(study);
+      return std::make_shared<fem::SolidFoot>(solid_mesh(study), setup);
+    }
     case BodyKind::revolution:
       return std::make_shared<fem::RevolutionFoot>(revolution_setup(study), cache);
     }
