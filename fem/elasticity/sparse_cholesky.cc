@@ -5,6 +5,8 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 
+#include <omp.h>
+
 #include <stdexcept>
 
 namespace stemware::fem
@@ -40,19 +42,22 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
     "the body.");
 }
 
-/// Factors by CHOLMOD's simplicial L L', in the order of elimination given or found.
+/// Factors L L' by CHOLMOD, in the order of elimination given or found.
 class OrderedFactors
 {
 public:
   /// Eliminates the rows @p kept last, each part in an order of little fill-in.
   OrderedFactors(LowerTriangle lower, const std::vector<unsigned int> &kept)
   {
+    omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 0;
-    common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.supernodal = CHOLMOD_AUTO;
+    common.final_asis = 0;
+    common.final_super = 0;
     common.final_ll = 1;
     cholmod_sparse view = Eigen::viewAsCholmod(Eigen::Ref<LowerTriangle>(lower));
     view.stype = -1;

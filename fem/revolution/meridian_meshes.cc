@@ -1,6 +1,7 @@
 #include "fem/revolution/meridian_meshes.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/contact_cells.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -123,6 +124,8 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
     flag(disc, marked.disc);
     refine();
   }
+  for (unsigned int i = 0; i < setup.halvings_beyond_focus; ++i)
+    refine_beyond_focus(setup);
 }
 
 void MeridianMeshes::refine()
@@ -136,6 +139,23 @@ void MeridianMeshes::refine()
     foot.execute_coarsening_and_refinement();
     disc.execute_coarsening_and_refinement();
   }
+}
+
+void MeridianMeshes::refine_beyond_focus(const RevolutionSetup &setup)
+{
+  const ContactCells contact = contact_cells(setup.profile, setup.resolution);
+  for (Triangulation<2> *body : { &foot, &disc })
+    if (body->n_levels() > 0)
+      for (const auto &cell : body->active_cell_iterators())
+      {
+        const auto [begin, end] = contact_of(cell);
+        const bool is_focused = contact.has_focus && begin < end &&
+                                (end - begin < 2.01 * setup.resolution.focus_size ||
+                                 (begin < contact.focus_end && end > contact.focus_begin));
+        if (!is_focused)
+          cell->set_refine_flag();
+      }
+  refine();
 }
 
 void MeridianMeshes::refine_where_singular(double inner, double outer, unsigned int n_halvings)

@@ -3,7 +3,6 @@
 #include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/goal_estimate.h"
 #include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/path_of_moments.h"
 #include "fem/revolution/revolution_output.h"
 
 #include <Eigen/Geometry>
@@ -15,23 +14,6 @@
 
 namespace stemware::fem
 {
-
-namespace
-{
-
-/// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
-constexpr double large_stiffening = 1000, small_stiffening = 10;
-
-ContactControl contact_control()
-{
-  ContactControl control;
-  control.tolerance = 1e-10;
-  control.equilibrium_tolerance = 1e-8; // the rounding of a stiff spring; most contacts end far below
-  control.set_matters = false;
-  return control;
-}
-
-} // namespace
 
 RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size)
     : first(first)
@@ -65,6 +47,7 @@ void RevolutionFoot::add_zone(double reach)
   }
   zones.push_back(std::make_unique<Zone>(*this, first, last - first + 1));
   before.reset();
+  recent.clear();
 }
 
 bool RevolutionFoot::has_left_zone() const
@@ -121,6 +104,7 @@ void RevolutionFoot::set_orientation(const FootOrientation &orientation)
   for (const auto &zone : zones)
     zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
   turned.reset();
+  recent.clear();
   crests_have_moved = true;
   if (!before)
     return;
@@ -178,129 +162,6 @@ unsigned int RevolutionFoot::n_resolved_harmonics() const
   return (setup.n_lines - 1) / 2;
 }
 
-ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, double largest_step)
-{
-  const double radius = setup.profile.contact_radius;
-  BodyOfRevolution &body = zones.back()->body;
-  const ContactSurface &surface = body.contact_surface();
-
-  // So soft that a rigid rim is pressed in on a band that the mesh resolves well.
-  const bool is_narrow = setup.table.interface->is_hard() && setup.profile.crown_radius > 0;
-  const double half_width = is_narrow ? 4 * setup.contact_half_width : setup.profile.land_width / 4;
-  // Beyond the waviness, so that the rim carries all round.
-  const double depth =
-    (setup.profile.crown_radius > 0 ? half_width * half_width / (2 * setup.profile.crown_radius)
-                                    : 1e-3 * half_width) +
-    2 * setup.imperfection.largest_amplitude();
-  const double pressure = setup.line_load(setup.normal_force) / (2 * half_width);
-  double softness = std::max(1., interface->stiffness_at(pressure) * depth / pressure);
-  std::shared_ptr<const InterfaceLaw> soft = interface->softened(softness);
-  std::unique_ptr<TableLaw> soft_law = soft->make(surface, 0);
-  const Eigen::Vector3d pressed_in(-surface.node_gap.minCoeff() - soft->penetration_at(4 * pressure), 0, 0);
-  ContactStart at;
-  at.motion = rigid_foot_motion(surface, *soft_law, conditions, radius, pressed_in);
-  at.normal_displacement = surface.motion_modes() * at.motion;
-
-  // The displacement under a rigid foot's forces is for the most part a motion, which the table follows.
-  ContactForces rigid;
-  soft_law->evaluate(at.normal_displacement, rigid);
-  body.set_forces(rigid.forces);
-  Eigen::Index most_loaded = 0;
-  body.forces().rowwise().sum().maxCoeff(&most_loaded);
-  at.motion -= body.motion_of_circle(most_loaded);
-  return stiffen(conditions, softness, at, largest_step);
-}
-
-ContactSolution RevolutionFoot::stiffen(const LinearConditions &conditions, double softness, ContactStart at,
-                                        double largest_step)
-{
-  const double radius = setup.profile.contact_radius;
-  BodyOfRevolution &body = zones.back()->body;
-  const ContactSurface &surface = body.contact_surface();
-  std::unique_ptr<TableLaw> soft_law = interface->softened(softness)->make(surface, 0);
-  ContactControl control = contact_control();
-  control.tolerance = control.equilibrium_tolerance = 1e-3;
-  control.max_steps = 30;
-  while (softness > 1)
-  {
-    const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
-    const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
-    const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
-    // Penetrations that shrink with the law's softness leave the pressure what it is.
-    at.motion = solution.motion;
-    at.normal_displacement =
-      -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
-    softness = next;
-    soft_law = interface->softened(softness)->make(surface, 0);
-    control.whole_steps = true;
-  }
-  const bool whole_steps = control.whole_steps;
-  control = contact_control();
-  control.whole_steps = whole_steps;
-  return solve_contact(body, *zones.back()->law, conditions, radius, control, &at);
-}
-
-ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, const ContactStart &start)
-{
-  ContactControl control = contact_control();
-  control.whole_steps = true;
-  control.max_steps = 15;
-  Zone &zone = *zones.back();
-  return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &start);
-}
-
-ContactSolution RevolutionFoot::solve_softened(const LinearConditions &conditions, const ContactStart &start)
-{
-  const Eigen::VectorXd &gap = zones.back()->body.contact_surface().node_gap;
-  return stiffen(conditions, large_stiffening,
-                 { start.motion, -gap + large_stiffening * (gap + start.normal_displacement) },
-                 large_stiffening);
-}
-
-ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand)
-{
-  Zone &zone = *zones.back();
-  const LinearConditions conditions =
-    conditions_of(zone.body.contact_surface(), axis() == 0 ? demand : demand.in_axes_turned_by(axis()));
-  std::vector<ContactStart> starts;
-  if (before)
-    starts.push_back(*before);
-  if (before && turned)
-    starts.insert(goes_with_crests ? starts.begin() : starts.end(), *turned);
-  const Eigen::VectorXd forces_before = zone.body.forces().reshaped();
-  before.reset();
-
-  std::vector<std::function<ContactSolution()>> ways;
-  const bool may_be_near = !(crests_have_moved && setup.table.interface->is_hard());
-  for (const bool softened : { false, true })
-    for (std::size_t i = 0; i < starts.size(); ++i)
-      if (softened || may_be_near)
-        ways.push_back(
-          [&, softened, i]
-          {
-            const ContactSolution solution =
-              softened ? solve_softened(conditions, starts[i]) : solve_near(conditions, starts[i]);
-            goes_with_crests = goes_with_crests != (i > 0);
-            return solution;
-          });
-  for (const double largest_step : { large_stiffening, small_stiffening })
-    ways.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
-  for (const auto &way : ways)
-    try
-    {
-      return way();
-    }
-    catch (const ContactFailure &failure)
-    {
-      if (failure.outcome == ContactOutcome::tipping)
-        throw;
-      zone.body.set_forces(forces_before);
-    }
-  const LinearConditions even = conditions.with_share_of_moment(zone.body.contact_surface(), 0);
-  return solve_along_moment(zone.body, *zone.law, conditions, setup.profile.contact_radius, contact_control(),
-                            solve_cold(even, small_stiffening));
-}
-
 ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,
                                    const std::function<void(const ContactIteration &)> &)
 {
@@ -308,22 +169,11 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   state.demand = demand;
   state.slip = slip;
   set_orientation(slip.orientation);
-  const auto press = [&]
-  {
-    if (setup.friction_coefficient > 0)
-      zones.back()->body.set_sliding(
-        SlidingTraction{ setup.friction_coefficient, slip.spin_per_speed, axis(), setup.friction_by_slip });
-    return solve_from_before(demand);
-  };
-  state.solution = press();
-  if (has_left_zone())
-  {
-    add_zone(0);
-    state.solution = press();
-  }
+  state.solution = press(demand, slip);
   state.zone = static_cast<unsigned int>(zones.size() - 1);
   crests_have_moved = false;
   before = { state.solution.motion, state.solution.normal_displacement };
+  remember(demand, slip);
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis()) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 

@@ -6,6 +6,7 @@
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/revolution_setup.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,11 +14,12 @@
 namespace stemware::fem
 {
 
-/// The foot as a body of revolution on its table. Solving is not collective; it is started from the solution
-/// before, on a softened interface where that fails, or where the crests have moved under a hard contact;
-/// cold where that fails too: then the interface is first softened until it carries on a wide band, and
-/// stiffened step by step. At last the moment grows from none to the whole in small steps; a leaning glass
-/// whose path ends before that tips.
+/// The foot as a body of revolution on its table. Solving is not collective; it is started from what
+/// solutions under the same demand at other spins let expect, else from the solution before, on a
+/// softened interface where that fails, or where the crests have moved under a hard contact; cold where that
+/// fails too: then the interface is first softened until it carries on a wide band, and stiffened step by
+/// step. At last the moment grows from none to the whole in small steps; a leaning glass whose path ends
+/// before that tips.
 class RevolutionFoot : public Foot
 {
 public:
@@ -54,6 +56,14 @@ private:
     const std::unique_ptr<TableLaw> law;
   };
 
+  /// A solution and what it was found for.
+  struct Solved
+  {
+    std::array<double, 4> demand; ///< normal force, moment, tilt moment
+    double spin;                  ///< Slip::spin_per_speed
+    ContactStart start;
+  };
+
   double gap(double radius, double azimuth) const;
   /// The zone of @p state with its gap at the state's phase.
   Zone &zone_of(const ContactState &state);
@@ -74,7 +84,14 @@ private:
   ContactSolution in_axes_of_lines(ContactSolution solution) const;
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   void add_zone(double reach);
-  ContactSolution solve_from_before(const ContactDemand &demand);
+  /// The contact in the axes of the lines, on a zone that it does not leave.
+  ContactSolution press(const ContactDemand &demand, const Slip &slip);
+  ContactSolution solve_from_before(const ContactDemand &demand, const Slip &slip);
+  /// Keeps the solution before for predict().
+  void remember(const ContactDemand &demand, const Slip &slip);
+  /// The polynomial in the spin through the nearest solutions under the same demand; nothing where there are
+  /// fewer than two near enough.
+  std::optional<ContactStart> predict(const ContactDemand &demand, const Slip &slip) const;
   /// solve_contact() from @p start, in few steps or not at all.
   ContactSolution solve_near(const LinearConditions &conditions, const ContactStart &start);
   /// From @p start on a softened interface.
@@ -96,6 +113,7 @@ private:
   std::vector<std::unique_ptr<Zone>> zones;
   ComplianceCache finer{ 4 };         ///< of mesh_error()
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
+  std::vector<Solved> recent;         ///< solutions of the zone in use at the present phase, oldest first
   std::optional<ContactStart> turned; ///< the same turned with the crests since
   bool crests_have_moved = false;     ///< since the solution before
   /// Whether the last start that led to a solution after a turn of the crests was the turned one.

@@ -74,13 +74,12 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     // The foot bends, so the load gathers at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-  }
-  if (flat)
     return resolved;
+  }
   // Where the interface yields a thousand times more than the bodies, their displacement is smooth within the
   // contact.
-  const double depth = std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
-  if (line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
+  const double depth = flat ? 0 : std::pow(resolved.contact_half_width, 2) / (2 * profile.crown_radius);
+  if (flat || line_load(normal_force) * plane_strain_compliance() < 1e-3 * depth)
   {
     // What the bodies as a whole yield is left.
     const double halvings = std::round(resolution.refinements + 1 + std::log2(fineness));

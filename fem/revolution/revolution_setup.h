@@ -37,14 +37,15 @@ struct RevolutionSetup
   unsigned int n_lines = 256;      ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
-  double fineness = 1;           ///< of the cells in the contact, over the usual
-  double normal_force = 1;       ///< N that the contact is resolved for [N], see resolved_for()
-  double contact_half_width = 0; ///< of a crowned rim under it, expected_half_width() [m]
+  double fineness = 1;                    ///< of the cells in the contact, over the usual
+  unsigned int halvings_beyond_focus = 0; ///< of the cells that do not touch the table in its focus
+  double normal_force = 1;                ///< N that the contact is resolved for [N], see resolved_for()
+  double contact_half_width = 0;          ///< of a crowned rim under it, expected_half_width() [m]
 
   /// This setup with a meridional mesh that resolves the contact under @p normal_force [N]. Where the bodies'
   /// own elasticity shapes the pressure, cells of a sixth of the contact's half-width, and of a third of a
-  /// thin layer; where the interface yields a thousand times more, all cells halved once; towards the inner
-  /// edge of a flat land under a hard interface, else equal cells on a flat land.
+  /// thin layer; where the interface yields a thousand times more, all cells halved once, on a
+  /// flat land equal ones; towards the inner edge of a flat land under a hard interface.
   RevolutionSetup resolved_for(double normal_force) const;
 
   /// The table's interface, a hard one as a spring whose penetration is 1 / hardness of what the contact

@@ -164,9 +164,8 @@ void run(const Case &study)
 
   say("linear solve to 1e-8: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n", linear.linear_iterations,
       linear_seconds, n / linear_seconds / 1e6);
-  fmt::print(
-    "contact: {:.2f} s ({:.2f} s on coarser meshes), {:.2f} linear solves, {:.3f} million unknowns/s\n",
-    contact_seconds, coarse_seconds, contact_seconds / linear_seconds, n / contact_seconds / 1e6);
+  say("contact: {:.2f} s ({:.2f} s on coarser meshes), {:.2f} linear solves, {:.3f} million unknowns/s\n",
+      contact_seconds, coarse_seconds, contact_seconds / linear_seconds, n / contact_seconds / 1e6);
   say("peak memory {:.2f} GB, {:.0f} bytes per unknown\n", contact_peak / 1e9, contact_peak / n);
 
   const auto alias = std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {});

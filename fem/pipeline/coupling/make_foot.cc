@@ -48,6 +48,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.halved = study.contact.halved;
   setup.n_lines = study.contact.azimuth_lines;
   setup.fineness = study.contact.fineness;
+  setup.halvings_beyond_focus = study.contact.halvings_beyond_focus;
   setup.hardness *= study.contact.hardness;
   setup.foot_is_rigid = study.model.foot_is_rigid;
   setup.friction_in_foot = study.model.friction_in_foot;
@@ -106,6 +107,11 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     throw BadInput(error.what());
   }
   throw std::logic_error("a body without a foot");
+}
+
+bool has_focused_mesh(const Study &study)
+{
+  return abilities(study.contact.body).is_of_revolution && revolution_setup(study).resolution.has_focus();
 }
 
 std::vector<fem::SectionPolygon> foot_section(const Study &study)

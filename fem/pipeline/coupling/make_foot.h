@@ -22,4 +22,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
 /// The section of that foot with its cells, of one rank alone. Throws as make_foot().
 std::vector<fem::SectionPolygon> foot_section(const Study &study);
 
+/// Whether the meridional mesh of @p study has smaller cells where the contact is expected.
+bool has_focused_mesh(const Study &study);
+
 } // namespace stemware::pipeline

@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/numbers.h"
@@ -144,6 +145,10 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
                                    contact.halved.pop_back();
                                });
   changes.push_back({ "mesh", safety, coarse });
+  // At re-entrant corners the error falls with the first order: the halved cells show half of it.
+  if (study.contact.halved.empty() && has_focused_mesh(study))
+    changes.push_back(
+      { "mesh", 2, changed(study, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }) });
   if (study.contact.degree < 4)
   {
     const auto higher = [](ContactSection &contact) { ++contact.degree; };
@@ -160,20 +165,20 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
       { "lines", safety, changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }) });
   if (study.table.is_hard())
     changes.push_back(
-      { "interface", safety, changed(study, [](ContactSection &contact) { contact.hardness *= 10; }) });
+      { "interface", 1.5, changed(study, [](ContactSection &contact) { contact.hardness *= 10; }) });
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
   changes.push_back(
     { "load_harmonics", safety,
       changed(study, [=](ContactSection &contact)
               { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : n / 2; }) });
-  if (!foot.ring_radii().empty())
-    changes.push_back({ "rings", safety,
-                        changed(study,
-                                [&](ContactSection &contact)
-                                {
-                                  const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
-                                  contact.rings = n_rings <= 12 ? 2 * n_rings : n_rings / 2;
-                                }) });
+  changes.push_back({ "rings", safety,
+                      changed(study,
+                              [](ContactSection &contact)
+                              {
+                                constexpr unsigned int enough = 5, most = 12;
+                                const unsigned int n = contact.rings;
+                                contact.rings = n == 1 ? enough : n <= most ? 2 * n : n / 2;
+                              }) });
   return changes;
 }
 
@@ -210,7 +215,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     if (change.part != "rings" && change.part != "load_harmonics")
       changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
     const Findings found = look(change.study, changed_foot, probe);
-    if (change.part == "mesh")
+    if (!coarse)
       coarse = found;
     const auto to = quantities_from(found, probe, own, all, study);
     const auto from = quantities_from(change.from ? *coarse : own, probe, own, all, study);
@@ -220,7 +225,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
       const double part = change.factor * std::abs(quantity_of(to, key).value - quantity_of(from, key).value);
       if (!std::isfinite(part))
         continue;
-      banded.parts[change.part] = part;
+      banded.parts[change.part] += part;
       banded.band += part;
     }
     progress.pieces_done("error bands", ++n_done, changes.size());

@@ -19,13 +19,14 @@ namespace stemware::pipeline
 /// changed once, by itself, and what that changes is the part of the band that carries its name
 /// (docs/method/error_bands.md):
 ///
-///   mesh            cells twice as large
+///   mesh            cells twice as large, in the contact where they are smaller there; then also those
+///                   beyond half as large
 ///   degree          elements of one degree more (on hard tables both on cells twice as large)
 ///   harmonics       half the elastic harmonics
 ///   lines           four times the azimuth lines; nothing where the whole rim carries
 ///   interface       a ten times stiffer spring in the place of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half where the lines resolve no more
-///   rings           twice the rings
+///   rings           twice the rings, five instead of one
 ///   interpolation   loads between sampled phases of a waviness
 ///   solver          tolerances
 ///
