@@ -1,6 +1,7 @@
 // Which levels a study is refined on, and whether the bands that they make hold: beside the same study with
 // much finer meshes.
 #include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -180,6 +181,41 @@ TEST(ErrorBands, OfRandomStudiesHold)
     EXPECT_NEAR(spin.quantity.value, finer, spin.band) << "study " << i;
     EXPECT_LT(spin.band, 2e-3 * std::abs(spin.quantity.value)) << "study " << i;
   }
+}
+
+TEST(ErrorBands, HoldWhatCornersFarFromTheContactAdd)
+{
+  // Under a hard table the contact's cells are small, and the error is that of the corners of a step: a band
+  // from the contact's cells alone misses it.
+  Study study;
+  study.glass.profile.shape = fem::GlassShape::step;
+  study.glass.profile.crown_radius = 0.005;
+  study.table.interface = TableInterface::hard;
+  Study finer = study;
+  finer.contact.goal = Goal::terminal_spin;
+  finer.contact.goal_tolerance = 4e-6;
+  fem::ComplianceCache cache;
+  finer = meshed_for_goal(finer, cache, silent_progress());
+  const Levels comparison(study, finer);
+  const BandedQuantity &spin = comparison.band("omega_terminal");
+  const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
+  EXPECT_GT(error, 4e-5); // rad/s: beyond the tolerance of the finer mesh
+  EXPECT_LT(error, spin.parts.at("mesh") + spin.parts.at("degree"));
+  EXPECT_LT(spin.band, 10 * error);
+}
+
+TEST(ErrorBands, OfOneRingHoldManyRings)
+{
+  Study study;
+  study.contact.rings = 1;
+  study.table.foundation_modulus = 1e9; // a wide contact
+  Study finer = study;
+  finer.contact.rings = 24;
+  const Levels comparison(study, finer);
+  const BandedQuantity &spin = comparison.band("omega_terminal");
+  const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
+  EXPECT_GT(error, 0.5 * spin.band); // the rings are what the band is made of
+  EXPECT_LT(error, spin.band);
 }
 
 TEST(ErrorBands, SayWhichLevelFailed)
