@@ -77,16 +77,14 @@ struct MeshHierarchy::Cycle
   using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
   using Smoother = PreconditionChebyshev<LevelMatrix, FloatVector, DiagonalMatrix<FloatVector>>;
 
-  Cycle(const Triangulation<3> &triangulation, unsigned int degree, unsigned int mapping_degree,
+  Cycle(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
         const ElasticMaterial &material)
   {
-    const auto meshes = MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation);
-    levels.push_back(std::make_unique<SolidLevel>(meshes.front(), 1, mapping_degree));
-    require_small(levels.front()->dof_handler.n_dofs());
-    if (degree == 1)
-      levels.clear(); // the loop makes it
-    for (const auto &mesh : meshes)
+    for (const auto &[mesh, degree] : elements)
+    {
       levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
+      require_small(levels.front()->dof_handler.n_dofs());
+    }
     const auto finest = static_cast<unsigned int>(levels.size() - 1);
     cycles.resize(finest + 1);
     matrices.resize(0, finest);
@@ -161,9 +159,21 @@ struct MeshHierarchy::Cycle
   std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for
 };
 
-MeshHierarchy::MeshHierarchy(const Triangulation<3> &triangulation, unsigned int degree,
-                             unsigned int mapping_degree, const ElasticMaterial &material)
-    : cycle(std::make_unique<Cycle>(triangulation, degree, mapping_degree, material))
+std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
+{
+  std::vector<LevelElements> levels;
+  for (const auto &mesh : MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation))
+  {
+    if (levels.empty() && degree > 1)
+      levels.push_back({ mesh, 1 });
+    levels.push_back({ mesh, degree });
+  }
+  return levels;
+}
+
+MeshHierarchy::MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
+                             const ElasticMaterial &material)
+    : cycle(std::make_unique<Cycle>(elements, mapping_degree, material))
 {
 }
 
