@@ -192,6 +192,12 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const DofVector dual =
     finer.solve_symmetric(pressed_goal, surface.motion_modes().transpose() * pressed_goal - goal.of_motion,
                           dual_tolerance);
+  {
+    DofVector r = finer.residual(pressed.forces), in = embedding.interpolated(dual), again = embedding.interpolated(in);
+    again -= in;
+    DofVector z = dual; z -= in;
+    printf("step %.3e law %.3e  R.dual %.3e  R.interpolated %.3e  |again| %.1e |in| %.1e |z-in| %.1e |dual| %.1e cells %u unknowns %u fit %u\n", error.correction, goal.of_load(load) - goal.of_load(contact.load), r * dual, r * in, again.l2_norm(), in.l2_norm(), z.l2_norm(), dual.l2_norm(), (unsigned)hierarchy->level(finest).triangulation->n_active_cells(), (unsigned)hierarchy->level(finest).dof_handler.n_dofs(), step.linear_iterations);
+  }
   DofVector products = dual;
   products -= embedding.interpolated(dual);
   products.scale(finer.residual(pressed.forces));

@@ -1,6 +1,7 @@
 #include "fem/solid/mesh_hierarchy.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/solid/conforming_mapping.h"
 #include "fem/solid/level_matrix.h"
 
 #include <deal.II/base/mpi.h>
@@ -63,7 +64,8 @@ AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
 SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned int degree,
                        unsigned int mapping_degree)
     : triangulation(std::move(mesh))
-    , mapping(mapping_degree)
+    , geometry(conforming_mapping(*triangulation, mapping_degree))
+    , mapping(*geometry)
     , element(FE_Q<3>(degree), 3)
     , dof_handler(*triangulation)
 {

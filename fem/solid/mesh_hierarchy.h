@@ -25,7 +25,8 @@ struct SolidLevel
              unsigned int mapping_degree);
 
   const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
-  const dealii::MappingQ<3> mapping;
+  const std::unique_ptr<const dealii::MappingQ<3>> geometry; ///< conforming_mapping()
+  const dealii::MappingQ<3> &mapping;
   const dealii::FESystem<3> element;
   dealii::DoFHandler<3> dof_handler;
   dealii::AffineConstraints<double> constraints;
