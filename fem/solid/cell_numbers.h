@@ -13,7 +13,7 @@ namespace stemware::fem
 class CellNumbers
 {
 public:
-  /// Collective; the same on all ranks.
+  /// Collective; the same on all ranks. @p mesh must outlive it.
   explicit CellNumbers(const dealii::Triangulation<3> &mesh);
 
   std::size_t size() const { return cells.size(); }
@@ -21,7 +21,12 @@ public:
   /// there is none.
   std::size_t operator()(const dealii::CellId &id) const;
 
+  /// The cells in groups that lie at the same radius and height round the z axis: rings of cells on a foot of
+  /// revolution, single cells on a mesh without symmetry. Collective.
+  std::vector<std::vector<std::size_t>> rings() const;
+
 private:
+  const dealii::Triangulation<3> &mesh;
   std::vector<dealii::CellId> cells;
 };
 

@@ -118,7 +118,8 @@ std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Trian
     const std::set<unsigned int> edges = reentrant_edges(*next);
     unsigned int n_marked = 0;
     for (const auto &cell : next->active_cell_iterators())
-      if (cell->is_locally_owned() && (touches(cell, edges) || (n == 0 && touches_contact(cell, inner, outer))))
+      if (cell->is_locally_owned() &&
+          (touches(cell, edges) || (n == 0 && touches_contact(cell, inner, outer))))
       {
         cell->set_refine_flag();
         ++n_marked;

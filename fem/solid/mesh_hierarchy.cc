@@ -164,7 +164,8 @@ struct MeshHierarchy::Cycle
 std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
 {
   std::vector<LevelElements> levels;
-  for (const auto &mesh : MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation))
+  for (const auto &mesh :
+       MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation))
   {
     if (levels.empty() && degree > 1)
       levels.push_back({ mesh, 1 });

@@ -47,13 +47,13 @@ std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulati
 /// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
 ///
 /// Level 0 has linear elements and is factorised. From one level to the next either all cells are those of
-/// before or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled operator
-/// smooth.
+/// before or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the
+/// Jacobi-scaled operator smooth.
 class MeshHierarchy
 {
 public:
-  /// @p elements from the coarsest level up. Throws std::invalid_argument when the coarsest is too large to be
-  /// factorised.
+  /// @p elements from the coarsest level up. Throws std::invalid_argument when the coarsest is too large to
+  /// be factorised.
   MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
                 const ElasticMaterial &material);
   ~MeshHierarchy();

@@ -249,7 +249,8 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const 
                                  sliding_at(state.slip) };
   contact.demand = axis == 0 ? state.demand : state.demand.in_axes_turned_by(axis);
   contact.solution = in_mesh_axes(state);
-  contact.load = extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);
+  contact.load =
+    extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);
   contact.inner_radius = state.inner_radius;
   contact.outer_radius = state.outer_radius;
   contact.straight_edges = has_straight_edges(mesh);
