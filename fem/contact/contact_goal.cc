@@ -17,9 +17,10 @@ MarkedCells MeshError::mark(double share) const
   const double enough = share * std::accumulate(all.begin(), all.end(), 0.);
   MarkedCells marked;
   double sum = 0;
-  for (auto cell = order.begin(); cell != order.end() && sum < enough; ++cell)
+  double last = 0;
+  for (auto cell = order.begin(); cell != order.end() && (sum < enough || all[*cell] == last); ++cell)
   {
-    sum += all[*cell];
+    sum += last = all[*cell];
     if (*cell < foot_cells.size())
       marked.foot.push_back(*cell);
     else

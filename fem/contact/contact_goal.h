@@ -35,7 +35,8 @@ struct MeshError
   std::vector<double> foot_cells;
   std::vector<double> disc_cells;
 
-  /// The fewest cells that have @p share of the sum of all shares.
+  /// The fewest cells that have @p share of the sum of all shares, and those with as much as the last of
+  /// them: rings of equal cells stay whole.
   MarkedCells mark(double share) const;
 };
 

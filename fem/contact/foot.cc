@@ -5,16 +5,20 @@
 namespace stemware::fem
 {
 
-void require_latest(const ElasticBody &body, const ContactState &state)
+bool is_latest(const ElasticBody &body, const ContactSolution &solution)
 {
-  const ContactSolution &solution = state.solution;
   const Eigen::VectorXd displacement =
     solution.normal_displacement - body.contact_surface().motion_modes() * solution.motion;
   const Eigen::VectorXd difference = body.contact_displacement() - displacement;
   // A body that hardly yields has a displacement that is rounding of the table's motion.
   const double allowed = 1e-6 * displacement.lpNorm<Eigen::Infinity>() +
                          1e-12 * solution.normal_displacement.lpNorm<Eigen::Infinity>();
-  if (!(difference.lpNorm<Eigen::Infinity>() <= allowed))
+  return difference.lpNorm<Eigen::Infinity>() <= allowed;
+}
+
+void require_latest(const ElasticBody &body, const ContactSolution &solution)
+{
+  if (!is_latest(body, solution))
     throw std::logic_error("The foot has been pressed again since this contact was solved, so its fields are "
                            "gone; ask for them before the next solution.");
 }

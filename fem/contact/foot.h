@@ -128,8 +128,10 @@ protected:
   }
 };
 
-/// Throws std::logic_error unless the displacement of @p body is that of @p state, u_z + Q q = normal
+/// Throws std::logic_error unless the displacement of @p body is that of @p solution, u_z + Q q = normal
 /// displacement to rounding.
-void require_latest(const ElasticBody &body, const ContactState &state);
+void require_latest(const ElasticBody &body, const ContactSolution &solution);
+/// Whether @p body has the displacement of @p solution.
+bool is_latest(const ElasticBody &body, const ContactSolution &solution);
 
 } // namespace stemware::fem

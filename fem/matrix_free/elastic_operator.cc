@@ -113,8 +113,10 @@ make_elastic_operator(const Mapping<3> &mapping, const DoFHandler<3> &dof_handle
     return std::make_unique<CellwiseOperator<1, Number>>(mapping, dof_handler, constraints, material);
   if (degree == 2)
     return std::make_unique<CellwiseOperator<2, Number>>(mapping, dof_handler, constraints, material);
+  if (degree == 3)
+    return std::make_unique<CellwiseOperator<3, Number>>(mapping, dof_handler, constraints, material);
   throw std::invalid_argument("Elements of degree " + std::to_string(degree) +
-                              " have no matrix-free operator; take degree 1 or 2.");
+                              " have no matrix-free operator; take degree 1, 2 or 3.");
 }
 
 template std::unique_ptr<ElasticOperator<double>>

@@ -43,7 +43,7 @@ public:
   virtual std::size_t memory_consumption() const = 0;
 };
 
-/// K of a DoFHandler whose element is an FESystem of three FE_Q of degree 1 or 2. All arguments but the
+/// K of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All arguments but the
 /// material must outlive it. Throws std::invalid_argument for another degree.
 template <typename Number>
 std::unique_ptr<ElasticOperator<Number>>

@@ -262,7 +262,7 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   const Zone &zone = zone_of(state);
   ContactState on_lines = state;
   on_lines.solution = in_axes_of_lines(state.solution);
-  require_latest(zone.body, on_lines);
+  require_latest(zone.body, on_lines.solution);
   const MeridianMeshes meshes(setup);
   const MeridianSpace space(meshes.foot, setup.material, setup.meridian.degree);
   const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd

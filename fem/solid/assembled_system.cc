@@ -2,6 +2,7 @@
 
 #include "fem/elasticity/stiffness_3d.h"
 #include "fem/solid/binary_stream.h"
+#include "fem/solid/conforming_mapping.h"
 #include "fem/solid/mesh_hierarchy.h"
 
 #include <deal.II/base/mpi.h>
@@ -24,7 +25,8 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
                                  const SolidBody::Gap &gap, const SolidOptions &options)
     : SolidSystem(material)
     , communicator(triangulation.get_communicator())
-    , geometry(options.straight_edges ? 1 : options.degree)
+    , conforming(conforming_mapping(triangulation, options.straight_edges ? 1 : options.degree))
+    , geometry(*conforming)
     , element(FE_Q<3>(options.degree), 3)
     , dof_handler(triangulation)
 {

@@ -46,7 +46,8 @@ private:
   Vector residual(const Eigen::VectorXd &forces) const;
 
   const MPI_Comm communicator;
-  const dealii::MappingQ<3> geometry;
+  const std::unique_ptr<const dealii::MappingQ<3>> conforming;
+  const dealii::MappingQ<3> &geometry;
   const dealii::FESystem<3> element;
   dealii::DoFHandler<3> dof_handler;
   dealii::IndexSet locally_owned;

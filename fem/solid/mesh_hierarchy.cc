@@ -1,6 +1,7 @@
 #include "fem/solid/mesh_hierarchy.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/solid/conforming_mapping.h"
 #include "fem/solid/level_matrix.h"
 
 #include <deal.II/base/mpi.h>
@@ -63,7 +64,8 @@ AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
 SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned int degree,
                        unsigned int mapping_degree)
     : triangulation(std::move(mesh))
-    , mapping(mapping_degree)
+    , geometry(conforming_mapping(*triangulation, mapping_degree))
+    , mapping(*geometry)
     , element(FE_Q<3>(degree), 3)
     , dof_handler(*triangulation)
 {
@@ -77,16 +79,14 @@ struct MeshHierarchy::Cycle
   using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
   using Smoother = PreconditionChebyshev<LevelMatrix, FloatVector, DiagonalMatrix<FloatVector>>;
 
-  Cycle(const Triangulation<3> &triangulation, unsigned int degree, unsigned int mapping_degree,
+  Cycle(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
         const ElasticMaterial &material)
   {
-    const auto meshes = MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation);
-    levels.push_back(std::make_unique<SolidLevel>(meshes.front(), 1, mapping_degree));
-    require_small(levels.front()->dof_handler.n_dofs());
-    if (degree == 1)
-      levels.clear(); // the loop makes it
-    for (const auto &mesh : meshes)
+    for (const auto &[mesh, degree] : elements)
+    {
       levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
+      require_small(levels.front()->dof_handler.n_dofs());
+    }
     const auto finest = static_cast<unsigned int>(levels.size() - 1);
     cycles.resize(finest + 1);
     matrices.resize(0, finest);
@@ -161,9 +161,22 @@ struct MeshHierarchy::Cycle
   std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for
 };
 
-MeshHierarchy::MeshHierarchy(const Triangulation<3> &triangulation, unsigned int degree,
-                             unsigned int mapping_degree, const ElasticMaterial &material)
-    : cycle(std::make_unique<Cycle>(triangulation, degree, mapping_degree, material))
+std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
+{
+  std::vector<LevelElements> levels;
+  for (const auto &mesh :
+       MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(triangulation))
+  {
+    if (levels.empty() && degree > 1)
+      levels.push_back({ mesh, 1 });
+    levels.push_back({ mesh, degree });
+  }
+  return levels;
+}
+
+MeshHierarchy::MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
+                             const ElasticMaterial &material)
+    : cycle(std::make_unique<Cycle>(elements, mapping_degree, material))
 {
 }
 

@@ -25,24 +25,37 @@ struct SolidLevel
              unsigned int mapping_degree);
 
   const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
-  const dealii::MappingQ<3> mapping;
+  const std::unique_ptr<const dealii::MappingQ<3>> geometry; ///< conforming_mapping()
+  const dealii::MappingQ<3> &mapping;
   const dealii::FESystem<3> element;
   dealii::DoFHandler<3> dof_handler;
   dealii::AffineConstraints<double> constraints;
 };
 
+/// A mesh, and the degree of the elements that stand on it.
+struct LevelElements
+{
+  std::shared_ptr<const dealii::Triangulation<3>> mesh;
+  unsigned int degree;
+};
+
+/// The levels of elements of @p degree on @p triangulation, which has to outlive them, and on the meshes that
+/// it was refined from: the coarsest of them with linear elements, then all of them with those of @p degree.
+std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulation, unsigned int degree);
+
 /// Geometric multigrid for an elastic foot: V-cycles in single precision over the meshes that a triangulation
 /// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
 ///
-/// Level 0 is the coarsest mesh with linear elements, factorised; for quadratic elements level 1 is the same
-/// mesh with those. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled operator
-/// smooth.
+/// Level 0 has linear elements and is factorised. From one level to the next either all cells are those of
+/// before or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the
+/// Jacobi-scaled operator smooth.
 class MeshHierarchy
 {
 public:
-  /// @p triangulation, of which the hierarchy keeps a reference, has been refined from a coarse mesh.
-  MeshHierarchy(const dealii::Triangulation<3> &triangulation, unsigned int degree,
-                unsigned int mapping_degree, const ElasticMaterial &material);
+  /// @p elements from the coarsest level up. Throws std::invalid_argument when the coarsest is too large to
+  /// be factorised.
+  MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
+                const ElasticMaterial &material);
   ~MeshHierarchy();
 
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;

@@ -189,6 +189,35 @@ void MultigridSystem::start_from(const MultigridSystem &coarse)
       hierarchy->prolongate(level, eliminated_border[i], coarse.eliminated_border[i]);
 }
 
+void MultigridSystem::set_displacement(const Vector &vector)
+{
+  displacement.copy_locally_owned_data_from(vector);
+  elastic->vmult(elastic_forces, displacement);
+  residual_before = 0;
+}
+
+MultigridSystem::Vector MultigridSystem::residual(const Eigen::VectorXd &forces) const
+{
+  Vector result = contact_load(forces);
+  result -= elastic_forces;
+  return result;
+}
+
+MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::VectorXd &nodal,
+                                                         const Eigen::Vector3d &on_motions, double reduction)
+{
+  const ScaledMotions motions(zone.surface);
+  const Border border = make_border(motions.modes, loose_border);
+  const Eigen::Vector3d missing = motions.scale.asDiagonal() * on_motions;
+  Vector rhs, solution;
+  elastic->initialize_dof_vector(rhs);
+  elastic->initialize_dof_vector(solution);
+  contact.scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
+  conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
+                      reduction * rhs.l2_norm(), solution);
+  return solution;
+}
+
 Eigen::VectorXd MultigridSystem::contact_displacement() const
 {
   return contact.gather(displacement);
@@ -286,8 +315,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   };
 
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
-  Vector residual = contact_load(forces);
-  residual -= elastic_forces;
+  const Vector residual = this->residual(forces);
   Vector projected = residual;
   contact.scatter_add(-border.columns * (border.inverse_corner * missing), projected);
   const double target = target_residual(projected.l2_norm(), forces.norm());
@@ -356,9 +384,7 @@ void MultigridSystem::reset()
 
 double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  Vector residual = contact_load(forces);
-  residual -= elastic_forces;
-  return residual.l2_norm() / forces.norm();
+  return residual(forces).l2_norm() / forces.norm();
 }
 
 void MultigridSystem::write_state(std::ostream &stream) const

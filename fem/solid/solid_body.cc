@@ -38,7 +38,7 @@ std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,
   if (!uses_hierarchy(triangulation, options))
     return std::make_unique<AssembledSystem>(triangulation, material, gap, options);
   const auto hierarchy = std::make_shared<MeshHierarchy>(
-    triangulation, options.degree, options.straight_edges ? 1 : options.degree, material);
+    levels_of(triangulation, options.degree), options.straight_edges ? 1 : options.degree, material);
   return std::make_unique<MultigridSystem>(hierarchy, hierarchy->n_levels() - 1, material, gap,
                                            options.linear_tolerance);
 }

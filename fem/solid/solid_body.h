@@ -97,6 +97,9 @@ public:
   void write_state(std::ostream &stream) const;
   void read_state(std::istream &stream);
 
+  /// The equations that it solves.
+  const SolidSystem &equations() const { return *system; }
+
 private:
   SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
 

@@ -22,7 +22,8 @@ using types::global_dof_index;
 namespace
 {
 
-/// A contact face sampled at the 3 x 3 points of a biquadratic: everything on it is interpolated from these.
+/// A contact face, or a quarter of one, sampled at the 3 x 3 points of a biquadratic: everything on it is
+/// interpolated from these.
 struct SampledFace
 {
   std::vector<global_dof_index> dofs;               ///< vertical dofs with support on the face
@@ -65,13 +66,13 @@ struct SampledFace
   }
 };
 
-/// Tensor product of the points 0, 1/2, 1, first direction running fastest.
-Quadrature<2> biquadratic_samples()
+/// Tensor product of @p n equidistant points from 0 to 1, first direction running fastest.
+Quadrature<2> equidistant_samples(unsigned int n)
 {
   std::vector<Point<2>> points;
-  for (unsigned int t = 0; t < 3; ++t)
-    for (unsigned int s = 0; s < 3; ++s)
-      points.emplace_back(s / 2., t / 2.);
+  for (unsigned int t = 0; t < n; ++t)
+    for (unsigned int s = 0; s < n; ++s)
+      points.emplace_back(s / (n - 1.), t / (n - 1.));
   return Quadrature<2>(points);
 }
 
@@ -79,7 +80,10 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
                                       const AffineConstraints<double> &constraints)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  FEFaceValues<3> fe_values(mapping, element, biquadratic_samples(),
+  // Parabolas on half an edge stand for what is of a higher degree on the whole of it.
+  const unsigned int n_parts = element.degree > 2 ? 2 : 1;
+  const unsigned int n_samples = 2 * n_parts + 1;
+  FEFaceValues<3> fe_values(mapping, element, equidistant_samples(n_samples),
                             update_values | update_quadrature_points);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   std::vector<SampledFace> faces;
@@ -91,24 +95,31 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
         continue;
       fe_values.reinit(cell, f);
       cell->get_dof_indices(cell_dofs);
-      SampledFace face;
-      for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+      for (unsigned int part = 0; part < n_parts * n_parts; ++part)
       {
-        if (element.system_to_component_index(i).first != 2 || !element.has_support_on_face(i, f))
-          continue;
-        Eigen::Matrix3d values;
-        for (unsigned int q = 0; q < 9; ++q)
-          values(q % 3, q / 3) = fe_values.shape_value(i, q);
-        if (!constraints.is_constrained(cell_dofs[i]))
-          face.add(cell_dofs[i], values);
-        else
-          for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
-            face.add(dof, weight * values);
+        const unsigned int first = 2 * (part / n_parts * n_samples + part % n_parts);
+        const auto sample = [&](unsigned int s, unsigned int t) { return first + t * n_samples + s; };
+        SampledFace face;
+        for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+        {
+          if (element.system_to_component_index(i).first != 2 || !element.has_support_on_face(i, f))
+            continue;
+          Eigen::Matrix3d values;
+          for (unsigned int s = 0; s < 3; ++s)
+            for (unsigned int t = 0; t < 3; ++t)
+              values(s, t) = fe_values.shape_value(i, sample(s, t));
+          if (!constraints.is_constrained(cell_dofs[i]))
+            face.add(cell_dofs[i], values);
+          else
+            for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
+              face.add(dof, weight * values);
+        }
+        for (unsigned int s = 0; s < 3; ++s)
+          for (unsigned int t = 0; t < 3; ++t)
+            face.positions[s][t] = fe_values.quadrature_point(sample(s, t));
+        face.orient();
+        faces.push_back(face);
       }
-      for (unsigned int q = 0; q < 9; ++q)
-        face.positions[q % 3][q / 3] = fe_values.quadrature_point(q);
-      face.orient();
-      faces.push_back(face);
     }
   return faces;
 }
@@ -223,27 +234,34 @@ std::vector<ContactLine> gather_lines(const std::vector<SampledFace> &faces,
   return lines;
 }
 
-/// Nodes lie where one shape function is 1: their position and gap are read off a line's samples or, between
-/// lines, off the face.
-void describe_nodes(const std::vector<SampledFace> &faces, const std::vector<global_dof_index> &node_dofs,
-                    const SolidBody::Gap &gap, const MPI_Comm &communicator, ContactSurface &surface)
+/// Nodes lie at their shapes' support points, on cells of the zone or, where others hang on them, beside it.
+void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
+                    const std::vector<global_dof_index> &node_dofs, const SolidBody::Gap &gap,
+                    ContactSurface &surface)
 {
+  const MPI_Comm &communicator = dof_handler.get_communicator();
+  const FiniteElement<3> &element = dof_handler.get_fe();
+  const std::vector<Point<3>> &points = element.get_unit_support_points();
   const auto n_nodes = static_cast<Eigen::Index>(node_dofs.size());
   std::vector<double> owners(node_dofs.size(), 0);
   std::vector<double> coordinates(3 * node_dofs.size(), 0);
-  for (const SampledFace &face : faces)
-    for (unsigned int i = 0; i < face.dofs.size(); ++i)
+  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(cell_dofs);
+    for (unsigned int i = 0; i < cell_dofs.size(); ++i)
     {
-      Eigen::Index s = 0;
-      Eigen::Index t = 0;
-      if (face.shapes[i].maxCoeff(&s, &t) < 1 - 1e-9)
-        continue; // the node lies on another face
-      const unsigned int node = index_of(node_dofs, face.dofs[i]);
-      const Point<3> &position = face.positions[static_cast<unsigned int>(s)][static_cast<unsigned int>(t)];
+      const unsigned int node = index_of(node_dofs, cell_dofs[i]);
+      if (node == node_dofs.size() || node_dofs[node] != cell_dofs[i] || owners[node] == 1)
+        continue;
+      const Point<3> position = mapping.transform_unit_to_real_cell(cell, points[i]);
       owners[node] = 1;
       for (unsigned int d = 0; d < 3; ++d)
         coordinates[3 * node + d] = position[d];
     }
+  }
   Utilities::MPI::sum(owners, communicator, owners);
   Utilities::MPI::sum(coordinates, communicator, coordinates);
   surface.node_position.resize(n_nodes, 2);
@@ -326,7 +344,7 @@ SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandl
   if (zone.node_dofs.empty())
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");
-  describe_nodes(faces, zone.node_dofs, gap, communicator, zone.surface);
+  describe_nodes(mapping, dof_handler, zone.node_dofs, gap, zone.surface);
   zone.surface.lines = gather_lines(faces, zone.node_dofs, gap, communicator);
   measure(zone.surface);
   zone.smallest_cell = smallest_edge(faces, communicator);

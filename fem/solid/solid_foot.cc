@@ -1,6 +1,8 @@
 #include "fem/solid/solid_foot.h"
 
 #include "fem/contact/winkler_interface.h"
+#include "fem/solid/cell_numbers.h"
+#include "fem/solid/mesh_estimate.h"
 #include "fem/solid/nested_contact.h"
 
 #include <deal.II/distributed/tria.h>
@@ -27,9 +29,14 @@ SolidBody::Gap gap_of(const SolidMesh &mesh, const GlassProfile &profile)
   return [profile](double x, double y) { return profile.gap(std::hypot(x, y)); };
 }
 
+bool has_straight_edges(const SolidMesh &mesh)
+{
+  return mesh.report && !mesh.report->round_rim;
+}
+
 SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
 {
-  options.straight_edges = mesh.report && !mesh.report->round_rim;
+  options.straight_edges = has_straight_edges(mesh);
   return options;
 }
 
@@ -80,6 +87,11 @@ std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const 
 }
 
 } // namespace
+
+void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked)
+{
+  halve(dynamic_cast<dealii::parallel::distributed::Triangulation<3> &>(*mesh.triangulation), marked);
+}
 
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)
 {
@@ -135,6 +147,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
                               const std::function<void(const ContactIteration &)> &progress)
 {
   ContactState state;
+  state.demand = demand;
   state.slip = slip;
   ContactControl control;
   control.set_matters = softening_of_coarser == 1; // a spring's pressure is integrated along lines
@@ -145,13 +158,25 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
       progress(iteration);
   };
   const double axis = axis_of(slip);
-  body.set_sliding({ setup.friction_coefficient, slip.spin_per_speed, axis, setup.friction_by_slip });
+  body.set_sliding(sliding_at(slip));
   state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), slip, control);
   before = { state.solution.motion, state.solution.normal_displacement };
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
   return state;
+}
+
+SlidingTraction SolidFoot::sliding_at(const Slip &slip) const
+{
+  return { setup.friction_coefficient, slip.spin_per_speed, axis_of(slip), setup.friction_by_slip };
+}
+
+ContactSolution SolidFoot::in_mesh_axes(const ContactState &state) const
+{
+  ContactSolution solution = state.solution;
+  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis_of(state.slip)) * solution.motion.tail<2>();
+  return solution;
 }
 
 ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, ContactControl control)
@@ -212,13 +237,36 @@ PressureMap SolidFoot::pressure_map(const ContactState &state)
   return axis == 0 ? map : map.turned(axis);
 }
 
+std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const ContactGoal &goal,
+                                               bool with_cells)
+{
+  if (setup.table.interface->is_hard() && softening_of_coarser == 1)
+    return std::nullopt;
+  const ContactState state = is_latest(body, in_mesh_axes(given)) ? given : solve(given.demand, given.slip);
+  const double axis = axis_of(state.slip);
+  const Eigen::Rotation2Dd back(-axis);
+  SolvedSolidContact contact = { body.equations(), *interface, gap_of(mesh, setup.profile),
+                                 sliding_at(state.slip) };
+  contact.demand = axis == 0 ? state.demand : state.demand.in_axes_turned_by(axis);
+  contact.solution = in_mesh_axes(state);
+  contact.load =
+    extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);
+  contact.inner_radius = state.inner_radius;
+  contact.outer_radius = state.outer_radius;
+  contact.straight_edges = has_straight_edges(mesh);
+  ContactGoal in_mesh_axes = goal;
+  if (axis != 0)
+    in_mesh_axes.of_load = goal.of_load.of_turned(axis);
+  in_mesh_axes.of_moment = back * goal.of_moment;
+  in_mesh_axes.of_motion.tail<2>() = back * goal.of_motion.tail<2>();
+  return estimate_mesh_error(contact, in_mesh_axes, with_cells);
+}
+
 std::vector<FieldFile> SolidFoot::fields(const ContactState &state)
 {
-  ContactState in_mesh_axes = state;
-  in_mesh_axes.solution.motion.tail<2>() =
-    Eigen::Rotation2Dd(-axis_of(state.slip)) * state.solution.motion.tail<2>();
-  require_latest(body, in_mesh_axes);
-  std::string text = body.vtu_file(in_mesh_axes.solution.motion, law->nodal_pressure(state.solution));
+  const ContactSolution solution = in_mesh_axes(state);
+  require_latest(body, solution);
+  std::string text = body.vtu_file(solution.motion, law->nodal_pressure(solution));
   if (text.empty()) // not on the first rank
     return {};
   return { { "contact.vtu", std::move(text) } };

@@ -22,6 +22,10 @@ struct SolidMesh
   std::optional<MeshReport> report; ///< of a mesh file; nothing for a generated mesh
 };
 
+/// Halves the cells of @p mesh that have the numbers @p marked, as MeshError::mark() of a foot on it gives
+/// them.
+void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
+
 /// The mesh that make_foot_mesh() generates: a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 
@@ -65,8 +69,15 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
+  /// As estimate_mesh_error(); nothing for a hard table under a mesh without a hierarchy, whose nodal
+  /// multipliers have no counterpart on other elements. Presses the foot again unless @p state is its last.
+  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
+                                      bool with_cells) override;
 
 private:
+  SlidingTraction sliding_at(const Slip &slip) const;
+  /// The contact of @p state in the axes of the mesh.
+  ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
   ContactSolution press(const ContactDemand &demand, const Slip &slip, ContactControl control);

@@ -56,7 +56,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   return setup.resolved_for(study.required_resultants().normal_force);
 }
 
-fem::SolidMesh solid_mesh(const Study &study)
+fem::SolidMesh mesh_before_goal(const Study &study)
 {
   if (study.contact.mesh_file.empty())
   {
@@ -66,6 +66,14 @@ fem::SolidMesh solid_mesh(const Study &study)
   }
   require_usable_mesh(study);
   return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
+}
+
+fem::SolidMesh solid_mesh(const Study &study)
+{
+  fem::SolidMesh mesh = mesh_before_goal(study);
+  for (const fem::MarkedCells &marked : study.contact.halved)
+    fem::halve(mesh, marked.foot);
+  return mesh;
 }
 
 fem::SolidSetup solid_setup(const Study &study)

@@ -140,7 +140,7 @@ struct ContactSection
   Goal goal = Goal::none;
   double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
   std::vector<fem::MarkedCells>
-    halved;                  ///< meridional cells, mesh by mesh; not an entry: the goal asks for them
+    halved; ///< cells, mesh by mesh, by the body's numbers; not an entry: the goal asks for them
   double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 };
 

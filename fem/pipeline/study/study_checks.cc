@@ -79,14 +79,18 @@ void require_resolved_load(const ContactSection &contact)
                 contact.load_harmonics, 2 * contact.load_harmonics, contact.azimuth_lines));
 }
 
-/// The error of a goal is estimated for bodies of revolution that are flat.
+/// The error of a goal is estimated for feet that are flat, on finer elements.
 void require_goal_with_estimate(const Study &study)
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
     return;
   const std::string rest = ", or set Contact/Goal = none.";
-  require(abilities(study.contact.body).is_of_revolution,
-          "Contact/Goal needs a body of revolution; set Contact/Body = revolution" + rest);
+  // Without a hierarchy of meshes a hard table is known by its nodes alone.
+  require(abilities(study.contact.body).is_of_revolution || !study.table.is_hard() ||
+            (study.contact.refinements > 0 && study.contact.linear_solver != fem::LinearSolver::direct),
+          "Contact/Goal of a solid foot on a hard table needs a refined mesh; set Contact/Refinements to at "
+          "least 1 and Contact/Linear solver = automatic" +
+            rest);
   require(study.contact.degree < 4, "Contact/Goal needs elements of a degree below 4, above which there are "
                                     "none to estimate with; give Contact/Degree = 3 or less" +
                                       rest);

@@ -222,7 +222,7 @@ void add_contact(EntryList &list, ContactSection &contact)
     "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction does not act "
     "back on the pressure");
   list.choice("Goal", contact.goal, goal_words(),
-              "What cells of a body of revolution are halved for (torque: at half the terminal spin)");
+              "What the cells that matter are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",
               "Error left of the goal, over its value");
   list.path(

@@ -113,7 +113,7 @@ TEST(Multigrid, ContactNodesAreInterpolatedLikeTheBody)
 {
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
   make_foot_mesh(flat_profile(), { 24, 2, 1, 1, 1 }, mesh);
-  const MeshHierarchy hierarchy(mesh, 2, 2, ElasticMaterial());
+  const MeshHierarchy hierarchy(levels_of(mesh, 2), 2, ElasticMaterial());
   ASSERT_EQ(hierarchy.n_levels(), 4u); // linear elements, quadratic ones, half the cells, finer on the land
   for (const unsigned int fine : { 1u, 2u, 3u })
   {

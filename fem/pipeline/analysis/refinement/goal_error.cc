@@ -64,8 +64,8 @@ void scale(fem::MeshError &error, double factor)
 std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
                                     double omega_terminal, Goal goal, bool with_cells)
 {
-  if (!abilities(study.contact.body).is_of_revolution || !load.contact() || foot.ring_radii().empty() ||
-      study.contact.degree >= 4 || study.has_waviness() || goal == Goal::none)
+  if (!load.contact() || foot.ring_radii().empty() || study.contact.degree >= 4 || study.has_waviness() ||
+      foot.body().capabilities().period_of_glass > 0 || goal == Goal::none)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
   const double omega = goal == Goal::terminal_spin ? omega_terminal

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,10 @@ constexpr double marked_share = 0.8;
 GoalError error_of(const Study &study, fem::ComplianceCache &cache)
 {
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  require(
+    foot->body().capabilities().period_of_glass == 0,
+    "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
+    "Contact/Mesh file does; set Contact/Goal = none.");
   const BalancedLoad load = find_load(study, foot);
   const double omega = terminal_spin(load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
   const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);

@@ -8,18 +8,19 @@
 namespace stemware::pipeline
 {
 
-/// @p study with meridional cells halved until the estimated error of its goal (Contact/Goal) is no more than
+/// @p study with cells halved until the estimated error of its goal (Contact/Goal) is no more than
 /// its tolerance: mesh after mesh, those cells that have most of the error, as goal_error() shares it out.
 /// The cells' shares, of which parts may cancel, may not exceed five tolerances either. The study itself
 /// where it has no goal.
 ///
-/// @p progress is told of the meshes. Throws std::runtime_error where twenty meshes are not enough or the
-/// estimate cannot be had, and as find_load() and terminal_spin().
+/// @p progress is told of the meshes. Throws BadInput for a mesh file whose load depends on where the moment
+/// points, std::runtime_error where twenty meshes or Contact/Memory limit are not enough or the estimate
+/// cannot be had, and as find_load() and terminal_spin(). Collective where the body is.
 Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache,
                       Progress &progress = silent_progress());
 
 /// The last three meshes for the goal of @p study, of which its own is the last, and two further ones: what
-/// stands in the place of the axis of meridional meshes. Throws as meshed_for_goal().
+/// stands in the place of the axis of meshes. Throws as meshed_for_goal().
 RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

@@ -1,0 +1,99 @@
+#include "fem/solid/cell_numbers.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Splits @p group where its members, ordered by @p value, lie further apart than @p tolerance.
+std::vector<std::vector<std::size_t>> split(std::vector<std::size_t> group, const std::vector<double> &value,
+                                            double tolerance)
+{
+  std::sort(group.begin(), group.end(),
+            [&](std::size_t i, std::size_t j) { return std::tie(value[i], i) < std::tie(value[j], j); });
+  std::vector<std::vector<std::size_t>> parts;
+  for (const std::size_t member : group)
+  {
+    if (parts.empty() || value[member] - value[parts.back().back()] > tolerance)
+      parts.emplace_back();
+    parts.back().push_back(member);
+  }
+  return parts;
+}
+
+} // namespace
+
+CellNumbers::CellNumbers(const Triangulation<3> &mesh)
+    : mesh(mesh)
+{
+  std::vector<CellId::binary_type> local;
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned())
+      local.push_back(cell->id().to_binary<3>());
+  for (const auto &part : Utilities::MPI::all_gather(mesh.get_communicator(), local))
+    for (const CellId::binary_type &id : part)
+      cells.emplace_back(id);
+  std::sort(cells.begin(), cells.end());
+}
+
+std::size_t CellNumbers::operator()(const CellId &id) const
+{
+  const auto children = id.get_child_indices();
+  std::vector<std::uint8_t> ancestors(children.begin(), children.end());
+  for (;; ancestors.pop_back())
+  {
+    const CellId ancestor(id.get_coarse_cell_id(), ancestors);
+    const auto place = std::lower_bound(cells.begin(), cells.end(), ancestor);
+    if (place != cells.end() && *place == ancestor)
+      return static_cast<std::size_t>(place - cells.begin());
+    if (ancestors.empty())
+      throw std::logic_error("a cell that is no part of the mesh whose cells are numbered");
+  }
+}
+
+std::vector<std::vector<std::size_t>> CellNumbers::rings() const
+{
+  std::vector<double> radii(size(), 0), heights(size(), 0);
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      const std::size_t number = (*this)(cell->id());
+      const Point<3> centre = cell->center();
+      radii[number] = std::hypot(centre[0], centre[1]);
+      heights[number] = centre[2];
+    }
+  for (std::vector<double> *values : { &radii, &heights })
+    Utilities::MPI::sum(*values, mesh.get_communicator(), *values);
+  const double tolerance = 1e-7 * *std::max_element(radii.begin(), radii.end());
+  std::vector<std::size_t> all(size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::vector<std::vector<std::size_t>> rings;
+  for (const auto &at_radius : split(all, radii, tolerance))
+    for (auto &ring : split(at_radius, heights, tolerance))
+      rings.push_back(std::move(ring));
+  return rings;
+}
+
+void halve(parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked)
+{
+  const CellNumbers number(mesh);
+  const std::set<std::size_t> among(marked.begin(), marked.end());
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned() && among.count(number(cell->id())) > 0)
+      cell->set_refine_flag();
+  mesh.execute_coarsening_and_refinement();
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/cell_id.h>
+
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// Numbers of the active cells of a distributed mesh that do not depend on its ranks: their places among the
+/// sorted identities of all of them.
+class CellNumbers
+{
+public:
+  /// Collective; the same on all ranks. @p mesh must outlive it.
+  explicit CellNumbers(const dealii::Triangulation<3> &mesh);
+
+  std::size_t size() const { return cells.size(); }
+  /// Of the cell @p id, or of that of its ancestors which is one of the cells. Throws std::logic_error where
+  /// there is none.
+  std::size_t operator()(const dealii::CellId &id) const;
+
+  /// The cells in groups that lie at the same radius and height round the z axis: rings of cells on a foot of
+  /// revolution, single cells on a mesh without symmetry. Collective.
+  std::vector<std::vector<std::size_t>> rings() const;
+
+private:
+  const dealii::Triangulation<3> &mesh;
+  std::vector<dealii::CellId> cells;
+};
+
+/// Halves the cells with the numbers @p marked in all directions, and their neighbours as far as cells that
+/// touch may differ by one halving only. Collective.
+void halve(dealii::parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked);
+
+} // namespace stemware::fem

@@ -1,0 +1,51 @@
+#include "fem/solid/conforming_mapping.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &mesh, unsigned int degree)
+{
+  auto smooth = std::make_unique<MappingQ<3>>(degree);
+  const MPI_Comm &communicator = mesh.get_communicator();
+  if (Utilities::MPI::max(mesh.has_hanging_nodes() ? 1 : 0, communicator) == 0)
+    return smooth;
+  const FESystem<3> element(FE_Q<3>(degree), 3);
+  DoFHandler<3> dof_handler(mesh);
+  dof_handler.distribute_dofs(element);
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  LinearAlgebra::distributed::Vector<double> positions(dof_handler.locally_owned_dofs(), relevant,
+                                                       communicator);
+  std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      if (positions.in_local_range(dofs[i]))
+        positions(dofs[i]) = smooth->transform_unit_to_real_cell(
+          cell, element.unit_support_point(i))[element.system_to_component_index(i).first];
+  }
+  AffineConstraints<double> hanging(relevant);
+  DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+  hanging.close();
+  hanging.distribute(positions);
+  positions.update_ghost_values();
+  auto conforming = std::make_unique<MappingQCache<3>>(degree);
+  conforming->initialize(*smooth, dof_handler, positions, false);
+  return conforming;
+}
+
+} // namespace stemware::fem

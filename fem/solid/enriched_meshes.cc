@@ -1,0 +1,136 @@
+#include "fem/solid/enriched_meshes.h"
+
+#include "fem/geometry/boundary_ids.h"
+
+#include <deal.II/distributed/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+using DistributedMesh = parallel::distributed::Triangulation<3>;
+using Cell = Triangulation<3>::active_cell_iterator;
+
+/// At an edge, more halvings gain where a higher degree alone gains little.
+constexpr unsigned int n_edge_halvings = 2;
+
+/// Whether @p cell has a face of the contact zone that reaches into radii between @p inner and @p outer.
+bool touches_contact(const Cell &cell, double inner, double outer)
+{
+  for (const auto &face : cell->face_iterators())
+  {
+    if (!face->at_boundary() ||
+        face->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      continue;
+    double least = std::numeric_limits<double>::max(), most = 0;
+    for (const unsigned int v : face->vertex_indices())
+    {
+      const double radius = std::hypot(face->vertex(v)[0], face->vertex(v)[1]);
+      least = std::min(least, radius);
+      most = std::max(most, radius);
+    }
+    if (least < outer && most > inner)
+      return true;
+  }
+  return false;
+}
+
+/// Angle between the two faces of @p cell that share its edge @p line, the edges taken as straight.
+double angle_at(const Cell &cell, unsigned int line)
+{
+  const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);
+  const Tensor<1, 3> along = (end - begin) / (end - begin).norm();
+  std::vector<Tensor<1, 3>> across; // from the edge into its two faces
+  for (const unsigned int f : cell->face_indices())
+  {
+    bool has_edge = false;
+    for (unsigned int l = 0; l < GeometryInfo<2>::lines_per_cell; ++l)
+      has_edge = has_edge || cell->face(f)->line_index(l) == cell->line_index(line);
+    if (!has_edge)
+      continue;
+    Tensor<1, 3> direction = cell->face(f)->center() - begin;
+    direction -= (direction * along) * along;
+    across.push_back(direction / direction.norm());
+  }
+  return std::acos(std::clamp(across.at(0) * across.at(1), -1., 1.));
+}
+
+/// Edges of the boundary, on cells that this rank owns, round which the body fills more than a half-space.
+std::set<unsigned int> reentrant_edges(const DistributedMesh &mesh)
+{
+  std::map<unsigned int, double> angles;
+  std::set<unsigned int> on_boundary;
+  for (const auto &cell : mesh.active_cell_iterators())
+  {
+    if (cell->is_artificial())
+      continue;
+    for (const unsigned int l : cell->line_indices())
+    {
+      const double angle = angle_at(cell, l);
+      angles[cell->line_index(l)] += angle;
+      // Finer neighbours have the two halves of the edge.
+      if (cell->line(l)->has_children())
+        for (unsigned int child = 0; child < 2; ++child)
+          angles[static_cast<unsigned int>(cell->line(l)->child_index(child))] += angle;
+    }
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+        for (unsigned int l = 0; l < GeometryInfo<2>::lines_per_cell; ++l)
+          on_boundary.insert(face->line_index(l));
+  }
+  // Round edges, made of straight ones, have neighbours nearly in line.
+  std::set<unsigned int> edges;
+  for (const unsigned int line : on_boundary)
+    if (angles[line] > 1.2 * numbers::PI)
+      edges.insert(line);
+  return edges;
+}
+
+bool touches(const Cell &cell, const std::set<unsigned int> &edges)
+{
+  for (const unsigned int l : cell->line_indices())
+    if (edges.count(cell->line_index(l)) > 0)
+      return true;
+  return false;
+}
+
+} // namespace
+
+std::vector<std::shared_ptr<const Triangulation<3>>> enriched_meshes(const Triangulation<3> &mesh,
+                                                                     double inner, double outer)
+{
+  std::vector<std::shared_ptr<const Triangulation<3>>> meshes;
+  const Triangulation<3> *before = &mesh;
+  for (unsigned int n = 0; n < n_edge_halvings; ++n)
+  {
+    auto next = std::make_shared<DistributedMesh>(mesh.get_communicator());
+    next->copy_triangulation(*before);
+    const std::set<unsigned int> edges = reentrant_edges(*next);
+    unsigned int n_marked = 0;
+    for (const auto &cell : next->active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          (touches(cell, edges) || (n == 0 && touches_contact(cell, inner, outer))))
+      {
+        cell->set_refine_flag();
+        ++n_marked;
+      }
+    if (Utilities::MPI::sum(n_marked, mesh.get_communicator()) == 0)
+      break;
+    next->execute_coarsening_and_refinement();
+    before = next.get();
+    meshes.push_back(std::move(next));
+  }
+  return meshes;
+}
+
+} // namespace stemware::fem

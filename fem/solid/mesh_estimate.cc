@@ -1,0 +1,212 @@
+#include "fem/solid/mesh_estimate.h"
+
+#include "fem/solid/cell_numbers.h"
+#include "fem/solid/enriched_meshes.h"
+#include "fem/solid/multigrid_system.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_tools.h>
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+
+#include <cmath>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+using DofVector = MeshHierarchy::Vector;
+
+/// Reductions of the residual by the two linear solves: the estimate is good to a few per cent, the dual
+/// solution only has to find cells.
+constexpr double step_tolerance = 1e-7;
+constexpr double dual_tolerance = 1e-4;
+
+DofVector vector_on(const SolidLevel &level)
+{
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);
+  return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
+}
+
+/// Displacements, from the mesh's own level of a hierarchy to the levels above it and back, in double
+/// precision.
+class Embedding
+{
+public:
+  Embedding(const MeshHierarchy &hierarchy, unsigned int own)
+      : hierarchy(hierarchy)
+      , own(own)
+      , transfers(hierarchy.n_levels() - own - 1)
+  {
+    for (unsigned int l = own + 1; l < hierarchy.n_levels(); ++l)
+    {
+      const SolidLevel &fine = hierarchy.level(l), &coarse = hierarchy.level(l - 1);
+      transfers[l - own - 1].reinit(fine.dof_handler, coarse.dof_handler, fine.constraints,
+                                    coarse.constraints);
+    }
+  }
+
+  /// On the finest level what @p vector is on the own one; constrained unknowns are 0.
+  DofVector embedded(const DofVector &vector) const
+  {
+    DofVector coarse = vector_on(hierarchy.level(own));
+    coarse.copy_locally_owned_data_from(vector);
+    for (unsigned int l = own + 1; l < hierarchy.n_levels(); ++l)
+    {
+      hierarchy.level(l - 1).constraints.set_zero(coarse);
+      DofVector fine = vector_on(hierarchy.level(l));
+      transfers[l - own - 1].prolongate_and_add(fine, coarse);
+      hierarchy.level(l).constraints.set_zero(fine);
+      coarse.swap(fine);
+    }
+    return coarse;
+  }
+
+  /// What the own elements interpolate of @p vector, on the finest level again.
+  DofVector interpolated(const DofVector &vector) const
+  {
+    const unsigned int finest = hierarchy.n_levels() - 1;
+    DofVector fine = distributed(finest, vector);
+    for (unsigned int l = finest; l > own; --l)
+    {
+      const SolidLevel &above = hierarchy.level(l), &below = hierarchy.level(l - 1);
+      DofVector coarse = vector_on(below);
+      if (above.element.degree > below.element.degree)
+        // deal.II's transfer would project, with an outcome that depends on the order of cells.
+        FETools::interpolate(above.dof_handler, fine, below.dof_handler, below.constraints, coarse);
+      else
+        transfers[l - own - 1].interpolate(coarse, fine);
+      fine = distributed(l - 1, coarse);
+    }
+    return embedded(fine);
+  }
+
+private:
+  /// @p vector with the values of hanging nodes, and those of other ranks' cells.
+  DofVector distributed(unsigned int l, const DofVector &vector) const
+  {
+    DofVector result = vector_on(hierarchy.level(l));
+    result.copy_locally_owned_data_from(vector);
+    hierarchy.level(l).constraints.distribute(result);
+    result.update_ghost_values();
+    return result;
+  }
+
+  const MeshHierarchy &hierarchy;
+  const unsigned int own;
+  std::vector<MGTwoLevelTransfer<3, DofVector>> transfers;
+};
+
+/// Sums @p products of unknowns over the cells of @p numbers that they lie in, in equal parts where these
+/// are several.
+std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &products,
+                                    const CellNumbers &numbers)
+{
+  const MPI_Comm &communicator = level.dof_handler.get_communicator();
+  std::vector<types::global_dof_index> dofs(level.element.n_dofs_per_cell());
+  DofVector multiplicity = vector_on(level), values = vector_on(level);
+  const auto for_each_cell = [&](const auto &visit)
+  {
+    for (const auto &cell : level.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        cell->get_dof_indices(dofs);
+        visit(cell);
+      }
+  };
+  for_each_cell(
+    [&](const auto &)
+    {
+      for (const auto dof : dofs)
+        multiplicity(dof) += 1;
+    });
+  multiplicity.compress(VectorOperation::add);
+  multiplicity.update_ghost_values();
+  values.copy_locally_owned_data_from(products);
+  values.update_ghost_values();
+  std::vector<double> sums(numbers.size(), 0);
+  for_each_cell(
+    [&](const auto &cell)
+    {
+      double &sum = sums[numbers(cell->id())];
+      for (const auto dof : dofs)
+        sum += values(dof) / multiplicity(dof);
+    });
+  Utilities::MPI::sum(sums, communicator, sums);
+  return sums;
+}
+
+} // namespace
+
+MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells)
+{
+  const DoFHandler<3> &dofs = contact.system.dofs();
+  const unsigned int degree = dofs.get_fe().degree;
+  std::vector<LevelElements> elements = levels_of(dofs.get_triangulation(), degree);
+  const auto own = static_cast<unsigned int>(elements.size() - 1);
+  for (const auto &mesh :
+       enriched_meshes(dofs.get_triangulation(), contact.inner_radius, contact.outer_radius))
+    elements.push_back({ mesh, degree });
+  elements.push_back({ elements.back().mesh, degree + 1 });
+  const auto hierarchy = std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1,
+                                                         contact.system.glass());
+  const unsigned int finest = hierarchy->n_levels() - 1;
+  MultigridSystem finer(hierarchy, finest, contact.system.glass(), contact.gap, step_tolerance);
+  finer.set_sliding(contact.sliding);
+  const ContactSurface &surface = finer.contact_zone().surface;
+  const Embedding embedding(*hierarchy, own);
+  finer.set_displacement(embedding.embedded(contact.system.displacement_for_output()));
+
+  // The law at the mesh's own displacement, and the step from there.
+  ContactSolution solution = contact.solution;
+  solution.normal_displacement =
+    finer.contact_displacement() + surface.motion_modes() * contact.solution.motion;
+  const std::unique_ptr<TableLaw> law = contact.interface.make(surface, 0);
+  ContactForces pressed;
+  law->evaluate(solution.normal_displacement, pressed);
+  solution.forces = pressed.forces;
+  const NewtonIncrement step =
+    finer.solve(pressed.tangent, pressed.forces, conditions_of(surface, contact.demand), solution.motion);
+
+  const auto n_harmonics = static_cast<unsigned int>(contact.load.n_harmonics());
+  const LoadHarmonics load = extract_load(*law, solution, n_harmonics, goal.ring_radii);
+  const Eigen::VectorXd of_forces = node_values(surface, goal.ring_radii, goal.of_load) +
+                                    goal.of_moment(0) * surface.node_position.col(1) -
+                                    goal.of_moment(1) * surface.node_position.col(0);
+  const Eigen::VectorXd pressed_goal = pressed.tangent * of_forces;
+  MeshError error;
+  // Integrated along the finer mesh's lines, and then what the step changes.
+  error.correction = goal.of_load(load) - goal.of_load(contact.load) +
+                     goal.of_moment.dot(Eigen::Vector2d(load.moment_x - contact.load.moment_x,
+                                                        load.moment_y - contact.load.moment_y)) -
+                     pressed_goal.dot(step.displacement + surface.motion_modes() * step.motion) +
+                     goal.of_motion.dot(step.motion);
+  if (!with_cells)
+    return error;
+
+  const DofVector dual = finer.solve_symmetric(
+    pressed_goal, surface.motion_modes().transpose() * pressed_goal - goal.of_motion, dual_tolerance);
+  DofVector products = dual;
+  products -= embedding.interpolated(dual);
+  products.scale(finer.residual(pressed.forces));
+  hierarchy->level(finest).constraints.set_zero(products);
+  const CellNumbers numbers(dofs.get_triangulation());
+  error.foot_cells = sums_over_cells(hierarchy->level(finest), products, numbers);
+  // What is as large all round a ring cancels in no other place: a mesh of rings stays one.
+  for (const std::vector<std::size_t> &ring : numbers.rings())
+  {
+    double sum = 0;
+    for (const std::size_t cell : ring)
+      sum += error.foot_cells[cell];
+    for (const std::size_t cell : ring)
+      error.foot_cells[cell] = std::abs(sum) / static_cast<double>(ring.size());
+  }
+  return error;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "fem/contact/contact_goal.h"
+#include "fem/contact/foot.h"
+#include "fem/contact/interface_law.h"
+#include "fem/solid/solid_system.h"
+
+namespace stemware::fem
+{
+
+/// A contact of a solid foot that has been solved, in the axes of its mesh.
+struct SolvedSolidContact
+{
+  const SolidSystem &system; ///< whose displacement is that of the contact
+  const InterfaceLaw &interface;
+  SolidBody::Gap gap;
+  SlidingTraction sliding;
+  ContactDemand demand = {};
+  ContactSolution solution = {};
+  LoadHarmonics load = {}; ///< on the rings of the goal
+  double inner_radius = 0;
+  double outer_radius = 0;
+  bool straight_edges = false; ///< SolidOptions::straight_edges
+};
+
+/// What the mesh of @p contact does to @p goal, in the same axes (docs/method/error_bands.md, "The error of
+/// one number").
+///
+/// One Newton step of the contact from the mesh's own displacement, on elements of one degree more that are
+/// halved under the load and at re-entrant edges, friction and conditions included: what it changes in the
+/// goal is the residual of that displacement, weighted by the dual solution. The cells' shares are that
+/// product, unknown by unknown, with what the own elements leave out of the dual displacement; the dual
+/// system is taken without friction and with resultants in the place of other conditions. Cells are numbered
+/// by CellNumbers.
+///
+/// Multigrid solves both systems (MeshHierarchy), whatever the own system is solved by. Collective. Throws
+/// std::invalid_argument where the coarsest mesh is too large for it, and std::runtime_error where it does
+/// not converge.
+MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells);
+
+} // namespace stemware::fem

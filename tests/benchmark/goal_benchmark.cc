@@ -1,0 +1,183 @@
+// Meshes of a solid foot that are made for one number, a_2 / a_0 of the load at rest, beside meshes all of
+// whose cells are halved: unknowns, error against a body of revolution, and the error that was estimated.
+//
+//   goal_benchmark [name=value]...
+//
+// cells=48,2,2 (round the rim, across the land, through the foot), refinements=1 (of the first adaptive
+// mesh), uniform=2 (most refinements of all cells), meshes=6 (adaptive ones), most=2000000 (unknowns),
+// share=0.8 (of the shares that the halved cells have), degree=2, crown=0.003 (0: a flat land of 2 mm),
+// shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0.
+#include "fem/contact/hard_interface.h"
+#include "fem/contact/winkler_interface.h"
+#include "fem/revolution/revolution_foot.h"
+#include "fem/solid/solid_foot.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/distributed/tria.h>
+
+#include <fmt/format.h>
+#include <map>
+
+using namespace stemware::fem;
+
+namespace
+{
+
+struct Case
+{
+  SolidSetup solid;
+  RevolutionSetup revolution;
+  FootResolution resolution;
+  ContactDemand demand;
+  Slip slip = { 10, {} };
+  unsigned int most_refinements = 2;
+  unsigned int n_meshes = 6;
+  unsigned int most_unknowns = 2000000;
+  double share = 0.8;
+};
+
+Case read_case(int argc, char **argv)
+{
+  std::map<std::string, std::string> values = {
+    { "cells", "48,2,2" }, { "refinements", "1" }, { "uniform", "2" },    { "meshes", "6" },
+    { "most", "2000000" }, { "share", "0.8" },     { "degree", "2" },     { "crown", "0.003" },
+    { "shape", "step" },   { "table", "winkler" }, { "modulus", "1e11" }, { "moment", "1.2" },
+    { "friction", "0" }
+  };
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const std::size_t sign = argument.find('=');
+    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
+      throw std::invalid_argument("goal_benchmark does not know " + argument + ".");
+    values[argument.substr(0, sign)] = argument.substr(sign + 1);
+  }
+  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
+  const auto count = [&](const char *name) { return static_cast<unsigned int>(number(name)); };
+  Case study;
+  const std::vector<int> cells =
+    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
+  study.resolution = { static_cast<unsigned int>(cells.at(0)), static_cast<unsigned int>(cells.at(1)),
+                       static_cast<unsigned int>(cells.at(2)), count("refinements") };
+  study.most_refinements = count("uniform");
+  study.n_meshes = count("meshes");
+  study.most_unknowns = count("most");
+  study.share = number("share");
+  GlassProfile profile;
+  if (values["shape"] == "foot")
+    profile.shape = GlassShape::foot;
+  else
+    profile.shape = GlassShape::step;
+  profile.crown_radius = number("crown");
+  if (profile.crown_radius == 0)
+    profile.land_width = 0.002;
+  study.solid.profile = study.revolution.profile = profile;
+  std::shared_ptr<const InterfaceLaw> interface = std::make_shared<WinklerInterface>(number("modulus"));
+  if (values["table"] == "hard")
+    interface = std::make_shared<HardInterface>();
+  study.solid.table.interface = study.revolution.table.interface = interface;
+  study.solid.friction_coefficient = study.revolution.friction_coefficient = number("friction");
+  study.solid.options.degree = count("degree");
+  study.solid.options.linear_solver = LinearSolver::multigrid;
+  study.revolution.n_lines = 512;
+  study.revolution.meridian.n_harmonics = 32;
+  const double weight = 0.3 * 9.81;
+  study.revolution = study.revolution.resolved_for(weight);
+  study.demand = { weight, 0, -number("moment") * weight * profile.contact_radius / 2 };
+  study.demand.ring_radii = { 0.0295, 0.0305 };
+  study.demand.n_harmonics = 4;
+  return study;
+}
+
+/// Prints on the first rank.
+template <typename... Arguments>
+void say(const char *format, const Arguments &...arguments)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  {
+    fmt::print(fmt::runtime(format), arguments...);
+    std::fflush(stdout);
+  }
+}
+
+/// a_2 / a_0 of all rings together, a_0 being given by the weight.
+ContactGoal second_harmonic(const Case &study)
+{
+  const double mean = study.demand.normal_force / (2 * dealii::numbers::PI);
+  ContactGoal goal;
+  goal.ring_radii = study.demand.ring_radii;
+  goal.of_load = { { { 0, 0, 1 / mean }, { 0, 0, 1 / mean } }, { { 0, 0, 0 }, { 0, 0, 0 } } };
+  return goal;
+}
+
+/// Of the body of revolution, on meshes refined until they have nothing left that is seen here.
+double truth(const Case &study)
+{
+  constexpr double enough = 2e-8;
+  RevolutionSetup setup = study.revolution;
+  const ContactGoal goal = second_harmonic(study);
+  for (;;)
+  {
+    RevolutionFoot foot(setup);
+    const ContactState state = foot.solve(study.demand, study.slip);
+    const MeshError error = foot.mesh_error(state, goal, true).value();
+    if (std::abs(error.correction) < enough || setup.halved.size() == 8)
+      return goal.of_load(state.load) + error.correction;
+    setup.halved.push_back(error.mark(0.9));
+  }
+}
+
+/// Solves on @p mesh and prints its row; returns the shares where it estimates.
+MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
+{
+  const ContactGoal goal = second_harmonic(study);
+  dealii::Timer timer;
+  SolidFoot foot(mesh, study.solid);
+  const ContactState state = foot.solve(study.demand, study.slip);
+  const double value = goal.of_load(state.load), seconds = timer.wall_time();
+  timer.restart();
+  MeshError error;
+  if (estimates)
+    error = foot.mesh_error(state, goal, true).value();
+  say("{:8} {:9} {:+.9f} {:+.2e} {:+.2e} {:6.3f} {:7.1f} {:7.1f}\n", kind, foot.description().n_unknowns,
+      value, exact - value, error.correction, error.correction / (exact - value), seconds, timer.wall_time());
+  return error;
+}
+
+void run(const Case &study)
+{
+  const double exact = std::getenv("EX") ? std::atof(std::getenv("EX")) : truth(study);
+  say("body of revolution: a2/a0 = {:+.9f}\n", exact);
+  say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");
+  FootResolution resolution = study.resolution;
+  for (resolution.refinements = 0; resolution.refinements <= study.most_refinements; ++resolution.refinements)
+    solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",
+             resolution.refinements < study.most_refinements);
+  SolidMesh mesh = generate_solid_mesh(study.solid.profile, study.resolution);
+  for (unsigned int n = 0; n < study.n_meshes; ++n)
+  {
+    if (mesh.triangulation->n_global_active_cells() * 24 > study.most_unknowns)
+      break;
+    const MeshError error = solve_on(mesh, study, exact, "adaptive", true);
+    halve(mesh, error.mark(study.share).foot);
+  }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+  {
+    run(read_case(argc, argv));
+  }
+  catch (const std::exception &error)
+  {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

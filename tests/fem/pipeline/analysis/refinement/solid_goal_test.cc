@@ -1,0 +1,84 @@
+// Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
+#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A foot that lifts off; few lines and load harmonics, which are not the mesh's.
+Study lifting_foot()
+{
+  Study study;
+  study.glass.profile.shape = fem::GlassShape::foot;
+  study.table.foundation_modulus = 1e12;
+  study.motion.orbit.force_offset *= 1.6;
+  study.contact.harmonics = 24;
+  study.contact.azimuth_lines = 256;
+  study.contact.load_harmonics = 12;
+  return study;
+}
+
+struct Answer
+{
+  double spin = 0;
+  double a2 = 0;
+};
+
+Answer answer_of(const Study &study)
+{
+  fem::ComplianceCache cache;
+  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  Answer answer;
+  answer.spin = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
+  answer.a2 = load.report().rings.a(2) / load.report().rings.a(0);
+  return answer;
+}
+
+GoalError error_of(const Study &study)
+{
+  fem::ComplianceCache cache;
+  const auto foot = study_foot(study, cache);
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
+  return goal_error(study, *foot, load, omega, study.contact.goal).value();
+}
+
+} // namespace
+
+// Oracle: the body of revolution, whose own mesh leaves a hundredth of the smallest error judged.
+TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
+{
+  Study study = lifting_foot();
+  const Answer truth = answer_of(study);
+  study.contact.body = BodyKind::solid;
+  study.contact.resolution = { 24, 2, 1 };
+  for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
+  {
+    SCOPED_TRACE(static_cast<int>(goal));
+    study.contact.goal = goal;
+    study.contact.halved.clear();
+    const double exact = goal == Goal::a2 ? truth.a2 : truth.spin;
+    const GoalError first = error_of(study);
+    study.contact.goal_tolerance = std::abs(0.2 * first.error.correction / first.value);
+    fem::ComplianceCache cache;
+    Study meshed = meshed_for_goal(study, cache);
+    ASSERT_GE(meshed.contact.halved.size(), 1u);
+    const GoalError last = error_of(meshed);
+    EXPECT_NEAR(first.error.correction / (exact - first.value), 1, 0.2);
+    // The lines of either body, and what is of second order, leave some 1e-6.
+    const double error = exact - last.value, unit = goal == Goal::a2 ? 1 : std::abs(exact);
+    EXPECT_NEAR(last.error.correction, error, 0.2 * std::abs(error) + 2e-6 * unit);
+    EXPECT_LT(std::abs(exact - last.value), 0.3 * std::abs(exact - first.value));
+  }
+}
+
+} // namespace stemware::pipeline

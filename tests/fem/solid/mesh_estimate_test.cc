@@ -1,0 +1,205 @@
+// What the mesh of a solid foot does to one number: estimated errors against a body of revolution, which has
+// neither these elements nor an estimate, and the meshes that are made of them.
+#include "fem/contact/winkler_interface.h"
+#include "fem/revolution/revolution_foot.h"
+#include "fem/solid/cell_numbers.h"
+#include "fem/solid/conforming_mapping.h"
+#include "fem/solid/solid_foot.h"
+#include "tests/fem/reference_load.h"
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <gtest/gtest.h>
+
+using namespace stemware::fem_tests;
+
+namespace
+{
+
+const auto mat = std::make_shared<WinklerInterface>(1e11);
+
+ContactDemand demand_of(double m)
+{
+  ContactDemand demand = load_at(m);
+  demand.ring_radii = { 0.0295, 0.0305 };
+  demand.n_harmonics = 4;
+  return demand;
+}
+
+/// a_2 / a_0 of both rings together.
+ContactGoal second_harmonic()
+{
+  const double mean = weight / (2 * dealii::numbers::PI);
+  ContactGoal goal;
+  goal.ring_radii = demand_of(0).ring_radii;
+  goal.of_load = { { { 0, 0, 1 / mean }, { 0, 0, 1 / mean } }, { { 0, 0, 0 }, { 0, 0, 0 } } };
+  return goal;
+}
+
+GlassProfile profile_of(GlassShape shape)
+{
+  GlassProfile profile;
+  profile.shape = shape;
+  profile.crown_radius = 0.01;
+  return profile;
+}
+
+SolidMesh mesh_on(MPI_Comm communicator, const GlassProfile &profile, const FootResolution &resolution)
+{
+  const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(communicator);
+  make_foot_mesh(profile, resolution, *mesh);
+  return { mesh, std::nullopt };
+}
+
+struct Estimated
+{
+  double value;
+  MeshError error;
+};
+
+Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned int degree, double friction)
+{
+  SolidSetup setup;
+  setup.profile = profile;
+  setup.table.interface = mat;
+  setup.options.degree = degree;
+  setup.friction_coefficient = friction;
+  SolidFoot foot(mesh, setup);
+  const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
+  // Another contact in between: the estimate finds its own again.
+  if (degree == 1)
+    foot.solve(demand_of(0.5));
+  const ContactGoal goal = second_harmonic();
+  return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
+}
+
+/// The same number by the body of revolution; what its meshes leave of it is below 1e-7, as estimated.
+double of_body_of_revolution(const GlassProfile &profile, double friction)
+{
+  RevolutionSetup setup;
+  setup.profile = profile;
+  setup.table.interface = mat;
+  setup.friction_coefficient = friction;
+  setup.n_lines = 256;
+  setup.meridian.n_harmonics = 24;
+  setup = setup.resolved_for(weight);
+  const ContactGoal goal = second_harmonic();
+  for (;;)
+  {
+    RevolutionFoot foot(setup);
+    const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
+    const MeshError error = foot.mesh_error(state, goal, true).value();
+    if (std::abs(error.correction) < 1e-7)
+      return goal.of_load(state.load) + error.correction;
+    setup.halved.push_back(error.mark(0.9));
+  }
+}
+
+} // namespace
+
+TEST(MeshEstimate, IsTheErrorOnMeshesMadeForTheNumber)
+{
+  const GlassProfile profile = profile_of(GlassShape::foot);
+  const double truth = of_body_of_revolution(profile, 0);
+  SolidMesh mesh = mesh_on(MPI_COMM_WORLD, profile, { 24, 2, 1 });
+  double first = 0;
+  for (unsigned int n = 0; n < 3; ++n)
+  {
+    const Estimated found = estimated(mesh, profile, 2, 0);
+    const double error = truth - found.value;
+    EXPECT_GT(found.error.correction / error, 0.8) << "mesh " << n << ", error " << error;
+    EXPECT_LT(found.error.correction / error, 1.25) << "mesh " << n << ", error " << error;
+    if (n == 0)
+      first = error;
+    if (n == 2)
+    {
+      EXPECT_LT(std::abs(error), 0.1 * std::abs(first));
+    }
+    halve(mesh, found.error.mark(0.8).foot);
+  }
+}
+
+TEST(MeshEstimate, KnowsFrictionAndLinearElements)
+{
+  const GlassProfile profile = profile_of(GlassShape::foot);
+  for (const auto &[degree, friction] : { std::pair(2u, 0.3), { 1u, 0. } })
+  {
+    const double truth = of_body_of_revolution(profile, friction);
+    const Estimated found =
+      estimated(mesh_on(MPI_COMM_WORLD, profile, { 48, 2, 1 }), profile, degree, friction);
+    EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2) << "degree " << degree;
+  }
+}
+
+TEST(MeshEstimate, MarksWholeRings)
+{
+  const GlassProfile profile = profile_of(GlassShape::step);
+  const SolidMesh mesh = mesh_on(MPI_COMM_WORLD, profile, { 24, 2, 1 });
+  const MarkedCells marked = estimated(mesh, profile, 2, 0).error.mark(0.8);
+  const CellNumbers numbers(*mesh.triangulation);
+  const std::set<std::size_t> set(marked.foot.begin(), marked.foot.end());
+  std::size_t n_halved = 0, n_whole = 0;
+  for (const auto &ring : numbers.rings())
+  {
+    const auto n =
+      std::count_if(ring.begin(), ring.end(), [&](std::size_t cell) { return set.count(cell) > 0; });
+    EXPECT_TRUE(n == 0 || n == static_cast<long>(ring.size()));
+    (n == 0 ? n_whole : n_halved) += 1;
+  }
+  EXPECT_GT(n_halved, 0u);
+  EXPECT_GT(n_whole, 0u);
+}
+
+// Oracle: deal.II's hanging-node constraints, which say where on the coarser cell's polynomial a node lies.
+TEST(MeshEstimate, FinerCellsLieOnTheFacesOfCoarserOnes)
+{
+  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+  make_foot_mesh(profile_of(GlassShape::step), { 24, 2, 1, 0, 1 }, mesh);
+  for (const unsigned int degree : { 1u, 2u, 3u })
+  {
+    const dealii::FE_Q<3> element(degree);
+    dealii::DoFHandler<3> dof_handler(mesh);
+    dof_handler.distribute_dofs(element);
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    dealii::AffineConstraints<double> hanging(relevant);
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+    hanging.close();
+    const auto largest_gap = [&](const dealii::MappingQ<3> &mapping)
+    {
+      std::map<dealii::types::global_dof_index, dealii::Point<3>> points;
+      dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+      double largest = 0;
+      for (const auto &line : hanging.get_lines())
+      {
+        dealii::Tensor<1, 3> difference = points.at(line.index);
+        for (const auto &[dof, weight] : line.entries)
+          difference -= weight * points.at(dof);
+        largest = std::max(largest, difference.norm());
+      }
+      return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+    };
+    EXPECT_LT(largest_gap(*conforming_mapping(mesh, degree)), 1e-15) << "degree " << degree;
+    EXPECT_GT(largest_gap(dealii::MappingQ<3>(degree)), 1e-9) << "degree " << degree;
+  }
+}
+
+TEST(Ranks, MeshEstimateIsThatOfOneRank)
+{
+  const GlassProfile profile = profile_of(GlassShape::step);
+  const auto on = [&](MPI_Comm communicator)
+  {
+    SolidMesh mesh = mesh_on(communicator, profile, { 12, 2, 1, 1 });
+    halve(mesh, { 7, 8, 100 }); // so that some nodes hang
+    return estimated(mesh, profile, 1, 0.2);
+  };
+  const Estimated found = on(MPI_COMM_WORLD), alone = on(MPI_COMM_SELF);
+  EXPECT_NEAR(found.error.correction, alone.error.correction, 1e-4 * std::abs(alone.error.correction));
+  ASSERT_EQ(found.error.foot_cells.size(), alone.error.foot_cells.size());
+  const double largest = *std::max_element(alone.error.foot_cells.begin(), alone.error.foot_cells.end());
+  for (std::size_t i = 0; i < found.error.foot_cells.size(); ++i)
+    EXPECT_NEAR(found.error.foot_cells[i], alone.error.foot_cells[i], 1e-3 * largest) << "cell " << i;
+}
