@@ -34,13 +34,13 @@ struct SolidLevel
 /// Geometric multigrid for an elastic foot: V-cycles in single precision over the meshes that a triangulation
 /// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
 ///
-/// Level 0 is the coarsest mesh with linear elements, factorised; for quadratic elements level 1 is the same
-/// mesh with those. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled operator
-/// smooth.
+/// Level 0 is the coarsest mesh with linear elements, factorised where it is small, else solved with the help
+/// of its mean body of revolution (RevolvedCycle); for quadratic elements level 1 is the same mesh with
+/// those. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled operator smooth.
 class MeshHierarchy
 {
 public:
-  /// @p triangulation, of which the hierarchy keeps a reference, has been refined from a coarse mesh.
+  /// @p triangulation, of which the hierarchy keeps a reference, may have been refined from a coarse mesh.
   MeshHierarchy(const dealii::Triangulation<3> &triangulation, unsigned int degree,
                 unsigned int mapping_degree, const ElasticMaterial &material);
   ~MeshHierarchy();
