@@ -1,5 +1,7 @@
 #include "fem/revolution/meridian_stiffness.h"
 
+#include "fem/elasticity/harmonic_strain.h"
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
@@ -8,56 +10,6 @@ namespace stemware::fem
 {
 
 using namespace dealii;
-
-namespace
-{
-
-/// Strains in the order rr, zz, theta theta, rz, r theta, z theta (shears are engineering strains).
-using Strain = std::array<double, 6>;
-
-/// Strain of a shape function: `constant` + n `linear`.
-struct ShapeStrain
-{
-  Strain constant{};
-  Strain linear{};
-};
-
-/// Of value N and gradient (N_r, N_z) at radius r, in the displacement component given.
-ShapeStrain strain_of(unsigned int component, double value, const Tensor<1, 2> &gradient, double radius)
-{
-  ShapeStrain strain;
-  const double hoop = value / radius;
-  switch (component)
-  {
-  case 0:
-    strain.constant = { gradient[0], 0, hoop, gradient[1], 0, 0 };
-    strain.linear = { 0, 0, 0, 0, -hoop, 0 };
-    break;
-  case 1:
-    strain.constant = { 0, 0, 0, 0, gradient[0] - hoop, gradient[1] };
-    strain.linear = { 0, 0, hoop, 0, 0, 0 };
-    break;
-  default:
-    strain.constant = { 0, gradient[1], 0, gradient[0], 0, 0 };
-    strain.linear = { 0, 0, 0, 0, 0, -hoop };
-  }
-  return strain;
-}
-
-/// 2 x the energy density's bilinear form.
-double energy(const Strain &a, const Strain &b, double lambda, double shear)
-{
-  double normal = 0;
-  double tangential = 0;
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    normal += a[i] * b[i];
-    tangential += a[i + 3] * b[i + 3];
-  }
-  return lambda * (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]) + shear * (2 * normal + tangential);
-}
-
-} // namespace
 
 MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler<2> &dof_handler,
                                      const ElasticMaterial &material)
@@ -81,17 +33,20 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
       const double radius = fe_values.quadrature_point(q)[0];
       const double weight = fe_values.JxW(q) * radius;
       for (unsigned int i = 0; i < n_dofs; ++i)
+      {
+        const Tensor<1, 2> gradient = fe_values.shape_grad(i, q);
         strains[i] = strain_of(element.system_to_component_index(i).first, fe_values.shape_value(i, q),
-                               fe_values.shape_grad(i, q), radius);
+                               { gradient[0], gradient[1] }, radius);
+      }
       for (unsigned int i = 0; i < n_dofs; ++i)
         for (unsigned int j = 0; j < n_dofs; ++j)
         {
           const ShapeStrain &a = strains[i];
           const ShapeStrain &b = strains[j];
-          stiffness.parts[0](i, j) += weight * energy(a.constant, b.constant, lambda, shear);
-          stiffness.parts[1](i, j) += weight * (energy(a.constant, b.linear, lambda, shear) +
-                                                energy(a.linear, b.constant, lambda, shear));
-          stiffness.parts[2](i, j) += weight * energy(a.linear, b.linear, lambda, shear);
+          stiffness.parts[0](i, j) += weight * energy_product(a.constant, b.constant, lambda, shear);
+          stiffness.parts[1](i, j) += weight * (energy_product(a.constant, b.linear, lambda, shear) +
+                                                energy_product(a.linear, b.constant, lambda, shear));
+          stiffness.parts[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
         }
     }
     cells.push_back(std::move(stiffness));

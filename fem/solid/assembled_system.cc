@@ -36,7 +36,6 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
   assemble();
   zone = describe_contact_zone(geometry, dof_handler, constraints, gap);
   horizontal = owned_horizontal_dofs(dof_handler, zone.node_dofs);
-  solver = std::make_unique<BorderedSolver>(preconditioner_maker(options.linear_solver));
 }
 
 void AssembledSystem::assemble()
@@ -51,19 +50,6 @@ void AssembledSystem::assemble()
   assemble_stiffness(geometry, dof_handler, material, constraints, stiffness);
   tangent.copy_from(stiffness);
   displacement.reinit(locally_owned, communicator);
-}
-
-BorderedSolver::MakePreconditioner AssembledSystem::preconditioner_maker(LinearSolver kind) const
-{
-  const bool direct = kind == LinearSolver::direct ||
-                      (kind == LinearSolver::automatic && dof_handler.n_dofs() <= largest_direct_system);
-  if (direct)
-    return factorize;
-  return [this](const TrilinosWrappers::SparseMatrix &matrix)
-  {
-    const RigidBodyModes modes(geometry, dof_handler, constraints);
-    return make_multigrid(matrix, modes, element.degree > 1);
-  };
 }
 
 AssembledSystem::Vector AssembledSystem::contact_load(const Eigen::VectorXd &forces) const
@@ -154,7 +140,7 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   {
     BorderedVector found;
     SolidIncrement<Vector> solution;
-    solution.n_iterations = solver->solve(system, { of, missing }, linear_reduction, found, !is_first);
+    solution.n_iterations = solver.solve(system, { of, missing }, linear_reduction, found, !is_first);
     solution.displacement = restrict(found.body);
     solution.motion = found.motion;
     solution.image.reinit(locally_owned, communicator);

@@ -10,7 +10,7 @@
 namespace stemware::fem
 {
 
-/// The equations as a sparse matrix: for any mesh. Factorised, or algebraic multigrid.
+/// The equations as a sparse matrix, factorised: for any mesh that is not too large.
 class AssembledSystem : public SolidSystem
 {
 public:
@@ -33,7 +33,6 @@ private:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   void assemble();
-  BorderedSolver::MakePreconditioner preconditioner_maker(LinearSolver kind) const;
   /// B' @p forces with the friction that they bring along.
   Vector contact_load(const Eigen::VectorXd &forces) const;
   /// B' applied to values at the contact nodes.
@@ -57,7 +56,7 @@ private:
   dealii::TrilinosWrappers::SparseMatrix tangent;   ///< K + B' T B of the last solve
   Vector displacement;
   Vector increment; ///< of the last solve
-  std::unique_ptr<BorderedSolver> solver;
+  BorderedSolver solver;
   std::vector<HorizontalDofs> horizontal;
 };
 

@@ -1,12 +1,8 @@
 #include "fem/solid/bordered_solver.h"
 
-#include <Epetra_MultiVector.h>
-#include <Teuchos_ParameterList.hpp>
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
-#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 
 #include <Eigen/LU>
@@ -25,7 +21,11 @@ namespace
 {
 constexpr unsigned int max_iterations = 2000;
 
-class Factorization : public TangentPreconditioner
+/// Iterations above which new factors pay: a back substitution costs about a sixtieth of a factorisation.
+constexpr unsigned int patience = 30;
+} // namespace
+
+class Factorization
 {
 public:
   explicit Factorization(const MatrixType &matrix)
@@ -49,44 +49,15 @@ public:
         " unknowns cannot be factorised: cells are distorted or memory is short; mend the "
         "mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
   }
-  void vmult(VectorType &dst, const VectorType &src) const override { solver.solve(dst, src); }
-  // Back-substitutions cost about a sixtieth of a factorisation.
-  unsigned int patience() const override { return 30; }
+  void vmult(VectorType &dst, const VectorType &src) const { solver.solve(dst, src); }
 
 private:
   SolverControl control;
   mutable TrilinosWrappers::SolverDirect solver; // solve() is not const in deal.II, though it changes nothing
 };
 
-class AlgebraicMultigrid : public TangentPreconditioner
+namespace
 {
-public:
-  AlgebraicMultigrid(const MatrixType &matrix, const RigidBodyModes &modes, bool quadratic)
-  {
-    TrilinosWrappers::PreconditionAMG::AdditionalData options;
-    options.elliptic = true;
-    options.higher_order_elements = quadratic;
-    options.smoother_type = "Chebyshev";
-    options.smoother_sweeps = quadratic ? 4 : 2;
-    options.aggregation_threshold = 1e-2;
-    Teuchos::ParameterList parameters;
-    std::unique_ptr<Epetra_MultiVector> unused_modes;
-    options.set_parameters(parameters, unused_modes, matrix);
-    // deal.II 9.4 knows translations only: hand ML the rotations as well. ML copies them while it is set up.
-    values = modes.values;
-    parameters.set("PDE equations", 3); // nodes, not single dofs, are gathered into aggregates
-    parameters.set("null space: type", "pre-computed");
-    parameters.set("null space: dimension", static_cast<int>(RigidBodyModes::n_modes));
-    parameters.set("null space: vectors", values.data());
-    amg.initialize(matrix, parameters);
-  }
-  void vmult(VectorType &dst, const VectorType &src) const override { amg.vmult(dst, src); }
-  unsigned int patience() const override { return 300; }
-
-private:
-  std::vector<double> values;
-  TrilinosWrappers::PreconditionAMG amg;
-};
 
 /// What deal.II's conjugate gradients need of a vector, for a BorderedVector: body dofs on their ranks,
 /// motions on rank 0.
@@ -145,7 +116,7 @@ struct BorderedOperator
 /// that one is.
 struct BorderedPreconditioner
 {
-  const TangentPreconditioner &inner;
+  const Factorization &inner;
   const std::array<VectorType, 3> &eliminated_border;
   const Eigen::Matrix3d &inverse_schur;
   void vmult(BlockVector &dst, const BlockVector &src) const
@@ -188,50 +159,8 @@ unsigned int conjugate_gradients(const Operator &system, const Preconditioner &p
 
 } // namespace
 
-RigidBodyModes::RigidBodyModes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
-                               const AffineConstraints<double> &constraints)
-{
-  const IndexSet owned = dof_handler.locally_owned_dofs();
-  std::map<types::global_dof_index, Point<3>> points;
-  DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
-  std::vector<unsigned char> component(owned.n_elements());
-  for (unsigned char c = 0; c < 3; ++c)
-  {
-    ComponentMask mask(3, false);
-    mask.set(c, true);
-    for (const auto dof : DoFTools::extract_dofs(dof_handler, mask))
-      if (owned.is_element(dof))
-        component[owned.index_within_set(dof)] = c;
-  }
-  const std::size_t n_owned = owned.n_elements();
-  values.assign(n_modes * n_owned, 0);
-  for (const auto dof : owned)
-  {
-    if (constraints.is_constrained(dof))
-      continue;
-    const auto i = owned.index_within_set(dof);
-    const Point<3> &x = points.at(dof);
-    const unsigned int c = component[i];
-    values[c * n_owned + i] = 1;
-    // Rotation about axis k moves component c = k + 1 by -x[k + 2] and component c = k + 2 by x[k + 1].
-    for (unsigned int k = 0; k < 3; ++k)
-      if (c == (k + 1) % 3)
-        values[(3 + k) * n_owned + i] = -x[(k + 2) % 3];
-      else if (c == (k + 2) % 3)
-        values[(3 + k) * n_owned + i] = x[(k + 1) % 3];
-  }
-}
-
-std::unique_ptr<TangentPreconditioner> factorize(const MatrixType &matrix)
-{
-  return std::make_unique<Factorization>(matrix);
-}
-
-std::unique_ptr<TangentPreconditioner> make_multigrid(const MatrixType &matrix, const RigidBodyModes &modes,
-                                                      bool quadratic)
-{
-  return std::make_unique<AlgebraicMultigrid>(matrix, modes, quadratic);
-}
+BorderedSolver::BorderedSolver() = default;
+BorderedSolver::~BorderedSolver() = default;
 
 unsigned int BorderedSolver::solve_body(const MatrixType &matrix, const VectorType &rhs, double reduction,
                                         VectorType &solution) const
@@ -242,7 +171,7 @@ unsigned int BorderedSolver::solve_body(const MatrixType &matrix, const VectorTy
 void BorderedSolver::build_preconditioner(const BorderedSystem &system)
 {
   preconditioner.reset(); // before the new one asks for memory
-  preconditioner = make(system.matrix);
+  preconditioner = std::make_unique<const Factorization>(system.matrix);
   // The Schur complement of an inexact elimination W, in the form (-W, 1)' M (-W, 1) that stays positive
   // definite.
   Eigen::Matrix3d schur = system.corner;
@@ -312,7 +241,7 @@ unsigned int BorderedSolver::solve(const BorderedSystem &system, const BorderedV
   const unsigned int n_iterations = system.condition_border
                                       ? solve_by_schur_complement(system, rhs, reduction, solution, is_same)
                                       : solve_symmetric(system, rhs, reduction, solution);
-  if (n_iterations > preconditioner->patience() && !fresh)
+  if (n_iterations > patience && !fresh)
     preconditioner.reset();
   return n_iterations;
 }

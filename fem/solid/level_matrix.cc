@@ -46,7 +46,17 @@ float LevelMatrix::el(size_type, size_type) const
   throw std::logic_error("an entry of a matrix that has none");
 }
 
-CoarseSolver::CoarseSolver(const SolidLevel &level, const ElasticMaterial &material)
+LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
+{
+  LevelSmoother::AdditionalData data;
+  data.smoothing_range = 40;
+  data.degree = 5;
+  data.eig_cg_n_iterations = 15;
+  data.preconditioner = matrix.jacobi();
+  return data;
+}
+
+FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material)
     : communicator(level.dof_handler.get_communicator())
     , owned(level.dof_handler.locally_owned_dofs())
     , contact_nodes(contact_dofs(level.dof_handler, level.constraints))
@@ -72,7 +82,7 @@ CoarseSolver::CoarseSolver(const SolidLevel &level, const ElasticMaterial &mater
   stiffness.setFromTriplets(entries.begin(), entries.end());
 }
 
-void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
+void FactorizedLevel::set_contact(const Eigen::SparseMatrix<double> &tangent)
 {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
@@ -86,7 +96,7 @@ void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
     throw std::runtime_error("the stiffness of the coarsest mesh is not positive definite.");
 }
 
-void CoarseSolver::operator()(unsigned int, FloatVector &dst, const FloatVector &src) const
+void FactorizedLevel::operator()(unsigned int, FloatVector &dst, const FloatVector &src) const
 {
   Eigen::VectorXd rhs = Eigen::VectorXd::Zero(stiffness.rows());
   for (unsigned int i = 0; i < src.locally_owned_size(); ++i)

@@ -3,6 +3,7 @@
 #include "fem/solid/mesh_hierarchy.h"
 
 #include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_base.h>
 
 #include <Eigen/SparseCholesky>
@@ -42,15 +43,29 @@ private:
   std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> inverse_diagonal;
 };
 
-/// K + B' T B on the coarsest level, factorised on every rank.
+/// Chebyshev polynomial of the Jacobi-scaled operator.
+using LevelSmoother =
+  dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
+
+/// How every level is smoothed: as good as any on this foot (docs/method/solid_at_scale.md).
+LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
+
+/// An approximate inverse of K + B' T B on the coarsest level.
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
-  CoarseSolver(const SolidLevel &level, const ElasticMaterial &material);
-
   /// @p tangent T between the contact nodes, which operator() then knows. Throws std::runtime_error when the
   /// sum is not positive definite.
-  void set_contact(const Eigen::SparseMatrix<double> &tangent);
+  virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
+};
+
+/// The inverse, factorised on every rank.
+class FactorizedLevel : public CoarseSolver
+{
+public:
+  FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material);
+
+  void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void operator()(unsigned int level, FloatVector &dst, const FloatVector &src) const override;
 
 private:

@@ -3,11 +3,11 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/level_matrix.h"
+#include "fem/solid/revolved_cycle.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_coarse.h>
 #include <deal.II/multigrid/mg_matrix.h>
 #include <deal.II/multigrid/mg_smoother.h>
@@ -26,22 +26,8 @@ namespace
 
 constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
 
-/// Chebyshev smoothing: as good as any on this foot (docs/method/solid_at_scale.md).
-constexpr unsigned int smoother_degree = 5;
-constexpr double smoothing_range = 40;
-
-/// Factors of larger systems take more than a gigabyte and half a minute, in each Newton step.
-constexpr types::global_dof_index most_coarse_unknowns = 50000;
-
-void require_small(types::global_dof_index n_unknowns)
-{
-  if (n_unknowns <= most_coarse_unknowns)
-    return;
-  throw std::invalid_argument("The mesh that Contact/Refinements halves has " + std::to_string(n_unknowns) +
-                              " unknowns with linear elements, and multigrid factorises them only up to " +
-                              std::to_string(most_coarse_unknowns) +
-                              "; begin with fewer cells and halve them once more.");
-}
+/// Factors of a coarsest level with more unknowns cost more than a cycle with its mean body of revolution.
+constexpr types::global_dof_index most_factorized_unknowns = 10000;
 
 } // namespace
 
@@ -77,16 +63,12 @@ SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned in
 struct MeshHierarchy::Cycle
 {
   using Transfer = MGTransferGlobalCoarsening<3, FloatVector>;
-  using Smoother = PreconditionChebyshev<LevelMatrix, FloatVector, DiagonalMatrix<FloatVector>>;
 
   Cycle(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
         const ElasticMaterial &material)
   {
     for (const auto &[mesh, degree] : elements)
-    {
       levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
-      require_small(levels.front()->dof_handler.n_dofs());
-    }
     const auto finest = static_cast<unsigned int>(levels.size() - 1);
     cycles.resize(finest + 1);
     matrices.resize(0, finest);
@@ -94,7 +76,10 @@ struct MeshHierarchy::Cycle
       matrices[l].reinit(*levels[l], material);
     make_transfer(finest);
     make_smoothers(finest);
-    coarse_solver = std::make_unique<CoarseSolver>(*levels[0], material);
+    if (levels[0]->dof_handler.n_dofs() <= most_factorized_unknowns)
+      coarse_solver = std::make_unique<FactorizedLevel>(*levels[0], material);
+    else
+      coarse_solver = std::make_unique<RevolvedCycle>(*levels[0], matrices[0], material);
     matrix.initialize(matrices);
   }
 
@@ -122,14 +107,9 @@ struct MeshHierarchy::Cycle
 
   void make_smoothers(unsigned int finest)
   {
-    MGLevelObject<Smoother::AdditionalData> data(0, finest);
+    MGLevelObject<LevelSmoother::AdditionalData> data(0, finest);
     for (unsigned int l = 0; l <= finest; ++l)
-    {
-      data[l].smoothing_range = smoothing_range;
-      data[l].degree = smoother_degree;
-      data[l].eig_cg_n_iterations = 15;
-      data[l].preconditioner = matrices[l].jacobi();
-    }
+      data[l] = smoothing_of(matrices[l]);
     smoother.initialize(matrices, data);
     for (unsigned int l = 1; l <= finest; ++l)
     {
@@ -155,7 +135,7 @@ struct MeshHierarchy::Cycle
   std::vector<Eigen::SparseMatrix<double>> interpolations; ///< of contact nodes, from the level below
   MGLevelObject<LevelMatrix> matrices;
   std::unique_ptr<Transfer> transfer;
-  mg::SmootherRelaxation<Smoother, FloatVector> smoother;
+  mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
   std::unique_ptr<CoarseSolver> coarse_solver;
   mg::Matrix<FloatVector> matrix;
   std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for

@@ -46,14 +46,14 @@ std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulati
 /// Geometric multigrid for an elastic foot: V-cycles in single precision over the meshes that a triangulation
 /// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
 ///
-/// Level 0 has linear elements and is factorised. From one level to the next either all cells are those of
-/// before or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the
-/// Jacobi-scaled operator smooth.
+/// Level 0 has linear elements and is factorised where it is small, else solved with the help of its mean
+/// body of revolution (RevolvedCycle). From one level to the next either all cells are those of before or
+/// halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled
+/// operator smooth.
 class MeshHierarchy
 {
 public:
-  /// @p elements from the coarsest level up. Throws std::invalid_argument when the coarsest is too large to
-  /// be factorised.
+  /// @p elements from the coarsest level up.
   MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
                 const ElasticMaterial &material);
   ~MeshHierarchy();

@@ -34,6 +34,7 @@ public:
   void read_state(std::istream &stream) override;
   dealii::LinearAlgebra::distributed::Vector<double> displacement_for_output() const override;
 
+  bool has_several_meshes() const { return hierarchy->coarsest_mesh() + 1 < hierarchy->n_levels(); }
   bool is_coarsest() const { return level == hierarchy->coarsest_mesh(); }
   /// The same foot on the next coarser mesh of the hierarchy; not to be asked of the coarsest.
   std::unique_ptr<MultigridSystem> coarser(const SolidBody::Gap &gap) const;

@@ -23,10 +23,14 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Whether a body works on the meshes that its own was refined from.
-bool uses_hierarchy(const Triangulation<3> &triangulation, const SolidOptions &options)
+/// Whether a body is solved by multigrid, without a matrix.
+bool is_matrix_free(const Triangulation<3> &triangulation, const SolidOptions &options)
 {
-  return triangulation.n_global_levels() > 1 && options.linear_solver != LinearSolver::direct;
+  if (options.linear_solver != LinearSolver::automatic)
+    return options.linear_solver == LinearSolver::multigrid;
+  // A cell of degree p has p^3 nodes of its own in the middle of a mesh.
+  const double n_unknowns = 3. * std::pow(options.degree, 3) * double(triangulation.n_global_active_cells());
+  return triangulation.n_global_levels() > 1 || n_unknowns > largest_direct_system;
 }
 
 std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,
@@ -35,7 +39,7 @@ std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,
 {
   require_degree(options.degree);
   material.validate();
-  if (!uses_hierarchy(triangulation, options))
+  if (!is_matrix_free(triangulation, options))
     return std::make_unique<AssembledSystem>(triangulation, material, gap, options);
   const auto hierarchy = std::make_shared<MeshHierarchy>(
     levels_of(triangulation, options.degree), options.straight_edges ? 1 : options.degree, material);
@@ -69,7 +73,8 @@ SolidBody::~SolidBody() = default;
 
 bool SolidBody::has_hierarchy() const
 {
-  return dynamic_cast<const MultigridSystem *>(system.get()) != nullptr;
+  const auto *const multigrid = dynamic_cast<const MultigridSystem *>(system.get());
+  return multigrid && multigrid->has_several_meshes();
 }
 
 bool SolidBody::is_coarsest() const

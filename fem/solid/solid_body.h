@@ -23,12 +23,13 @@ enum class LinearSolver
 {
   automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
   direct,    ///< factorisation (MUMPS) of a recent tangent
-  multigrid  ///< geometric on a mesh that was refined from a coarser one (MeshHierarchy), else algebraic (ML)
+  multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
+             ///< (MeshHierarchy)
 };
 
 /// Above this number of unknowns a factorisation costs more time and memory than multigrid does
 /// (docs/method.md, "Linear solves").
-constexpr unsigned int largest_direct_system = 150000;
+constexpr unsigned int largest_direct_system = 50000;
 
 /// Numerical parameters of a SolidBody.
 struct SolidOptions
@@ -36,7 +37,7 @@ struct SolidOptions
   unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
   LinearSolver linear_solver = LinearSolver::automatic;
   bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
-  /// Reduction of the residual by one linear solve of geometric multigrid; 0: as far as Newton's next step
+  /// Reduction of the residual by one linear solve of multigrid; 0: as far as Newton's next step
   /// can use it.
   double linear_tolerance = 0;
 };

@@ -76,13 +76,12 @@ void add_solid_body(const Study &study, StudySize &size)
   const ContactSection &contact = study.contact;
   size.cells = coarse_cells(contact) * std::pow(8., contact.refinements);
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
-  // Bytes per unknown; a refined mesh is solved over its hierarchy (docs/method/solid_at_scale.md).
-  constexpr double largest_direct = 150000, factorised = 25e3, iterated = 8e3, over_hierarchy = 500;
-  const bool is_direct =
-    contact.linear_solver == fem::LinearSolver::direct ||
-    (contact.linear_solver == fem::LinearSolver::automatic && size.unknowns < largest_direct);
-  const bool has_hierarchy = contact.refinements > 0 && contact.linear_solver != fem::LinearSolver::direct;
-  size.memory += size.unknowns * (has_hierarchy ? over_hierarchy : is_direct ? factorised : iterated);
+  // Bytes per unknown (docs/method/solid_at_scale.md).
+  constexpr double factorised = 25e3, iterated = 500;
+  const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
+                         (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
+                          size.unknowns < fem::largest_direct_system);
+  size.memory += size.unknowns * (is_direct ? factorised : iterated);
 }
 
 /// The entry whose default would lower the size most.

@@ -125,9 +125,12 @@ TEST(StudySize, TheEntryThatAsksForMostIsNamedAndALimitCanBeLifted)
   expect_refusal("Contact/Refinements", "6");
   expect_refusal("Contact/Harmonics", "1000");
   expect_refusal("Contact/Azimuth lines", "100000");
-  expect_refusal("Contact/Foot layers", "100",
-                 { { "Contact/Body", "solid" }, { "Contact/Radial cells", "40" } });
-  expect_refusal("Contact/Azimuthal cells", "2000", { { "Contact/Body", "solid" } });
+  expect_refusal(
+    "Contact/Foot layers", "100",
+    { { "Contact/Body", "solid" }, { "Contact/Azimuthal cells", "480" }, { "Contact/Radial cells", "40" } });
+  expect_refusal(
+    "Contact/Azimuthal cells", "2000",
+    { { "Contact/Body", "solid" }, { "Contact/Foot layers", "20" }, { "Contact/Radial cells", "40" } });
   EXPECT_EQ(why_refused({ { "Motion/End time", "1e6" } }).rfind("Motion/End time = 1e6 s in steps of ", 0),
             0u);
   EXPECT_EQ(why_refused({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "fem/solid/level_matrix.h"
+#include "fem/solid/section_grid.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// The body of revolution that a mesh is on average round its axis: a coarse space for the mesh's equations.
+///
+/// Its functions are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) and the same turned by a
+/// quarter of a wave, n = 0 ... n_harmonics(), u of a SectionGrid. K_n is integrated over the mesh itself,
+/// whatever its shape: Galerkin's matrix without what couples harmonics and without the difference of sine
+/// and cosine. The table, which couples all of them, is added by the compliances between the grid's nodes in
+/// the contact.
+class RevolvedBody
+{
+public:
+  RevolvedBody(const SolidLevel &level, const ElasticMaterial &material);
+
+  unsigned int n_harmonics() const { return n_max; }
+
+  /// @p tangent T between the contact nodes of the level.
+  void set_contact(const Eigen::SparseMatrix<double> &tangent);
+
+  /// Adds P A^-1 P' @p src to @p dst: P interpolates at the mesh's nodes, A is the stiffness of body and
+  /// table in the space. Symmetric.
+  void add_correction(FloatVector &dst, const FloatVector &src) const;
+
+private:
+  /// Rows 6 i + component (u_r, u_theta, u_z, then the same turned) of node i of the grid; a column for each
+  /// harmonic.
+  template <typename Number>
+  using Amplitudes = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  /// A node of the mesh that this rank owns.
+  struct Node
+  {
+    std::array<unsigned int, 3> dofs; ///< x, y, z among the rank's
+    float cosine, sine;               ///< of the azimuth
+  };
+
+  /// One harmonic of the body without the table.
+  struct Harmonic
+  {
+    Eigen::SparseMatrix<double> selection; ///< amplitudes at all nodes of the grid, of the free ones
+    std::unique_ptr<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>> factors; ///< of K_n
+    Eigen::MatrixXd contact_response; ///< free amplitudes under unit forces on the grid's contact nodes
+    Eigen::MatrixXd contact_factor;   ///< L of the compliance L L' between these
+  };
+
+  double describe_nodes(const SolidLevel &level);
+  void describe_contact(const SolidLevel &level);
+  void factorize(const SolidLevel &level, const ElasticMaterial &material, double clamped_height);
+  Eigen::SparseMatrix<double> free_amplitudes(unsigned int harmonic, double clamped_height) const;
+  Amplitudes<double> restrict(const FloatVector &src) const;
+  void prolongate_add(const Amplitudes<double> &amplitudes, FloatVector &dst) const;
+
+  /// Cosine and, but for n = 0, sine.
+  static unsigned int n_turns(unsigned int harmonic) { return harmonic == 0 ? 1 : 2; }
+  /// Where a harmonic's amplitudes at the contact begin.
+  Eigen::Index contact_block(unsigned int harmonic, unsigned int turn) const;
+  /// The vertical amplitudes at the grid's contact nodes.
+  Eigen::MatrixXd at_contact(const Eigen::MatrixXd &amplitudes) const;
+
+  const MPI_Comm communicator;
+  const SectionGrid grid;
+  unsigned int n_max = 0;
+
+  std::vector<Node> nodes;
+  Eigen::SparseMatrix<float, Eigen::RowMajor> interpolation; ///< shape [nodes.size(), grid.n_nodes()]
+  Eigen::MatrixXf cosines, sines; ///< of n theta of the nodes, shape [n_max + 1, nodes.size()]
+
+  std::vector<unsigned int> contact_grid_nodes;                       ///< that the contact nodes see
+  Eigen::SparseMatrix<double, Eigen::RowMajor> contact_interpolation; ///< from these to the contact nodes
+  Eigen::MatrixXd contact_cosines, contact_sines; ///< of n theta, shape [contact nodes, n_max + 1]
+
+  std::vector<Harmonic> harmonics;
+  Eigen::LLT<Eigen::MatrixXd> contact_factors; ///< of 1 + L' T L over all harmonics
+};
+
+} // namespace stemware::fem

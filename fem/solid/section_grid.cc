@@ -1,0 +1,295 @@
+#include "fem/solid/section_grid.h"
+
+#include "fem/elasticity/harmonic_strain.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+
+namespace
+{
+
+/// Size of a square over that of the cells there, at most.
+constexpr double relative_size = 2.8;
+
+/// Shares of the glass's stiffness.
+constexpr double stiffness_of_touched_square = 0.1;
+constexpr double stiffness_of_empty_square = 1e-6;
+
+/// Where a cell of the mesh lies and how large it is in the half plane [m].
+using CellInSection = std::array<double, 3>; // radius, height, size
+
+/// The extent of a mesh in the half plane, and its cells there, of all ranks.
+struct Section
+{
+  explicit Section(const SolidLevel &level)
+  {
+    std::vector<CellInSection> mine;
+    for (const auto &cell : level.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      const Point<3> centre = cell->center();
+      const MeridianPlace middle = place_of(centre);
+      const Tensor<1, 3> outwards =
+        middle.radius > 0 ? Tensor<1, 3>({ centre[0] / middle.radius, centre[1] / middle.radius, 0 })
+                          : Tensor<1, 3>({ 1, 0, 0 });
+      double inner = std::numeric_limits<double>::max(), outer = -inner, low = inner, high = -inner;
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        const Point<3> &vertex = cell->vertex(v);
+        inner = std::min(inner, vertex * outwards);
+        outer = std::max(outer, vertex * outwards);
+        low = std::min(low, vertex[2]);
+        high = std::max(high, vertex[2]);
+        radius = std::max(radius, place_of(vertex).radius);
+      }
+      mine.push_back({ middle.radius, middle.height, std::sqrt((outer - inner) * (high - low)) });
+      bottom = std::min(bottom, low);
+      top = std::max(top, high);
+    }
+    const MPI_Comm communicator = level.dof_handler.get_communicator();
+    for (const auto &part : Utilities::MPI::all_gather(communicator, mine))
+      cells.insert(cells.end(), part.begin(), part.end());
+    radius = Utilities::MPI::max(radius, communicator);
+    bottom = Utilities::MPI::min(bottom, communicator);
+    top = Utilities::MPI::max(top, communicator);
+  }
+
+  double radius = 0;
+  double bottom = std::numeric_limits<double>::max();
+  double top = std::numeric_limits<double>::lowest();
+  std::vector<CellInSection> cells;
+};
+
+} // namespace
+
+MeridianPlace place_of(const Point<3> &point)
+{
+  return { std::hypot(point[0], point[1]), point[2] };
+}
+
+SectionGrid::SectionGrid(const SolidLevel &level)
+    : element(1)
+{
+  make_squares(level);
+  dof_handler.reinit(squares);
+  dof_handler.distribute_dofs(element);
+  DoFTools::make_hanging_node_constraints(dof_handler, hanging);
+  hanging.close();
+  points.resize(dof_handler.n_dofs());
+  for (const auto &square : squares.active_cell_iterators())
+  {
+    const auto dofs = dofs_of(square);
+    for (unsigned int v = 0; v < 4; ++v)
+      points[dofs[v]] = { square->vertex(v)[0], square->vertex(v)[1] };
+  }
+}
+
+void SectionGrid::make_squares(const SolidLevel &level)
+{
+  const Section section(level);
+  bottom = section.bottom;
+  n_rows = 2;
+  root_size = (section.top - bottom) / n_rows;
+  n_columns = static_cast<unsigned int>(std::ceil(section.radius / root_size));
+  GridGenerator::subdivided_hyper_rectangle(squares, { n_columns, n_rows }, Point<2>(0, bottom),
+                                            Point<2>(n_columns * root_size, section.top));
+  roots.resize(n_columns * n_rows);
+  for (const auto &square : squares.cell_iterators_on_level(0))
+    roots[root_index({ square->center()[0], square->center()[1] })] = square->index();
+  for (bool is_fine = false; !is_fine;)
+  {
+    is_fine = true;
+    for (const auto &[radius, height, size] : section.cells)
+    {
+      const Square square = square_at({ radius, height });
+      if (square->extent_in_direction(0) <= relative_size * size)
+        continue;
+      square->set_refine_flag();
+      is_fine = false;
+    }
+    squares.execute_coarsening_and_refinement();
+  }
+}
+
+unsigned int SectionGrid::root_index(const MeridianPlace &place) const
+{
+  const auto index = [&](double distance, unsigned int n)
+  { return static_cast<unsigned int>(std::clamp(std::floor(distance / root_size), 0., n - 1.)); };
+  return index(place.height - bottom, n_rows) * n_columns + index(place.radius, n_columns);
+}
+
+SectionGrid::Square SectionGrid::square_at(const MeridianPlace &place) const
+{
+  Square square(&squares, 0, roots[root_index(place)]);
+  while (square->has_children())
+  {
+    const Point<2> middle = square->center();
+    square = square->child((place.radius > middle[0] ? 1 : 0) + (place.height > middle[1] ? 2 : 0));
+  }
+  return square;
+}
+
+std::vector<types::global_dof_index> SectionGrid::dofs_of(const Square &square) const
+{
+  const DoFHandler<2>::active_cell_iterator cell(&squares, square->level(), square->index(), &dof_handler);
+  std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  return dofs;
+}
+
+SectionGrid::Shapes SectionGrid::shapes_at(const Square &square, const MeridianPlace &place)
+{
+  const double width = square->extent_in_direction(0);
+  const Point<2> corner = square->vertex(0);
+  const double x = std::clamp((place.radius - corner[0]) / width, 0., 1.);
+  const double y = std::clamp((place.height - corner[1]) / width, 0., 1.);
+  return { { (1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y },
+           { { { (y - 1) / width, (x - 1) / width },
+               { (1 - y) / width, -x / width },
+               { -y / width, (1 - x) / width },
+               { y / width, x / width } } } };
+}
+
+template <typename Use>
+void SectionGrid::resolve(types::global_dof_index dof, double factor, const Use &use) const
+{
+  if (!hanging.is_constrained(dof))
+    use(static_cast<unsigned int>(dof), factor);
+  else
+    for (const auto &[master, weight] : *hanging.get_constraint_entries(dof))
+      use(static_cast<unsigned int>(master), factor * weight);
+}
+
+std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const MeridianPlace &place) const
+{
+  constexpr double negligible = 1e-9;
+  const Square square = square_at(place);
+  const Shapes shapes = shapes_at(square, place);
+  const auto dofs = dofs_of(square);
+  std::vector<std::pair<unsigned int, double>> functions;
+  for (unsigned int v = 0; v < 4; ++v)
+    if (shapes.values[v] > negligible)
+      resolve(dofs[v], shapes.values[v],
+              [&](unsigned int node, double value) { functions.emplace_back(node, value); });
+  return functions;
+}
+
+void SectionGrid::add_point(const Shapes &shapes, double radius, double weight,
+                            const ElasticMaterial &material, SquareStiffness &stiffness)
+{
+  std::array<ShapeStrain, 12> strains;
+  for (unsigned int i = 0; i < 12; ++i)
+    strains[i] = strain_of(i % 3, shapes.values[i / 3], shapes.gradients[i / 3], radius);
+  const double lambda = material.lame_lambda();
+  const double shear = material.shear_modulus();
+  for (unsigned int i = 0; i < 12; ++i)
+    for (unsigned int j = 0; j < 12; ++j)
+    {
+      const ShapeStrain &a = strains[i];
+      const ShapeStrain &b = strains[j];
+      stiffness[0](i, j) += weight * energy_product(a.constant, b.constant, lambda, shear);
+      stiffness[1](i, j) += weight * (energy_product(a.constant, b.linear, lambda, shear) +
+                                      energy_product(a.linear, b.constant, lambda, shear));
+      stiffness[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
+    }
+}
+
+std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLevel &level,
+                                                                 const ElasticMaterial &material) const
+{
+  std::vector<SquareStiffness> sums(squares.n_active_cells());
+  for (SquareStiffness &sum : sums)
+    sum.fill(Eigen::Matrix<double, 12, 12>::Zero());
+  std::vector<double> is_touched(sums.size(), 0);
+  FEValues<3> values(level.mapping, level.element, QGauss<3>(2),
+                     update_quadrature_points | update_JxW_values);
+  for (const auto &cell : level.dof_handler.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    values.reinit(cell);
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      const MeridianPlace place = place_of(values.quadrature_point(q));
+      const Square square = square_at(place);
+      is_touched[square->active_cell_index()] = 1;
+      add_point(shapes_at(square, place), place.radius, values.JxW(q), material,
+                sums[square->active_cell_index()]);
+    }
+    constexpr double little = 1e-3;
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const Point<3> inside = cell->vertex(v) + little * (cell->center() - cell->vertex(v));
+      is_touched[square_at(place_of(inside))->active_cell_index()] = 1;
+    }
+  }
+  const MPI_Comm communicator = level.dof_handler.get_communicator();
+  const ArrayView<double> numbers(sums.front().front().data(),
+                                  sums.size() * sizeof(SquareStiffness) / sizeof(double));
+  Utilities::MPI::sum(ArrayView<const double>(numbers), communicator, numbers);
+  Utilities::MPI::max(is_touched, communicator, is_touched);
+  const QGauss<2> quadrature(2);
+  for (const auto &square : squares.active_cell_iterators())
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    {
+      const double width = square->extent_in_direction(0);
+      const Point<2> point = square->vertex(0) + width * quadrature.point(q);
+      const double share =
+        is_touched[square->active_cell_index()] > 0 ? stiffness_of_touched_square : stiffness_of_empty_square;
+      const double volume = 2 * numbers::PI * point[0] * width * width * quadrature.weight(q);
+      add_point(shapes_at(square, { point[0], point[1] }), point[0], share * volume, material,
+                sums[square->active_cell_index()]);
+    }
+  return sums;
+}
+
+std::array<Eigen::SparseMatrix<double>, 3> SectionGrid::stiffness(const SolidLevel &level,
+                                                                  const ElasticMaterial &material) const
+{
+  const std::vector<SquareStiffness> of_squares = integrate(level, material);
+  std::array<Eigen::SparseMatrix<double>, 3> parts;
+  for (unsigned int p = 0; p < 3; ++p)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto &square : squares.active_cell_iterators())
+    {
+      const auto dofs = dofs_of(square);
+      const auto &matrix = of_squares[square->active_cell_index()][p];
+      const auto add_block =
+        [&](unsigned int i, unsigned int j, unsigned int row, unsigned int column, double weight)
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            entries.emplace_back(static_cast<int>(3 * row + c), static_cast<int>(3 * column + d),
+                                 weight * matrix(3 * i + c, 3 * j + d));
+      };
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < 4; ++j)
+          resolve(dofs[i], 1,
+                  [&](unsigned int row, double factor)
+                  {
+                    resolve(dofs[j], factor,
+                            [&](unsigned int column, double weight)
+                            { add_block(i, j, row, column, weight); });
+                  });
+    }
+    parts[p].resize(3 * static_cast<int>(n_nodes()), 3 * static_cast<int>(n_nodes()));
+    parts[p].setFromTriplets(entries.begin(), entries.end());
+  }
+  return parts;
+}
+
+} // namespace stemware::fem

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "fem/solid/mesh_hierarchy.h"
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/tria.h>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// A place in the half plane of cylindrical coordinates [m].
+struct MeridianPlace
+{
+  double radius = 0;
+  double height = 0;
+};
+
+/// That of @p point, whatever its azimuth.
+MeridianPlace place_of(const dealii::Point<3> &point);
+
+/// Squares of the half plane (r, z) over all that a mesh sweeps round its axis, halved until they are about
+/// twice as large as the mesh's cells there, with bilinear functions on them. The same on all ranks.
+class SectionGrid
+{
+public:
+  explicit SectionGrid(const SolidLevel &level);
+
+  unsigned int n_nodes() const { return static_cast<unsigned int>(points.size()); }
+  const MeridianPlace &node(unsigned int i) const { return points[i]; }
+  /// A hanging node is no function of its own.
+  bool is_hanging(unsigned int i) const { return hanging.is_constrained(i); }
+
+  /// The functions that are not zero at @p place, with their values.
+  std::vector<std::pair<unsigned int, double>> functions_at(const MeridianPlace &place) const;
+
+  /// K_0, K_1, K_2 of K_n = K_0 + n K_1 + n^2 K_2, shape [3 n_nodes, 3 n_nodes], unknown 3 i + component (r,
+  /// theta, z) of node i: the energy of a body of revolution times 2 pi, integrated over the cells of @p
+  /// level. A square with glass in it has a tenth of the glass's stiffness besides, so that what nodes of the
+  /// mesh see of it costs energy, an empty one a millionth.
+  std::array<Eigen::SparseMatrix<double>, 3> stiffness(const SolidLevel &level,
+                                                       const ElasticMaterial &material) const;
+
+private:
+  using Square = dealii::Triangulation<2>::cell_iterator;
+  /// Values and gradients of the four functions of a square, in deal.II's order.
+  struct Shapes
+  {
+    std::array<double, 4> values;
+    std::array<std::array<double, 2>, 4> gradients;
+  };
+  /// The parts of K_n on one square, unknown 3 * vertex + component.
+  using SquareStiffness = std::array<Eigen::Matrix<double, 12, 12>, 3>;
+
+  void make_squares(const SolidLevel &level);
+  unsigned int root_index(const MeridianPlace &place) const;
+  Square square_at(const MeridianPlace &place) const;
+  std::vector<dealii::types::global_dof_index> dofs_of(const Square &square) const;
+  static Shapes shapes_at(const Square &square, const MeridianPlace &place);
+  static void add_point(const Shapes &shapes, double radius, double weight, const ElasticMaterial &material,
+                        SquareStiffness &stiffness);
+  std::vector<SquareStiffness> integrate(const SolidLevel &level, const ElasticMaterial &material) const;
+  /// Calls @p use(free node, weight) for what makes up node @p dof.
+  template <typename Use>
+  void resolve(dealii::types::global_dof_index dof, double factor, const Use &use) const;
+
+  double bottom = 0;
+  double root_size = 0; ///< of the squares that the others are parts of [m]
+  unsigned int n_rows = 0, n_columns = 0;
+  std::vector<int> roots; ///< index of the square on level 0, row by row
+  dealii::Triangulation<2> squares;
+  const dealii::FE_Q<2> element;
+  dealii::DoFHandler<2> dof_handler;
+  dealii::AffineConstraints<double> hanging;
+  std::vector<MeridianPlace> points;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,177 @@
+// What a linear solve costs on a mesh that was not refined from a coarser one: the solvers of such meshes
+// against each other, on feet that are bodies of revolution and on such that nearly are.
+//
+//   imported_mesh_benchmark [name=value]...
+//
+// cells=48,2,2 (round the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat land
+// of 2 mm), shape=foot|step, defect=none|oval|lobes|chip, width=0.95 (of an oval, over its length),
+// solver=multigrid|direct|automatic, modulus=1e11, moment=1.3.
+#include "fem/contact/load_harmonics.h"
+#include "fem/contact/winkler_interface.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/solid/solid_body.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+using namespace stemware::fem;
+
+namespace
+{
+
+using Values = std::map<std::string, std::string>;
+
+Values read_values(int argc, char **argv)
+{
+  Values values = { { "cells", "48,2,2" },     { "halvings", "1" },   { "degree", "2" },
+                    { "crown", "0" },          { "shape", "foot" },   { "defect", "none" },
+                    { "solver", "multigrid" }, { "modulus", "1e11" }, { "moment", "1.3" },
+                    { "width", "0.95" } };
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const std::size_t sign = argument.find('=');
+    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
+      throw std::invalid_argument("imported_mesh_benchmark does not know " + argument + ".");
+    values[argument.substr(0, sign)] = argument.substr(sign + 1);
+  }
+  return values;
+}
+
+/// The cells of @p drawn as a mesh file would give them: without the meshes they come from.
+void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
+            dealii::Triangulation<3> &mesh)
+{
+  dealii::Triangulation<3> flat;
+  dealii::GridGenerator::flatten_triangulation(drawn, flat);
+  flat.reset_all_manifolds();
+  flat.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
+  if (defect == "oval")
+    dealii::GridTools::transform(
+      [&](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], width * x[1], x[2]); }, flat);
+  else if (defect == "lobes")
+    dealii::GridTools::transform(
+      [&](const dealii::Point<3> &x)
+      {
+        const double r = std::hypot(x[0], x[1]), theta = std::atan2(x[1], x[0]);
+        return x + 1e-6 * std::pow(r / radius, 3) * std::cos(3 * theta) * dealii::Point<3>(0, 0, 1);
+      },
+      flat);
+  if (defect != "chip")
+  {
+    mesh.copy_triangulation(flat);
+    return;
+  }
+  // A chip of 30 degrees out of the edge, down to the middle of the land.
+  std::set<dealii::Triangulation<3>::active_cell_iterator> removed;
+  std::map<std::array<long, 3>, dealii::types::boundary_id> ids;
+  const auto place_of = [](const dealii::Point<3> &x) {
+    return std::array<long, 3>{ std::lround(1e9 * x[0]), std::lround(1e9 * x[1]), std::lround(1e9 * x[2]) };
+  };
+  for (const auto &cell : flat.active_cell_iterators())
+  {
+    const dealii::Point<3> x = cell->center();
+    if (std::hypot(x[0], x[1]) > radius && std::abs(std::atan2(x[1], x[0]) - 1) < dealii::numbers::PI / 12)
+      removed.insert(cell);
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+        ids[place_of(face->center())] = face->boundary_id();
+  }
+  dealii::Triangulation<3> chipped;
+  dealii::GridGenerator::create_triangulation_with_removed_cells(flat, removed, chipped);
+  for (const auto &face : chipped.active_face_iterators())
+    if (face->at_boundary())
+    {
+      const auto found = ids.find(place_of(face->center()));
+      face->set_boundary_id(found == ids.end() ? 0 : found->second);
+    }
+  mesh.copy_triangulation(chipped);
+}
+
+double peak_bytes()
+{
+  dealii::Utilities::System::MemoryStats memory;
+  dealii::Utilities::System::get_memory_stats(memory);
+  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
+}
+
+void run(Values values)
+{
+  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
+  GlassProfile profile;
+  if (values["shape"] == "foot")
+    profile.shape = GlassShape::foot;
+  profile.crown_radius = number("crown");
+  if (profile.crown_radius == 0)
+    profile.land_width = 0.002;
+  const double radius = profile.contact_radius;
+  const std::vector<int> cells =
+    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
+  const FootResolution resolution = { static_cast<unsigned int>(cells.at(0)),
+                                      static_cast<unsigned int>(cells.at(1)),
+                                      static_cast<unsigned int>(cells.at(2)),
+                                      static_cast<unsigned int>(number("halvings")) };
+  dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+  {
+    dealii::Triangulation<3> drawn;
+    make_foot_mesh(profile, resolution, drawn);
+    import(drawn, values["defect"], number("width"), radius, mesh);
+  }
+  SolidOptions options;
+  options.degree = static_cast<unsigned int>(number("degree"));
+  options.straight_edges = true;
+  options.linear_solver = values["solver"] == "direct"      ? LinearSolver::direct
+                          : values["solver"] == "automatic" ? LinearSolver::automatic
+                                                            : LinearSolver::multigrid;
+  dealii::Timer timer;
+  SolidBody body(
+    mesh, ElasticMaterial(), [&](double x, double y) { return profile.gap(std::hypot(x, y)); }, options);
+  const double setup_seconds = timer.wall_time();
+  const WinklerInterface mat(number("modulus"));
+  const auto law = mat.make(body.contact_surface(), 0);
+  const double weight = 0.3 * 9.81;
+  const Resultants load = { weight, 0, -number("moment") * weight * radius / 2 };
+  timer.restart();
+  const ContactSolution solution = solve_contact(body, *law, load, radius);
+  const double contact_seconds = timer.wall_time();
+  const LoadHarmonics harmonics = extract_load(*law, solution, 8);
+  fmt::print("{} unknowns, set-up {:.1f} s; contact {:.1f} s, {} steps, {} iterations; a_2/a_0 = {:.9f}, "
+             "a_3/a_0 = {:.9f}\n",
+             body.n_unknowns(), setup_seconds, contact_seconds, solution.n_iterations,
+             solution.n_linear_iterations, harmonics.a[0][2] / harmonics.a[0][0],
+             harmonics.a[0][3] / harmonics.a[0][0]);
+  ContactForces contact;
+  law->evaluate(solution.normal_displacement, contact);
+  body.reset();
+  body.set_linear_tolerance(1e-9);
+  timer.restart();
+  const NewtonIncrement linear = body.solve(contact.tangent, solution.forces,
+                                            prescribed_resultants(body.contact_surface(), load), { 0, 0, 0 });
+  fmt::print("linear solve: {} iterations, {:.2f} s; peak memory {:.2f} GB, {:.0f} bytes per unknown\n",
+             linear.linear_iterations, timer.wall_time(), peak_bytes() / 1e9,
+             peak_bytes() / body.n_unknowns());
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  try
+  {
+    run(read_values(argc, argv));
+  }
+  catch (const std::exception &error)
+  {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}
