@@ -3,6 +3,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/mesh_estimate.h"
+#include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 
 #include <deal.II/distributed/tria.h>
@@ -240,7 +241,8 @@ PressureMap SolidFoot::pressure_map(const ContactState &state)
 std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const ContactGoal &goal,
                                                bool with_cells)
 {
-  if (setup.table.interface->is_hard() && softening_of_coarser == 1)
+  if ((setup.table.interface->is_hard() && softening_of_coarser == 1) ||
+      !has_small_coarsest_mesh(*mesh.triangulation))
     return std::nullopt;
   const ContactState state = is_latest(body, in_mesh_axes(given)) ? given : solve(given.demand, given.slip);
   const double axis = axis_of(state.slip);

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace stemware::pipeline
@@ -43,8 +44,12 @@ void converge(const ConvergeOptions &options)
   const Study study = meshed_for_goal(given, cache, progress);
   if (study.contact.goal != Goal::none)
   {
+    // Meshes of other cells have other cells to halve.
     axes = refinement_axes(study, options.n_levels);
-    axes.front() = goal_axis(study, cache);
+    axes.erase(std::remove_if(axes.begin(), axes.end(),
+                              [](const RefinementAxis &axis) { return axis.role == AxisRole::space; }),
+               axes.end());
+    axes.insert(axes.begin(), goal_axis(study, cache));
   }
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot);

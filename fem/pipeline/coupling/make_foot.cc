@@ -11,6 +11,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -90,6 +92,8 @@ fem::SolidSetup solid_setup(const Study &study)
   if (!setup.checkpoint_folder.empty())
     fem::ContactCheckpoint(setup.checkpoint_folder, ""); // says before the work where it cannot be made
   setup.problem = study_as_prm(study);
+  for (const fem::MarkedCells &marked : study.contact.halved)
+    setup.problem += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
   return setup;
 }
 

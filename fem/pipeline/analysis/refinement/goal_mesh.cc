@@ -42,6 +42,27 @@ double sum_of_shares(const fem::MeshError &error)
   return std::accumulate(error.disc_cells.begin(), error.disc_cells.end(), foot);
 }
 
+/// A mesh for a goal has cells that no size of a study foresees. @p before: of the mesh without the last
+/// cells that @p meshed halves.
+void require_memory(const Study &meshed, const GoalError &before)
+{
+  if (abilities(meshed.contact.body).is_of_revolution)
+    return;
+  constexpr double per_unknown =
+    2500; // over its hierarchy, and in the estimate, which has five times as many
+  const double n_cells =
+    static_cast<double>(before.error.foot_cells.size() + 7 * meshed.contact.halved.back().foot.size());
+  const double memory = per_unknown * 4.5 * n_cells * std::pow(meshed.contact.degree, 3);
+  if (memory > meshed.contact.memory_limit)
+    throw std::runtime_error(
+      fmt::format(FMT_STRING("The next mesh for the goal, the error being {:.1e} of its value, would have "
+                             "{:.2g} cells and take about "
+                             "{:.2g} GB of memory; give a larger Contact/Goal tolerance, or allow more with "
+                             "Contact/Memory limit = {:.0f} GB."),
+                  std::abs(before.error.correction / before.value), n_cells, memory / 1e9,
+                  std::ceil(1.1 * memory / 1e9)));
+}
+
 } // namespace
 
 Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache, Progress &progress)
@@ -71,6 +92,7 @@ Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache, Progress 
                    "Contact/Goal tolerance = {:g}; give a larger tolerance."),
         std::abs(found.error.correction / found.value), most_meshes, study.contact.goal_tolerance));
     meshed.contact.halved.push_back(found.error.mark(marked_share));
+    require_memory(meshed, found);
   }
 }
 
