@@ -118,6 +118,11 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
   make_meridian_mesh(setup.profile, setup.resolution, foot);
   if (setup.table.substrate)
     make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
+  for (unsigned int i = 0; i < setup.corner_halvings; ++i)
+  {
+    flag_corner_cells(foot, reentrant_corners(foot));
+    refine();
+  }
   for (const MarkedCells &marked : setup.halved)
   {
     flag(foot, marked.foot);

@@ -34,7 +34,9 @@ struct RevolutionSetup
   MeridianOptions meridian;        ///< order and highest elastic harmonic
   MeridianResolution resolution;   ///< see resolved_for()
   std::vector<MarkedCells> halved; ///< of the meshes that `resolution` gives, one after the other
-  unsigned int n_lines = 256;      ///< azimuth lines
+  /// How often the cells at re-entrant corners are halved.
+  unsigned int corner_halvings = 0;
+  unsigned int n_lines = 256; ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
   double fineness = 1;                    ///< of the cells in the contact, over the usual

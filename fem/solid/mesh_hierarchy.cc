@@ -14,7 +14,6 @@
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 #include <deal.II/multigrid/multigrid.h>
 
-#include <set>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -141,15 +140,6 @@ struct MeshHierarchy::Cycle
   mg::Matrix<FloatVector> matrix;
   std::vector<std::unique_ptr<FromLevel>> cycles; ///< made when they are first asked for
 };
-
-bool has_small_coarsest_mesh(const Triangulation<3> &triangulation)
-{
-  std::set<unsigned int> vertices;
-  for (const auto &cell : triangulation.cell_iterators_on_level(0))
-    for (const unsigned int v : cell->vertex_indices())
-      vertices.insert(cell->vertex_index(v));
-  return 3 * vertices.size() <= most_coarse_unknowns;
-}
 
 std::vector<LevelElements> levels_of(const Triangulation<3> &triangulation, unsigned int degree)
 {

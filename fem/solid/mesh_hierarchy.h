@@ -39,9 +39,6 @@ struct LevelElements
   unsigned int degree;
 };
 
-/// Whether multigrid can factorise the mesh that @p triangulation was refined from, with linear elements.
-bool has_small_coarsest_mesh(const dealii::Triangulation<3> &triangulation);
-
 /// The levels of elements of @p degree on @p triangulation, which has to outlive them, and on the meshes that
 /// it was refined from: the coarsest of them with linear elements, then all of them with those of @p degree.
 std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulation, unsigned int degree);

@@ -241,8 +241,7 @@ PressureMap SolidFoot::pressure_map(const ContactState &state)
 std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const ContactGoal &goal,
                                                bool with_cells)
 {
-  if ((setup.table.interface->is_hard() && softening_of_coarser == 1) ||
-      !has_small_coarsest_mesh(*mesh.triangulation))
+  if (setup.table.interface->is_hard() && softening_of_coarser == 1)
     return std::nullopt;
   const ContactState state = is_latest(body, in_mesh_axes(given)) ? given : solve(given.demand, given.slip);
   const double axis = axis_of(state.slip);

@@ -70,8 +70,7 @@ public:
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
   /// As estimate_mesh_error(); nothing for a hard table under a mesh without a hierarchy, whose nodal
-  /// multipliers have no counterpart on other elements, and where multigrid cannot factorise the coarsest
-  /// mesh. Presses the foot again unless @p state is its last.
+  /// multipliers have no counterpart on other elements. Presses the foot again unless @p state is its last.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) override;
 

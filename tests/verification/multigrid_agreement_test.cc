@@ -1,6 +1,7 @@
 // The solid body by geometric multigrid against the body of revolution: other elements, another linear
 // solver, the same interface law.
 #include "fem/contact/hard_interface.h"
+#include "fem/revolution/revolution_foot.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/foot_case.h"
@@ -85,4 +86,51 @@ TEST(MultigridAgreement, HardFlatLandLiesAmongThreeEngines)
   const LoadHarmonics load = foot.solve(load_at(1.3)).load;
   for (unsigned int n = 4; n <= 8; ++n)
     EXPECT_NEAR(load.a[0][n] / load.a[0][0], engines[n - 4], 0.003) << "n = " << n;
+}
+
+namespace
+{
+
+RevolutionSetup hard_flat_revolution()
+{
+  RevolutionSetup setup;
+  setup.profile = flat_profile();
+  setup.table.interface = std::make_shared<HardInterface>();
+  return setup;
+}
+
+} // namespace
+
+TEST(MultigridAgreement, HardFlatLandOnBothBodies)
+{
+  SolidSetup setup;
+  setup.profile = flat_profile();
+  setup.table.interface = std::make_shared<HardInterface>();
+  setup.options.linear_solver = LinearSolver::multigrid;
+  SolidFoot solid(generate_solid_mesh(setup.profile, { 48, 2, 2, 1 }), setup);
+  RevolutionFoot revolution(hard_flat_revolution().resolved_for(weight));
+  // Beyond lift-off the solid's pressure at the inner edge of the land is what is left.
+  for (const auto &[m, tolerance] : { std::pair(0.5, 1e-4), { 1.2, 1.5e-3 } })
+  {
+    ContactDemand demand = load_at(m);
+    demand.n_harmonics = 8;
+    EXPECT_LT(largest_difference(solid.solve(demand).load, revolution.solve(demand).load), tolerance)
+      << "m = " << m;
+  }
+}
+
+// Oracle: elements of degree 3 on cells of half the size, graded to the corners from there on, twice the
+// lines and half as many harmonics again.
+TEST(MultigridAgreement, HardFlatLandOnTheUsualMeshOfRevolution)
+{
+  RevolutionSetup fine = hard_flat_revolution();
+  fine.meridian.degree = 3;
+  fine.meridian.n_harmonics = 24;
+  fine.resolution.refinements = 1;
+  fine.n_lines = 512;
+  ContactDemand demand = load_at(1.2);
+  demand.n_harmonics = 8;
+  const LoadHarmonics usual = RevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
+  const LoadHarmonics expected = RevolutionFoot(fine.resolved_for(weight)).solve(demand).load;
+  EXPECT_LT(largest_difference(usual, expected), 1.2e-4);
 }
