@@ -142,6 +142,7 @@ TEST(Multigrid, AgreesWithTheFactorisation)
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
     for (const unsigned int degree : { 1u, 2u })
     {
+      SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
       // The crowned foot with hanging nodes, in the contact too.
       const FootResolution resolution = { 12, 2, 1, 1, profile.crown_radius > 0 ? 1u : 0u };
       FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
