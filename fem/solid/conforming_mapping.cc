@@ -10,6 +10,8 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
+
 namespace stemware::fem
 {
 
@@ -49,7 +51,8 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   hanging.close();
   hanging.distribute(positions);
   positions.update_ghost_values();
-  auto conforming = std::make_unique<MappingQCache<3>>(degree);
+  // Mappings of degree 1 read vertices from the mesh in places.
+  auto conforming = std::make_unique<MappingQCache<3>>(std::max(degree, 2u));
   conforming->initialize(*smooth, dof_handler, positions, false);
   return conforming;
 }

@@ -99,7 +99,7 @@ void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refineme
 
 TEST(MatrixFree, OperatorIsTheAssembledMatrix)
 {
-  for (const unsigned int degree : { 1u, 2u })
+  for (const unsigned int degree : { 1u, 2u, 3u })
   {
     for (const unsigned int land_refinements : { 0u, 1u })
     {

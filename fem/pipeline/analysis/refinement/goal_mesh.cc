@@ -48,8 +48,7 @@ void require_memory(const Study &meshed, const GoalError &before)
 {
   if (abilities(meshed.contact.body).is_of_revolution)
     return;
-  constexpr double per_unknown =
-    2500; // over its hierarchy, and in the estimate, which has five times as many
+  constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured
   const double n_cells =
     static_cast<double>(before.error.foot_cells.size() + 7 * meshed.contact.halved.back().foot.size());
   const double memory = per_unknown * 4.5 * n_cells * std::pow(meshed.contact.degree, 3);
