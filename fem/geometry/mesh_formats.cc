@@ -39,13 +39,89 @@ public:
   throw Unreadable(otherwise);
 }
 
-void read_gmsh(std::istream &file, Triangulation<3> &triangulation)
+/// An element of second order as the element of first order at its corners.
+struct Corners
 {
-  const std::string otherwise = "is not a Gmsh .msh mesh of hexahedra of first order; export such hexahedra "
-                                "(Mesh.RecombineAll, Mesh.ElementOrder = 1) in format 2 or 4.";
+  int type; ///< of first order
+  unsigned int n;
+};
+
+/// @p file with the corners of hexahedra, quadrilaterals and lines of second order in their place; @p
+/// is_second says whether there is such a hexahedron. Binary files are left alone.
+std::string corners_of_gmsh(std::istream &file, bool &is_second)
+{
+  const std::map<int, Corners> of_second_order = {
+    { 8, { 1, 2 } }, { 10, { 3, 4 } }, { 16, { 3, 4 } }, { 12, { 5, 8 } }, { 17, { 5, 8 } }
+  };
+  std::ostringstream result;
+  bool in_format = false, in_elements = false;
+  double version = 0;
+  unsigned int n_lines = 0; // of the elements' section
+  unsigned int n_left = 0;  // elements of the block of format 4
+  auto of_block = of_second_order.end();
+  for (std::string line; std::getline(file, line); result << line << '\n')
+  {
+    if (boost::starts_with(line, "$"))
+    {
+      in_format = boost::starts_with(line, "$MeshFormat");
+      in_elements = boost::starts_with(line, "$Elements");
+      n_lines = 0;
+      continue;
+    }
+    std::istringstream text(line);
+    if (in_format)
+      text >> version;
+    if (!in_elements || ++n_lines == 1)
+      continue;
+    std::vector<long> numbers;
+    for (long number = 0; text >> number;)
+      numbers.push_back(number);
+    const auto cut_to = [&](std::size_t n_numbers)
+    {
+      numbers.resize(std::min(numbers.size(), n_numbers));
+      line.clear();
+      for (const long number : numbers)
+        line += std::to_string(number) + ' ';
+    };
+    if (version < 4 && numbers.size() > 2)
+    {
+      const auto corners = of_second_order.find(static_cast<int>(numbers[1]));
+      if (corners == of_second_order.end())
+        continue;
+      numbers[1] = corners->second.type;
+      is_second = is_second || corners->second.n == 8;
+      cut_to(3 + static_cast<std::size_t>(numbers[2]) + corners->second.n);
+    }
+    else if (version >= 4 && n_left == 0 && numbers.size() == 4)
+    {
+      of_block = of_second_order.find(static_cast<int>(numbers[2]));
+      n_left = static_cast<unsigned int>(numbers[3]);
+      if (of_block == of_second_order.end())
+        continue;
+      numbers[2] = of_block->second.type;
+      is_second = is_second || of_block->second.n == 8;
+      cut_to(4);
+    }
+    else if (version >= 4 && n_left > 0)
+    {
+      --n_left;
+      if (of_block != of_second_order.end())
+        cut_to(1 + of_block->second.n);
+    }
+  }
+  return result.str();
+}
+
+bool read_gmsh(std::istream &file, Triangulation<3> &triangulation)
+{
+  const std::string otherwise =
+    "is not a Gmsh .msh mesh of hexahedra; export hexahedra (Mesh.RecombineAll) of "
+    "first or second order in format 2 or 4, ASCII.";
+  bool is_second = false;
+  std::istringstream of_corners(corners_of_gmsh(file, is_second));
   try
   {
-    GridIn<3>(triangulation).read_msh(file);
+    GridIn<3>(triangulation).read_msh(of_corners);
   }
   catch (const std::exception &failure)
   {
@@ -53,42 +129,72 @@ void read_gmsh(std::istream &file, Triangulation<3> &triangulation)
   }
   if (!triangulation.all_reference_cells_are_hyper_cube())
     throw Unreadable(otherwise);
+  return is_second;
 }
 
-/// deal.II's reader knows linear hexahedra, and no other element by its name.
-void require_abaqus_hexahedra(std::istream &file)
+/// @p file with C3D8 in place of C3D20 and C3D27; @p is_second says whether there are such. deal.II's reader
+/// knows linear hexahedra, and no other element by its name.
+std::string corners_of_abaqus(std::istream &file, bool &is_second)
 {
+  constexpr std::size_t n_corners = 8;
+  std::ostringstream result;
   bool has_nodes = false, has_elements = false;
+  std::size_t n_nodes = n_corners;  // of the elements that follow
+  std::vector<std::string> numbers; // of an element that is not complete yet
   for (std::string line; std::getline(file, line);)
   {
-    boost::to_upper(line);
-    boost::erase_all(line, " ");
-    has_nodes = has_nodes || boost::starts_with(line, "*NODE");
-    if (!boost::starts_with(line, "*ELEMENT,"))
-      continue;
-    const std::size_t type = line.find("TYPE=");
-    const std::string name =
-      type == std::string::npos ? "" : line.substr(type + 5, line.find_first_of(",\r", type) - type - 5);
-    if (!boost::starts_with(name, "C3D8"))
-      throw Unreadable("has elements of the type " + name.substr(0, 20) +
-                       "; export hexahedra of first order, C3D8.");
-    has_elements = true;
+    std::string words = boost::to_upper_copy(line);
+    boost::erase_all(words, " ");
+    if (boost::starts_with(words, "*"))
+    {
+      n_nodes = n_corners;
+      has_nodes = has_nodes || boost::starts_with(words, "*NODE");
+    }
+    if (boost::starts_with(words, "*ELEMENT,"))
+    {
+      has_elements = true;
+      const std::size_t type = words.find("TYPE=");
+      const std::string name =
+        type == std::string::npos ? "" : words.substr(type + 5, words.find_first_of(",\r", type) - type - 5);
+      if (boost::starts_with(name, "C3D20") || boost::starts_with(name, "C3D27"))
+      {
+        n_nodes = boost::starts_with(name, "C3D20") ? 20 : 27;
+        is_second = true;
+        line = boost::replace_first_copy(words, name, "C3D8");
+      }
+      else if (!boost::starts_with(name, "C3D8"))
+        throw Unreadable("has elements of the type " + name.substr(0, 20) +
+                         "; export hexahedra: C3D8, C3D20 or C3D27.");
+    }
+    else if (n_nodes > n_corners && !boost::starts_with(words, "*"))
+    {
+      std::istringstream text(words);
+      for (std::string number; std::getline(text, number, ',');)
+        if (number.find_first_of("0123456789") != std::string::npos)
+          numbers.push_back(number);
+      if (numbers.size() <= n_nodes)
+        continue;
+      numbers.resize(1 + n_corners);
+      line = boost::join(numbers, ", ");
+      numbers.clear();
+    }
+    result << line << '\n';
   }
   if (!has_nodes || !has_elements)
     throw Unreadable("is not an Abaqus .inp mesh: it has no *NODE or no *ELEMENT; export hexahedra, C3D8.");
+  return result.str();
 }
 
-void read_abaqus(std::istream &file, Triangulation<3> &triangulation)
+bool read_abaqus(std::istream &file, Triangulation<3> &triangulation)
 {
-  require_abaqus_hexahedra(file);
-  file.clear();
-  file.seekg(0);
+  bool is_second = false;
+  std::istringstream of_corners(corners_of_abaqus(file, is_second));
   std::ostringstream printed; // deal.II prints the reason and throws another
   std::streambuf *const console = std::cerr.rdbuf(printed.rdbuf());
   const auto restore = [&] { std::cerr.rdbuf(console); };
   try
   {
-    GridIn<3>(triangulation).read_abaqus(file);
+    GridIn<3>(triangulation).read_abaqus(of_corners);
     restore();
   }
   catch (const std::exception &failure)
@@ -98,6 +204,7 @@ void read_abaqus(std::istream &file, Triangulation<3> &triangulation)
             "is not an Abaqus .inp mesh that can be read; export nodes, hexahedra C3D8 and element "
             "surfaces whose names end in their ids.");
   }
+  return is_second;
 }
 
 /// Arrays of a VTU file by their names.
@@ -131,9 +238,12 @@ unsigned int to_index(double value, std::size_t end)
   return static_cast<unsigned int>(value);
 }
 
-void read_vtu(std::istream &file, Triangulation<3> &triangulation)
+bool read_vtu(std::istream &file, Triangulation<3> &triangulation)
 {
-  constexpr int quadrilateral = 9, hexahedron = 12;
+  // Number of nodes by type, corners first.
+  const std::map<int, unsigned int> hexahedra = { { 12, 8 }, { 25, 20 }, { 29, 27 } },
+                                    quadrilaterals = { { 9, 4 }, { 23, 8 }, { 28, 9 } };
+  bool is_second = false;
   boost::property_tree::ptree tree;
   try
   {
@@ -155,11 +265,13 @@ void read_vtu(std::istream &file, Triangulation<3> &triangulation)
     for (std::size_t i = 0; i < types.size(); ++i)
     {
       const auto type = static_cast<int>(types[i]);
-      if (type != hexahedron && type != quadrilateral)
+      const bool is_hexahedron = hexahedra.count(type) > 0;
+      if (!is_hexahedron && quadrilaterals.count(type) == 0)
         throw Unreadable(
           "has cells of VTK's type " + std::to_string(type) +
-          "; save hexahedra of first order (12) and, for the ids of faces, quadrilaterals (9).");
-      const unsigned int n = type == hexahedron ? 8 : 4;
+          "; save hexahedra (12, 25, 29) and, for the ids of faces, quadrilaterals (9, 23, 28).");
+      const unsigned int n = is_hexahedron ? hexahedra.at(type) : quadrilaterals.at(type);
+      is_second = is_second || (is_hexahedron && n > 8);
       const unsigned int end = to_index(ends.at(i), nodes.size() + 1);
       const auto vertex = [&](unsigned int k)
       {
@@ -167,7 +279,7 @@ void read_vtu(std::istream &file, Triangulation<3> &triangulation)
         constexpr unsigned int order[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
         return to_index(nodes.at(to_index(double(end) - n + order[k], nodes.size())), vertices.size());
       };
-      if (type == hexahedron)
+      if (is_hexahedron)
       {
         cells.emplace_back(8);
         for (unsigned int k = 0; k < 8; ++k)
@@ -181,7 +293,7 @@ void read_vtu(std::istream &file, Triangulation<3> &triangulation)
         ids == data.end() ? 0 : to_index(ids->second.at(i), numbers::internal_face_boundary_id);
     }
     if (cells.empty())
-      throw Unreadable("has no hexahedra; save hexahedra of first order.");
+      throw Unreadable("has no hexahedra; save hexahedra.");
     GridTools::delete_unused_vertices(vertices, cells, faces);
     GridTools::invert_all_negative_measure_cells(vertices, cells);
     GridTools::consistently_order_cells(cells);
@@ -196,13 +308,14 @@ void read_vtu(std::istream &file, Triangulation<3> &triangulation)
     explain(failure.what(),
             "is not a .vtu mesh of hexahedra; save an unstructured grid of one piece in ASCII.");
   }
+  return is_second;
 }
 
 } // namespace
 
-void read_hexahedra(const std::string &file_name, Triangulation<3> &triangulation)
+bool read_hexahedra(const std::string &file_name, Triangulation<3> &triangulation)
 {
-  const std::map<std::string, void (*)(std::istream &, Triangulation<3> &)> readers = {
+  const std::map<std::string, bool (*)(std::istream &, Triangulation<3> &)> readers = {
     { ".msh", read_gmsh }, { ".inp", read_abaqus }, { ".vtu", read_vtu }
   };
   const std::size_t dot = file_name.find_last_of('.');
@@ -218,7 +331,7 @@ void read_hexahedra(const std::string &file_name, Triangulation<3> &triangulatio
     throw std::invalid_argument(subject + "is empty; export the mesh anew.");
   try
   {
-    reader->second(file, triangulation);
+    return reader->second(file, triangulation);
   }
   catch (const Unreadable &reason)
   {

@@ -185,11 +185,15 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
                           const MeshMarks &marks)
 {
   Triangulation<3> serial;
-  read_hexahedra(file_name, serial);
+  const bool is_second_order = read_hexahedra(file_name, serial);
   const std::vector<types::boundary_id> ids = serial.get_boundary_ids();
   mark(marks, serial);
   require_boundaries(file_name, marks, ids, serial);
   const RimBorder border(serial);
+  if (is_second_order && !border.is_round())
+    throw std::invalid_argument("Mesh file = " + file_name +
+                                " has hexahedra of second order on a rim that is not round, and their inner "
+                                "nodes cannot be kept; export smaller hexahedra of first order.");
 
   MeshReport report;
   report.n_cells = serial.n_active_cells();

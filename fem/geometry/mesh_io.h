@@ -37,8 +37,9 @@ struct MeshMarks
   double contact_height = 0;
 };
 
-/// Reads a file as read_hexahedra(), with the axis of the glass along z; faces without a mark are free.
-/// Throws std::invalid_argument with one sentence when that fails or there is no stem cut or contact zone.
+/// Reads a file as read_hexahedra(), axis along z; faces without a mark are free. Throws
+/// std::invalid_argument when that fails, without stem cut or contact zone, and for second order on a rim
+/// that is not round.
 MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation,
                           const MeshMarks &marks = {});
 

@@ -1,6 +1,9 @@
 #include "fem/geometry/mesh_io.h"
 #include "tests/fem/foot_case.h"
+#include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/temporary_file.h"
+
+#include <deal.II/grid/grid_generator.h>
 
 #include <gtest/gtest.h>
 
@@ -101,4 +104,49 @@ TEST(MeshFile, NamesMissingBoundaries)
   EXPECT_NE(message_of(bare.name).find("no contact zone"), std::string::npos);
   const TemporaryFile uncut(cube + "2\n1 3 2 2 1 1 2 3 4\n2" + hexahedron + "$EndElements\n");
   EXPECT_NE(message_of(uncut.name).find("no stem cut"), std::string::npos);
+}
+
+TEST(MeshFile, OfSecondOrderIsReadByItsCorners)
+{
+  dealii::Triangulation<3> drawn;
+  make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
+  dealii::Triangulation<3> first;
+  const TemporaryFile of_first(gmsh_text(drawn));
+  const MeshReport expected = read_foot_mesh(of_first.name, first);
+  struct Written
+  {
+    const char *ending;
+    std::string text;
+  };
+  for (const Written &written : { Written{ ".inp", abaqus_text(drawn, true) },
+                                  { ".vtu", vtu_text(drawn, true) },
+                                  { ".msh", gmsh_text_of_second_order(drawn, false) },
+                                  { ".msh", gmsh_text_of_second_order(drawn, true) } })
+  {
+    SCOPED_TRACE(written.ending);
+    const TemporaryFile file(written.text, written.ending);
+    dealii::Triangulation<3> mesh;
+    const MeshReport report = read_foot_mesh(file.name, mesh);
+    EXPECT_EQ(report.n_cells, expected.n_cells);
+    EXPECT_EQ(report.n_contact_faces, expected.n_contact_faces);
+    EXPECT_TRUE(report.round_rim);
+    EXPECT_EQ(mesh.n_used_vertices(), drawn.n_used_vertices());
+    // deal.II passes on nine digits of an .inp.
+    EXPECT_NEAR(dealii::GridTools::volume(mesh) / dealii::GridTools::volume(first), 1, 1e-9);
+  }
+}
+
+TEST(MeshFile, OfSecondOrderIsRefusedWhereTheRimIsNotRound)
+{
+  dealii::Triangulation<3> drawn;
+  make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
+  dealii::Triangulation<3> oval;
+  dealii::GridGenerator::flatten_triangulation(drawn, oval);
+  oval.reset_all_manifolds();
+  dealii::GridTools::transform(
+    [](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], 0.95 * x[1], x[2]); }, oval);
+  const auto message_on = [&](bool second_order)
+  { return message_of(TemporaryFile(abaqus_text(oval, second_order), ".inp").name); };
+  EXPECT_EQ(message_on(false), "");
+  EXPECT_NE(message_on(true).find("rim that is not round"), std::string::npos) << message_on(true);
 }

@@ -8,22 +8,37 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace stemware::fem_tests
 {
 
-/// A mesh as other programs write it, from the formats' manuals: nodes counted from 1, hexahedra C3D8, and
-/// for each boundary id an element surface SURFACE_<id>.
-inline std::string abaqus_text(const dealii::Triangulation<3> &mesh)
+/// The nodes of a mesh of one level, with those in the middle of its edges for elements of second order.
+inline std::vector<dealii::Point<3>> nodes_of(const dealii::Triangulation<3> &mesh, bool second_order)
+{
+  std::vector<dealii::Point<3>> nodes = mesh.get_vertices();
+  if (!second_order)
+    return nodes;
+  nodes.resize(mesh.n_vertices() + mesh.n_lines());
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (const unsigned int l : cell->line_indices())
+      nodes[mesh.n_vertices() + cell->line_index(l)] = cell->line(l)->center();
+  return nodes;
+}
+
+/// A mesh as other programs write it, from the formats' manuals: nodes counted from 1, hexahedra C3D8 or
+/// C3D20, and for each boundary id an element surface SURFACE_<id>.
+inline std::string abaqus_text(const dealii::Triangulation<3> &mesh, bool second_order = false)
 {
   std::ostringstream text;
+  const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, second_order);
   text << std::setprecision(17) << "*HEADING\na foot\n*NODE\n";
-  for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+  for (std::size_t v = 0; v < nodes.size(); ++v)
   {
-    const dealii::Point<3> &x = mesh.get_vertices()[v];
+    const dealii::Point<3> &x = nodes[v];
     text << v + 1 << ", " << x[0] << ", " << x[1] << ", " << x[2] << '\n';
   }
-  text << "*ELEMENT, TYPE=C3D8, ELSET=EB1\n";
+  text << "*ELEMENT, TYPE=" << (second_order ? "C3D20R" : "C3D8") << ", ELSET=EB1\n";
   std::map<unsigned int, std::string> surfaces;
   // S1 ... S6 of Abaqus by deal.II's number of the face.
   constexpr unsigned int side[] = { 6, 4, 3, 5, 1, 2 };
@@ -33,6 +48,10 @@ inline std::string abaqus_text(const dealii::Triangulation<3> &mesh)
     text << ++n;
     for (const unsigned int v : { 0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u })
       text << ", " << cell->vertex_index(v) + 1;
+    unsigned int column = 8; // Abaqus takes sixteen numbers a line
+    if (second_order)
+      for (const unsigned int l : { 2u, 1u, 3u, 0u, 6u, 5u, 7u, 4u, 8u, 9u, 11u, 10u })
+        text << (++column == 16 ? ",\n" : ", ") << mesh.n_vertices() + cell->line_index(l) + 1;
     text << '\n';
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() != 0)
@@ -44,29 +63,34 @@ inline std::string abaqus_text(const dealii::Triangulation<3> &mesh)
 }
 
 /// The same for VTK: hexahedra, and quadrilaterals where a face has an id.
-inline std::string vtu_text(const dealii::Triangulation<3> &mesh)
+inline std::string vtu_text(const dealii::Triangulation<3> &mesh, bool second_order = false)
 {
+  const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, second_order);
   std::ostringstream points, connectivity, offsets, types, ids;
   points << std::setprecision(17);
-  for (const dealii::Point<3> &x : mesh.get_vertices())
+  for (const dealii::Point<3> &x : nodes)
     points << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
   unsigned int end = 0, n_cells = 0;
-  const auto add =
-    [&](const auto &object, const std::initializer_list<unsigned int> &order, int type, unsigned int id)
+  using Order = std::vector<unsigned int>;
+  const auto add = [&](const auto &object, const Order &order, const Order &lines, int type, unsigned int id)
   {
     for (const unsigned int v : order)
       connectivity << object->vertex_index(v) << ' ';
-    end += static_cast<unsigned int>(order.size());
+    for (const unsigned int l : lines)
+      connectivity << mesh.n_vertices() + object->line_index(l) << ' ';
+    end += static_cast<unsigned int>(order.size() + lines.size());
     offsets << end << ' ';
     types << type << ' ';
     ids << id << ' ';
     ++n_cells;
   };
   for (const auto &cell : mesh.active_cell_iterators())
-    add(cell, { 0, 1, 3, 2, 4, 5, 7, 6 }, 12, 0);
+    add(cell, { 0, 1, 3, 2, 4, 5, 7, 6 },
+        second_order ? Order{ 2, 1, 3, 0, 6, 5, 7, 4, 8, 9, 11, 10 } : Order(), second_order ? 25 : 12, 0);
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() != 0)
-      add(face, { 0, 1, 3, 2 }, 9, face->boundary_id());
+      add(face, { 0, 1, 3, 2 }, second_order ? Order{ 2, 1, 3, 0 } : Order(), second_order ? 23 : 9,
+          face->boundary_id());
   const auto array = [](const std::string &type, const std::string &name, const std::string &values)
   {
     return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
@@ -74,8 +98,8 @@ inline std::string vtu_text(const dealii::Triangulation<3> &mesh)
   };
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n"
          "<Piece NumberOfPoints=\"" +
-         std::to_string(mesh.n_vertices()) + "\" NumberOfCells=\"" + std::to_string(n_cells) +
-         "\">\n<Points>\n" + array("Float64", "points", points.str()) + "</Points>\n<Cells>\n" +
+         std::to_string(nodes.size()) + "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n<Points>\n" +
+         array("Float64", "points", points.str()) + "</Points>\n<Cells>\n" +
          array("Int64", "connectivity", connectivity.str()) + array("Int64", "offsets", offsets.str()) +
          array("UInt8", "types", types.str()) + "</Cells>\n<CellData>\n" +
          array("Int32", "boundary_id", ids.str()) +
@@ -86,6 +110,69 @@ inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
 {
   std::ostringstream text;
   fem::write_msh(mesh, text);
+  return text.str();
+}
+
+/// Hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2, or 4.1 in one block
+/// of each.
+inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mesh, bool format_4)
+{
+  const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, true);
+  std::ostringstream text;
+  text << std::setprecision(17) << "$MeshFormat\n" << (format_4 ? "4.1" : "2.2") << " 0 8\n$EndMeshFormat\n";
+  // For each of the ids 1 and 2 a surface and for the cells a volume, which have their physical ids here.
+  if (format_4)
+    text
+      << "$Entities\n0 0 2 1\n1 0 0 0 1 1 1 1 1 0\n2 0 0 0 1 1 1 1 2 0\n1 0 0 0 1 1 1 1 0 0\n$EndEntities\n";
+  text << "$Nodes\n";
+  if (format_4)
+    text << "1 " << nodes.size() << " 1 " << nodes.size() << "\n3 1 0 " << nodes.size() << '\n';
+  else
+    text << nodes.size() << '\n';
+  for (std::size_t i = 1; format_4 && i <= nodes.size(); ++i)
+    text << i << '\n';
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (!format_4)
+      text << i + 1 << ' ';
+    text << nodes[i] << '\n';
+  }
+  std::vector<std::string> quadrilaterals[2], hexahedra;
+  const auto element =
+    [&](const auto &object, const std::vector<unsigned int> &corners, const std::vector<unsigned int> &lines)
+  {
+    std::string numbers;
+    for (const unsigned int v : corners)
+      numbers += ' ' + std::to_string(object->vertex_index(v) + 1);
+    for (const unsigned int l : lines)
+      numbers += ' ' + std::to_string(mesh.n_vertices() + object->line_index(l) + 1);
+    return numbers;
+  };
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() != 0)
+      quadrilaterals[face->boundary_id() - 1].push_back(element(face, { 0, 1, 3, 2 }, { 2, 1, 3, 0 }));
+  for (const auto &cell : mesh.active_cell_iterators())
+    hexahedra.push_back(element(cell, { 0, 1, 3, 2, 4, 5, 7, 6 }, { 2, 0, 8, 1, 9, 3, 11, 10, 6, 4, 5, 7 }));
+  const std::size_t n = quadrilaterals[0].size() + quadrilaterals[1].size() + hexahedra.size();
+  text << (format_4 ? "$EndNodes\n$Elements\n3 " : "$EndNodes\n$Elements\n") << n;
+  text << (format_4 ? " 1 " + std::to_string(n) : "") << '\n';
+  std::size_t number = 0;
+  const auto add = [&](const std::vector<std::string> &elements, int dimension, int entity, int type, int id)
+  {
+    if (format_4)
+      text << dimension << ' ' << entity << ' ' << type << ' ' << elements.size() << '\n';
+    for (const std::string &nodes_of_element : elements)
+    {
+      text << ++number;
+      if (!format_4)
+        text << ' ' << type << " 2 " << id << " 1";
+      text << nodes_of_element << '\n';
+    }
+  };
+  add(quadrilaterals[0], 2, 1, 16, 1);
+  add(quadrilaterals[1], 2, 2, 16, 2);
+  add(hexahedra, 3, 1, 17, 0);
+  text << "$EndElements\n";
   return text.str();
 }
 
