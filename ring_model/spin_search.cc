@@ -225,7 +225,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   };
 
   const double at_rest = counted(0.);
-  if (std::abs(at_rest) <= search.grip_torque)
+  if (std::abs(at_rest) <= std::max(search.grip_torque, search.torque_noise))
     return { 0., search.grip_torque > 0., n_evaluations };
   const double direction = at_rest > 0. ? 1. : -1.;
   const std::function<double(double)> push = [&](double spin)

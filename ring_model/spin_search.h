@@ -25,6 +25,9 @@ struct SpinSearch
   /// Of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; not smaller than what the noise of the
   /// torque allows.
   double tolerance = 1e-12;
+  /// Noise of the torque at rest [N m]: one no larger moves nothing, so that rest, stable or not, is the
+  /// answer.
+  double torque_noise = 0.;
 };
 
 /// Where the torques on the glass balance.
@@ -37,7 +40,8 @@ struct SpinZero
 
 /**
  * The terminal spin that is reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
- * direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g.
+ * direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g; it rests where |torque(0)| is
+ * no larger than its noise.
  *
  * The search steps outwards, first to the spin that is expected, until the torque changes sign or inverse
  * interpolation (up to cubic) has converged; proposals outside the bracket, and those after a step that did

@@ -26,6 +26,19 @@ Motion motion_with_height(double centre_of_mass_height)
   return motion;
 }
 
+TEST(SpinSearch, NoiseAtRestMovesNothing)
+{
+  // Rest is an unstable balance of this torque, 0.2 + 1e-12 its stable one.
+  const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
+  SpinSearch search = { 1. };
+  search.torque_noise = 1e-11;
+  const SpinZero rest = find_terminal_spin(torque, search);
+  EXPECT_EQ(rest.omega, 0.);
+  EXPECT_FALSE(rest.held);
+  search.torque_noise = 1e-14;
+  EXPECT_NEAR(find_terminal_spin(torque, search).omega, 0.2, 1e-11);
+}
+
 TEST(SpinSearch, FindsTheReferenceInFewTorques)
 {
   // Reference: other program (ring_cases.json). From nothing, and from the

@@ -156,6 +156,10 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
   search.expected = expected != 0 ? expected : expected_spin(load, motion);
   search.grip_torque = grip_torque;
+  // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
+  // direction.
+  search.torque_noise =
+    1e-9 * motion.friction_at_rest() * motion.normal_force() * load.report().rings.radius();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   LongRunSpin result;
   if (with_slope || load.phases())
