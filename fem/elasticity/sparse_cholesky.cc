@@ -6,7 +6,6 @@
 #include <Eigen/Dense>
 
 #include <omp.h>
-
 #include <stdexcept>
 
 namespace stemware::fem
