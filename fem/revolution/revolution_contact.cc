@@ -24,12 +24,15 @@ ContactControl contact_control()
 
 } // namespace
 
+std::array<double, 4> RevolutionFoot::Solved::numbers_of(const ContactDemand &demand)
+{
+  return { demand.normal_force, demand.moment_x, demand.moment_y, demand.tilt_moment };
+}
+
 void RevolutionFoot::remember(const ContactDemand &demand, const Slip &slip)
 {
   constexpr std::size_t most = 12;
-  const Solved now = { { demand.normal_force, demand.moment_x, demand.moment_y, demand.tilt_moment },
-                       slip.spin_per_speed,
-                       *before };
+  const Solved now = { Solved::numbers_of(demand), slip.spin_per_speed, *before };
   recent.erase(std::remove_if(recent.begin(), recent.end(),
                               [&](const Solved &one)
                               { return one.demand == now.demand && one.spin == now.spin; }),
@@ -43,8 +46,7 @@ std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand,
 {
   constexpr std::size_t most_points = 4;
   constexpr double largest_sum = 8; // of the weights: beyond, it is no neighbour
-  const std::array<double, 4> asked = { demand.normal_force, demand.moment_x, demand.moment_y,
-                                        demand.tilt_moment };
+  const std::array<double, 4> asked = Solved::numbers_of(demand);
   std::vector<const Solved *> points;
   for (const Solved &one : recent)
     if (one.demand == asked)
@@ -55,23 +57,19 @@ std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand,
             { return std::abs(one->spin - spin) < std::abs(other->spin - spin); });
   for (std::size_t n = std::min(points.size(), most_points); n >= 2; --n)
   {
-    std::vector<double> weights(n, 1.);
-    double sum = 0;
+    Eigen::VectorXd spins(n);
     for (std::size_t i = 0; i < n; ++i)
-    {
-      for (std::size_t k = 0; k < n; ++k)
-        if (k != i)
-          weights[i] *= (spin - points[k]->spin) / (points[i]->spin - points[k]->spin);
-      sum += std::abs(weights[i]);
-    }
-    if (sum > largest_sum)
+      spins(static_cast<Eigen::Index>(i)) = points[i]->spin;
+    const Eigen::VectorXd weights = lagrange_values(spins, spin);
+    if (!(weights.lpNorm<1>() <= largest_sum))
       continue;
     ContactStart start = { Eigen::Vector3d::Zero(),
                            Eigen::VectorXd::Zero(before->normal_displacement.size()) };
     for (std::size_t i = 0; i < n; ++i)
     {
-      start.motion += weights[i] * points[i]->start.motion;
-      start.normal_displacement += weights[i] * points[i]->start.normal_displacement;
+      start.motion += weights(static_cast<Eigen::Index>(i)) * points[i]->start.motion;
+      start.normal_displacement +=
+        weights(static_cast<Eigen::Index>(i)) * points[i]->start.normal_displacement;
     }
     return start;
   }

@@ -59,7 +59,10 @@ private:
   /// A solution and what it was found for.
   struct Solved
   {
-    std::array<double, 4> demand; ///< normal force, moment, tilt moment
+    /// Normal force, moment and tilt moment; the friction's moment depends on the spin and is left out.
+    static std::array<double, 4> numbers_of(const ContactDemand &demand);
+
+    std::array<double, 4> demand; ///< numbers_of()
     double spin;                  ///< Slip::spin_per_speed
     ContactStart start;
   };

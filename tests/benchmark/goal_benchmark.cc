@@ -12,14 +12,11 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
+#include "tests/benchmark/solid_benchmark.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/tria.h>
 
-#include <fmt/format.h>
-#include <map>
 #include <optional>
 
 using namespace stemware::fem;
@@ -43,68 +40,48 @@ struct Case
 
 Case read_case(int argc, char **argv)
 {
-  std::map<std::string, std::string> values = {
-    { "cells", "48,2,2" }, { "refinements", "1" }, { "uniform", "2" },    { "meshes", "6" },
-    { "most", "2000000" }, { "share", "0.8" },     { "degree", "2" },     { "crown", "0.003" },
-    { "shape", "step" },   { "table", "winkler" }, { "modulus", "1e11" }, { "exact", "" },
-    { "moment", "1.2" },   { "friction", "0" }
-  };
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    const std::size_t sign = argument.find('=');
-    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
-      throw std::invalid_argument("goal_benchmark does not know " + argument + ".");
-    values[argument.substr(0, sign)] = argument.substr(sign + 1);
-  }
-  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
-  const auto count = [&](const char *name) { return static_cast<unsigned int>(number(name)); };
+  const NamedValues values(argc, argv,
+                           { { "cells", "48,2,2" },
+                             { "refinements", "1" },
+                             { "uniform", "2" },
+                             { "meshes", "6" },
+                             { "most", "2000000" },
+                             { "share", "0.8" },
+                             { "degree", "2" },
+                             { "crown", "0.003" },
+                             { "shape", "step" },
+                             { "table", "winkler" },
+                             { "modulus", "1e11" },
+                             { "exact", "" },
+                             { "moment", "1.2" },
+                             { "friction", "0" } });
   Case study;
-  const std::vector<int> cells =
-    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
-  study.resolution = { static_cast<unsigned int>(cells.at(0)), static_cast<unsigned int>(cells.at(1)),
-                       static_cast<unsigned int>(cells.at(2)), count("refinements") };
-  study.most_refinements = count("uniform");
-  study.n_meshes = count("meshes");
-  study.most_unknowns = count("most");
-  study.share = number("share");
-  if (!values["exact"].empty())
-    study.exact = number("exact");
-  GlassProfile profile;
-  if (values["shape"] == "foot")
-    profile.shape = GlassShape::foot;
-  else
-    profile.shape = GlassShape::step;
-  profile.crown_radius = number("crown");
-  if (profile.crown_radius == 0)
-    profile.land_width = 0.002;
+  const std::vector<unsigned int> cells = values.counts("cells");
+  study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements") };
+  study.most_refinements = values.count("uniform");
+  study.n_meshes = values.count("meshes");
+  study.most_unknowns = values.count("most");
+  study.share = values.number("share");
+  if (!values.text("exact").empty())
+    study.exact = values.number("exact");
+  const GlassProfile profile = profile_of(values);
   study.solid.profile = study.revolution.profile = profile;
-  std::shared_ptr<const InterfaceLaw> interface = std::make_shared<WinklerInterface>(number("modulus"));
-  if (values["table"] == "hard")
+  std::shared_ptr<const InterfaceLaw> interface =
+    std::make_shared<WinklerInterface>(values.number("modulus"));
+  if (values.text("table") == "hard")
     interface = std::make_shared<HardInterface>();
   study.solid.table.interface = study.revolution.table.interface = interface;
-  study.solid.friction_coefficient = study.revolution.friction_coefficient = number("friction");
-  study.solid.options.degree = count("degree");
+  study.solid.friction_coefficient = study.revolution.friction_coefficient = values.number("friction");
+  study.solid.options.degree = values.count("degree");
   study.solid.options.linear_solver = LinearSolver::multigrid;
   study.revolution.n_lines = 512;
   study.revolution.meridian.n_harmonics = 32;
   const double weight = 0.3 * 9.81;
   study.revolution = study.revolution.resolved_for(weight);
-  study.demand = { weight, 0, -number("moment") * weight * profile.contact_radius / 2 };
+  study.demand = { weight, 0, -values.number("moment") * weight * profile.contact_radius / 2 };
   study.demand.ring_radii = { 0.0295, 0.0305 };
   study.demand.n_harmonics = 4;
   return study;
-}
-
-/// Prints on the first rank.
-template <typename... Arguments>
-void say(const char *format, const Arguments &...arguments)
-{
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-  {
-    fmt::print(fmt::runtime(format), arguments...);
-    std::fflush(stdout);
-  }
 }
 
 /// a_2 / a_0 of all rings together, a_0 being given by the weight.
@@ -176,15 +153,5 @@ void run(const Case &study)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  try
-  {
-    run(read_case(argc, argv));
-  }
-  catch (const std::exception &error)
-  {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
-  return 0;
+  return run_benchmark(argc, argv, [&] { run(read_case(argc, argv)); });
 }

@@ -10,15 +10,13 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
+#include "tests/benchmark/solid_benchmark.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <fmt/format.h>
 #include <map>
 #include <set>
 
@@ -26,25 +24,6 @@ using namespace stemware::fem;
 
 namespace
 {
-
-using Values = std::map<std::string, std::string>;
-
-Values read_values(int argc, char **argv)
-{
-  Values values = { { "cells", "48,2,2" },     { "halvings", "1" },   { "degree", "2" },
-                    { "crown", "0" },          { "shape", "foot" },   { "defect", "none" },
-                    { "solver", "multigrid" }, { "modulus", "1e11" }, { "moment", "1.3" },
-                    { "width", "0.95" } };
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    const std::size_t sign = argument.find('=');
-    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
-      throw std::invalid_argument("imported_mesh_benchmark does not know " + argument + ".");
-    values[argument.substr(0, sign)] = argument.substr(sign + 1);
-  }
-  return values;
-}
 
 /// The cells of @p drawn as a mesh file would give them: without the meshes they come from.
 void import(const dealii::Triangulation<3> &drawn, const std::string &defect, double width, double radius,
@@ -96,49 +75,32 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
   mesh.copy_triangulation(chipped);
 }
 
-double peak_bytes()
+void run(const NamedValues &values)
 {
-  dealii::Utilities::System::MemoryStats memory;
-  dealii::Utilities::System::get_memory_stats(memory);
-  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
-}
-
-void run(Values values)
-{
-  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
-  GlassProfile profile;
-  if (values["shape"] == "foot")
-    profile.shape = GlassShape::foot;
-  profile.crown_radius = number("crown");
-  if (profile.crown_radius == 0)
-    profile.land_width = 0.002;
+  const GlassProfile profile = profile_of(values);
   const double radius = profile.contact_radius;
-  const std::vector<int> cells =
-    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
-  const FootResolution resolution = { static_cast<unsigned int>(cells.at(0)),
-                                      static_cast<unsigned int>(cells.at(1)),
-                                      static_cast<unsigned int>(cells.at(2)),
-                                      static_cast<unsigned int>(number("halvings")) };
+  const std::vector<unsigned int> cells = values.counts("cells");
+  const FootResolution resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("halvings") };
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
   {
     dealii::Triangulation<3> drawn;
     make_foot_mesh(profile, resolution, drawn);
-    import(drawn, values["defect"], number("width"), radius, mesh);
+    import(drawn, values.text("defect"), values.number("width"), radius, mesh);
   }
   SolidOptions options;
-  options.degree = static_cast<unsigned int>(number("degree"));
+  options.degree = values.count("degree");
   options.straight_edges = true;
-  options.linear_solver = values["solver"] == "direct"      ? LinearSolver::direct
-                          : values["solver"] == "automatic" ? LinearSolver::automatic
-                                                            : LinearSolver::multigrid;
+  options.linear_solver = values.text("solver") == "direct"      ? LinearSolver::direct
+                          : values.text("solver") == "automatic" ? LinearSolver::automatic
+                                                                 : LinearSolver::multigrid;
   dealii::Timer timer;
   SolidBody body(
     mesh, ElasticMaterial(), [&](double x, double y) { return profile.gap(std::hypot(x, y)); }, options);
   const double setup_seconds = timer.wall_time();
-  const WinklerInterface mat(number("modulus"));
+  const WinklerInterface mat(values.number("modulus"));
   const auto law = mat.make(body.contact_surface(), 0);
   const double weight = 0.3 * 9.81;
-  const Resultants load = { weight, 0, -number("moment") * weight * radius / 2 };
+  const Resultants load = { weight, 0, -values.number("moment") * weight * radius / 2 };
   timer.restart();
   const ContactSolution solution = solve_contact(body, *law, load, radius);
   const double contact_seconds = timer.wall_time();
@@ -164,14 +126,20 @@ void run(Values values)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  try
-  {
-    run(read_values(argc, argv));
-  }
-  catch (const std::exception &error)
-  {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return run_benchmark(argc, argv,
+                       [&]
+                       {
+                         run({ argc,
+                               argv,
+                               { { "cells", "48,2,2" },
+                                 { "halvings", "1" },
+                                 { "degree", "2" },
+                                 { "crown", "0" },
+                                 { "shape", "foot" },
+                                 { "defect", "none" },
+                                 { "solver", "multigrid" },
+                                 { "modulus", "1e11" },
+                                 { "moment", "1.3" },
+                                 { "width", "0.95" } } });
+                       });
 }

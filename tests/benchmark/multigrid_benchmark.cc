@@ -4,7 +4,7 @@
 //
 // cells=48,2,2 (round the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
 // degree=2, crown=0.003 (0: a flat land of 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a
-// hard one), modulus=1e11, moment=1.3.
+// hard one), modulus=1e11, moment=1.3, tolerance=1e-8 (of the linear solve).
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
@@ -12,14 +12,10 @@
 #include "fem/matrix_free/elastic_operator.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
+#include "tests/benchmark/solid_benchmark.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/tria.h>
-
-#include <fmt/format.h>
-#include <map>
 
 using namespace stemware::fem;
 
@@ -34,66 +30,42 @@ struct Case
   std::shared_ptr<const InterfaceLaw> interface;
   double softening = 1; ///< see start_from_coarser_mesh()
   Resultants load;
+  double tolerance = 1e-8; ///< of the linear solve that is timed
 };
 
 Case read_case(int argc, char **argv)
 {
-  std::map<std::string, std::string> values = { { "cells", "48,2,2" },  { "refinements", "2" },
-                                                { "land", "0" },        { "degree", "2" },
-                                                { "crown", "0.003" },   { "shape", "step" },
-                                                { "table", "winkler" }, { "modulus", "1e11" },
-                                                { "moment", "1.3" } };
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string argument = argv[i];
-    const std::size_t sign = argument.find('=');
-    if (sign == std::string::npos || values.count(argument.substr(0, sign)) == 0)
-      throw std::invalid_argument("multigrid_benchmark does not know " + argument + ".");
-    values[argument.substr(0, sign)] = argument.substr(sign + 1);
-  }
-  const auto number = [&](const char *name) { return std::stod(values.at(name)); };
+  const NamedValues values(argc, argv,
+                           { { "cells", "48,2,2" },
+                             { "refinements", "2" },
+                             { "land", "0" },
+                             { "degree", "2" },
+                             { "crown", "0.003" },
+                             { "shape", "step" },
+                             { "table", "winkler" },
+                             { "modulus", "1e11" },
+                             { "moment", "1.3" },
+                             { "tolerance", "1e-8" } });
   Case study;
-  const std::vector<int> cells =
-    dealii::Utilities::string_to_int(dealii::Utilities::split_string_list(values["cells"]));
-  study.resolution = { static_cast<unsigned int>(cells.at(0)), static_cast<unsigned int>(cells.at(1)),
-                       static_cast<unsigned int>(cells.at(2)),
-                       static_cast<unsigned int>(number("refinements")),
-                       static_cast<unsigned int>(number("land")) };
-  if (values["shape"] == "foot")
-    study.profile.shape = GlassShape::foot;
-  study.profile.crown_radius = number("crown");
-  if (study.profile.crown_radius == 0)
-    study.profile.land_width = 0.002;
-  study.options.degree = static_cast<unsigned int>(number("degree"));
+  const std::vector<unsigned int> cells = values.counts("cells");
+  study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements"),
+                       values.count("land") };
+  study.profile = profile_of(values);
+  study.options.degree = values.count("degree");
   study.options.linear_solver = LinearSolver::multigrid;
-  if (values["table"] == "spring")
+  if (values.text("table") == "spring")
   {
-    study.interface = std::make_shared<WinklerInterface>(number("modulus"));
+    study.interface = std::make_shared<WinklerInterface>(values.number("modulus"));
     study.softening = 8;
   }
-  else if (values["table"] == "rough")
+  else if (values.text("table") == "rough")
     study.interface = std::make_shared<RoughInterface>(RoughInterface(1e6, 1e-6));
   else
-    study.interface = std::make_shared<WinklerInterface>(number("modulus"));
+    study.interface = std::make_shared<WinklerInterface>(values.number("modulus"));
   const double weight = 0.3 * 9.81;
-  study.load = { weight, 0, -number("moment") * weight * study.profile.contact_radius / 2 };
+  study.tolerance = values.number("tolerance");
+  study.load = { weight, 0, -values.number("moment") * weight * study.profile.contact_radius / 2 };
   return study;
-}
-
-/// Prints on the first rank.
-template <typename... Arguments>
-void say(const char *format, const Arguments &...arguments)
-{
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    fmt::print(fmt::runtime(format), arguments...);
-}
-
-/// Of all ranks.
-double peak_bytes()
-{
-  dealii::Utilities::System::MemoryStats memory;
-  dealii::Utilities::System::get_memory_stats(memory);
-  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
 template <typename Number>
@@ -156,14 +128,14 @@ void run(const Case &study)
   ContactForces contact;
   law->evaluate(solution.normal_displacement, contact);
   body.reset();
-  body.set_linear_tolerance(1e-8);
+  body.set_linear_tolerance(study.tolerance);
   timer.restart();
   const LinearConditions conditions = prescribed_resultants(body.contact_surface(), study.load);
   const NewtonIncrement linear = body.solve(contact.tangent, solution.forces, conditions, { 0, 0, 0 });
   const double linear_seconds = timer.wall_time();
 
-  say("linear solve to 1e-8: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n", linear.linear_iterations,
-      linear_seconds, n / linear_seconds / 1e6);
+  say("linear solve to {}: {} iterations, {:.2f} s, {:.3f} million unknowns/s\n", study.tolerance,
+      linear.linear_iterations, linear_seconds, n / linear_seconds / 1e6);
   say("contact: {:.2f} s ({:.2f} s on coarser meshes), {:.2f} linear solves, {:.3f} million unknowns/s\n",
       contact_seconds, coarse_seconds, contact_seconds / linear_seconds, n / contact_seconds / 1e6);
   say("peak memory {:.2f} GB, {:.0f} bytes per unknown\n", contact_peak / 1e9, contact_peak / n);
@@ -178,14 +150,5 @@ void run(const Case &study)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  try
-  {
-    run(read_case(argc, argv));
-  }
-  catch (const std::exception &error)
-  {
-    fmt::print(stderr, "{}\n", error.what());
-    return 1;
-  }
+  return run_benchmark(argc, argv, [&] { run(read_case(argc, argv)); });
 }
