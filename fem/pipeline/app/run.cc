@@ -34,7 +34,7 @@ void run(const StudyOptions &options)
 
   // 2. The load on the table, and what it does to the ring.
   fem::ComplianceCache cache;
-  const Study study = meshed_for_goal(given, cache, progress);
+  const auto [study, goal] = mesh_for_goal(given, cache, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
   SpinStudy spin = study_spin(study, foot, load, cache, progress);
@@ -49,7 +49,7 @@ void run(const StudyOptions &options)
 
   // 3. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
-  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands) : Results(), folder,
+  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : Results(), folder,
           stopwatch);
 }
 

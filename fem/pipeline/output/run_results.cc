@@ -117,8 +117,24 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
            { "interpolation_error", json_number(coupling->interpolation_error) } };
 }
 
+/// Of a study whose foot has a mesh for its goal.
+Json goal_summary(const GoalOutcome &goal, const ContactReport &report)
+{
+  std::string name;
+  for (const auto &[word, value] : goal_words())
+    if (value == goal.goal)
+      name = word;
+  return { { "name", name },
+           { "value", goal.value },
+           { "estimated_error", json_number(goal.estimated_error) },
+           { "tolerance", goal.tolerance },
+           { "meshes", goal.n_meshes },
+           { "cells", goal.n_cells },
+           { "unknowns", report.foot.value().foot.n_unknowns } };
+}
+
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                     const std::vector<BandedQuantity> &bands)
+                     const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
   Findings findings;
   findings.summary = { { "load", load_summary(report.load) },
@@ -137,6 +153,8 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                                                    : Json(nullptr) } };
   if (!bands.empty())
     findings.summary["error_bands"] = band_summary(bands);
+  if (goal)
+    findings.summary["goal"] = goal_summary(*goal, report);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
                            { "omega_terminal", spin.all().omega_terminal().value() },
                            { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
@@ -381,7 +399,7 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 } // namespace
 
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &known,
-                 const std::vector<BandedQuantity> &bands)
+                 const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
   SpinStudy spin = known;
   if (BudgetRow &complete = spin.budget.rows.back(); !complete.band)
@@ -396,7 +414,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   Budget steps = spin.budget;
   steps.rows = named_steps(spin.budget.rows);
   results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };
-  results.findings = findings_of(study, report, spin, bands);
+  results.findings = findings_of(study, report, spin, bands, goal);
   if (report.foot)
     results.fields = report.foot->fields;
   return results;

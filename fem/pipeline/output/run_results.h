@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/contact_report.h"
@@ -11,8 +12,8 @@ namespace stemware::pipeline
 {
 
 /// The results of `run`: load, contact, torque, spin-up, truncations and moment balances. @p bands are empty
-/// where they have not been estimated.
+/// where they have not been estimated; @p goal is what the mesh was made for, if anything.
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
-                 const std::vector<BandedQuantity> &bands);
+                 const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
 
 } // namespace stemware::pipeline

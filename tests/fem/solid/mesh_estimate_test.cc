@@ -5,7 +5,9 @@
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/solid_foot.h"
+#include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
+#include "tests/fem/temporary_file.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -187,12 +189,25 @@ TEST(MeshEstimate, FinerCellsLieOnTheFacesOfCoarserOnes)
   }
 }
 
+/// A mesh file's cells, all halved once, on the ranks of @p communicator.
+SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
+{
+  const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(communicator);
+  const MeshReport report = read_foot_mesh(file, *mesh);
+  mesh->refine_global(1);
+  return { mesh, report };
+}
+
 TEST(Ranks, MeshEstimateIsThatOfOneRank)
 {
-  const GlassProfile profile = profile_of(GlassShape::step);
+  GlassProfile profile = profile_of(GlassShape::step);
+  profile.crown_radius = 0; // a file says itself how round the rim is
+  dealii::Triangulation<3> drawn;
+  make_foot_mesh(profile, { 12, 2, 1 }, drawn);
+  const TemporaryFile file(abaqus_text(drawn), ".inp");
   const auto on = [&](MPI_Comm communicator)
   {
-    SolidMesh mesh = mesh_on(communicator, profile, { 12, 2, 1, 1 });
+    SolidMesh mesh = mesh_of_file(communicator, file.name);
     halve(mesh, { 7, 8, 100 }); // so that some nodes hang
     return estimated(mesh, profile, 1, 0.2);
   };
@@ -202,4 +217,12 @@ TEST(Ranks, MeshEstimateIsThatOfOneRank)
   const double largest = *std::max_element(alone.error.foot_cells.begin(), alone.error.foot_cells.end());
   for (std::size_t i = 0; i < found.error.foot_cells.size(); ++i)
     EXPECT_NEAR(found.error.foot_cells[i], alone.error.foot_cells[i], 1e-3 * largest) << "cell " << i;
+  // The next mesh is the same, and finer.
+  const MarkedCells marked = found.error.mark(0.8);
+  EXPECT_EQ(marked.foot, alone.error.mark(0.8).foot);
+  SolidMesh mesh = mesh_of_file(MPI_COMM_WORLD, file.name);
+  halve(mesh, { 7, 8, 100 });
+  halve(mesh, marked.foot);
+  EXPECT_GE(mesh.triangulation->n_global_active_cells(),
+            found.error.foot_cells.size() + 7 * marked.foot.size());
 }

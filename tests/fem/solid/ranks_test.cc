@@ -5,9 +5,12 @@
 #include "fem/solid/nested_contact.h"
 #include "tests/fem/reference_load.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 using namespace stemware::fem_tests;
 
@@ -64,4 +67,37 @@ TEST(Ranks, ContactByMultigridIsThatOfOneRank)
 TEST(Ranks, SoIsContactOnAMeshWithoutCoarserOnes)
 {
   expect_the_same_on_all_ranks({ 48, 4, 4 }, 1);
+}
+
+// Oracle: the whole surface, on one rank.
+TEST(Ranks, EachHasTheContactSurfaceOfItsOwnCells)
+{
+  const auto surface_on = [](MPI_Comm communicator)
+  {
+    const GlassProfile profile = flat_profile();
+    dealii::parallel::distributed::Triangulation<3> mesh(communicator);
+    make_foot_mesh(profile, { 24, 2, 1, 1, 1 }, mesh); // with nodes that hang on others
+    SolidOptions options;
+    options.degree = 1;
+    const SolidBody body(
+      mesh, ElasticMaterial(), [](double, double) { return 0.; }, options);
+    return body.contact_surface();
+  };
+  const ContactSurface part = surface_on(MPI_COMM_WORLD), whole = surface_on(MPI_COMM_SELF);
+  EXPECT_EQ(part.parts.sum(part.lines.size()), whole.lines.size());
+  EXPECT_EQ(part.n_nodes_of_whole(), whole.n_nodes());
+  EXPECT_NEAR(part.area() / whole.area(), 1, 1e-12);
+  EXPECT_EQ(part.n_sectors, whole.n_sectors);
+  const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(part.n_nodes());
+  EXPECT_EQ(part.n_nodes_across(pressure), whole.n_nodes_across(Eigen::VectorXd::Ones(whole.n_nodes())));
+
+  // No rank has more than its share: the nodes of others are those that its lines reach.
+  std::set<unsigned int> reached;
+  for (const ContactLine &line : part.lines)
+    reached.insert(line.nodes.begin(), line.nodes.end());
+  for (unsigned int i = part.n_own_nodes(); i < part.n_nodes(); ++i)
+    EXPECT_EQ(reached.count(i), 1u) << i;
+  const bool is_shared = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+  const double most = part.parts.max(static_cast<double>(part.lines.size()));
+  EXPECT_EQ(most < static_cast<double>(whole.lines.size()), is_shared);
 }

@@ -64,10 +64,10 @@ void require_memory(const Study &meshed, const GoalError &before)
 
 } // namespace
 
-Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache, Progress &progress)
+MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache, Progress &progress)
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
-    return study;
+    return { study, std::nullopt };
   constexpr unsigned int most_meshes = 20;
   constexpr double allowed_cancelling = 5;
   Study meshed = study;
@@ -79,11 +79,12 @@ Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache, Progress 
     if (std::abs(found.error.correction) <= allowed &&
         sum_of_shares(found.error) <= allowed_cancelling * allowed)
     {
+      const std::size_t n_cells = found.error.foot_cells.size() + found.error.disc_cells.size();
       progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
                                                    "goal {:.1e} of its value"),
-                                        found.error.foot_cells.size() + found.error.disc_cells.size(),
-                                        n_meshes, std::abs(found.error.correction / found.value)));
-      return meshed;
+                                        n_cells, n_meshes, std::abs(found.error.correction / found.value)));
+      return { std::move(meshed), GoalOutcome{ study.contact.goal, found.value, found.error.correction,
+                                               study.contact.goal_tolerance, n_meshes, n_cells } };
     }
     if (n_meshes == most_meshes)
       throw std::runtime_error(fmt::format(

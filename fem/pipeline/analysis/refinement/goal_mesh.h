@@ -5,8 +5,29 @@
 #include "fem/pipeline/support/progress.h"
 #include "fem/revolution/compliance_cache.h"
 
+#include <optional>
+
 namespace stemware::pipeline
 {
+
+/// What the mesh that was made for a goal leaves of its error.
+struct GoalOutcome
+{
+  Goal goal = Goal::none;
+  double value = 0; ///< of the number: rad/s, 1 or N m
+  double estimated_error =
+    0;                  ///< what the mesh's error takes from it, as estimated: added, it corrects the value
+  double tolerance = 0; ///< Contact/Goal tolerance, over the value
+  std::size_t n_meshes = 0;
+  std::size_t n_cells = 0; ///< of the last one
+};
+
+/// A study on the mesh for its goal.
+struct MeshForGoal
+{
+  Study study;
+  std::optional<GoalOutcome> outcome; ///< nothing where the study has no goal
+};
 
 /// @p study with cells halved until the estimated error of its goal (Contact/Goal) is no more than
 /// its tolerance: mesh after mesh, those cells that have most of the error, as goal_error() shares it out.
@@ -16,8 +37,15 @@ namespace stemware::pipeline
 /// @p progress is told of the meshes. Throws BadInput for a mesh file whose load depends on where the moment
 /// points, std::runtime_error where twenty meshes or Contact/Memory limit are not enough or the estimate
 /// cannot be had, and as find_load() and terminal_spin(). Collective where the body is.
-Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache,
-                      Progress &progress = silent_progress());
+MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache,
+                          Progress &progress = silent_progress());
+
+/// The study of mesh_for_goal().
+inline Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache,
+                             Progress &progress = silent_progress())
+{
+  return mesh_for_goal(study, cache, progress).study;
+}
 
 /// The last three meshes for the goal of @p study, of which its own is the last, and two further ones: what
 /// stands in the place of the axis of meshes. Throws as meshed_for_goal().

@@ -67,6 +67,28 @@ TEST(RunByHand, OneRing)
   EXPECT_TRUE(made_run().findings.summary["one_ring"].is_null());
 }
 
+TEST(RunByHand, GoalOfTheMesh)
+{
+  const RunByHand by_hand;
+  GoalOutcome goal;
+  goal.goal = Goal::terminal_spin;
+  goal.value = -3.5;
+  goal.estimated_error = 2e-5;
+  goal.tolerance = 1e-5;
+  goal.n_meshes = 4;
+  goal.n_cells = 1000;
+  const auto summary =
+    tabulate(by_hand.study, by_hand.report, by_hand.spin, {}, goal).findings.summary["goal"];
+  EXPECT_EQ(summary["name"], "terminal spin");
+  EXPECT_EQ(summary["value"], -3.5);
+  EXPECT_EQ(summary["estimated_error"], 2e-5);
+  EXPECT_EQ(summary["tolerance"], 1e-5);
+  EXPECT_EQ(summary["meshes"], 4);
+  EXPECT_EQ(summary["cells"], 1000);
+  EXPECT_EQ(summary["unknowns"], by_hand.report.foot->foot.n_unknowns);
+  EXPECT_FALSE(made_run().findings.summary.contains("goal")); // of a study without one
+}
+
 TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
 {
   RunByHand by_hand;
