@@ -65,6 +65,60 @@ TEST(SolidRun, TerminalSpinIsThatOfTheBodyOfRevolution)
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
+/// Settings of a solid foot that is so coarse that an estimate of its error takes a second.
+const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
+                                                    "Contact/Degree=1",
+                                                    "Contact/Azimuthal cells=12",
+                                                    "Contact/Load harmonics=4",
+                                                    "Contact/Goal=torque",
+                                                    "Contact/Goal tolerance=1",
+                                                    "Contact/Friction coupling=none" };
+
+/// Runs @p verb on such a foot, behind @p launcher.
+Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string> &verb,
+                    std::vector<std::string> launcher = {})
+{
+  launcher.push_back(STEMWARE_PROGRAM);
+  launcher.insert(launcher.end(), verb.begin(), verb.end());
+  launcher.insert(launcher.end(), { scratch.write("flat.prm", flat_land), "--quiet", "--output", "results" });
+  for (const std::string &setting : coarse_with_goal)
+    launcher.insert(launcher.end(), { "--set", setting });
+  return RunningProgram(launcher, scratch.path()).end();
+}
+
+TEST(SolidRun, EveryVerbTakesAGoal)
+{
+  for (const std::vector<std::string> &verb : { std::vector<std::string>{ "compare" },
+                                                { "truncate" },
+                                                { "sweep", "--vary", "Motion/Mass=0.3:0.31:2" } })
+  {
+    const ScratchFolder scratch;
+    const Ended ended = run_with_goal(scratch, verb);
+    EXPECT_EQ(ended.exit_code, 0) << verb.front() << ": " << ended.err;
+    EXPECT_TRUE(std::filesystem::exists(scratch / "results/summary.json")) << verb.front();
+  }
+}
+
+TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
+{
+  const auto goal_on = [](const std::vector<std::string> &launcher)
+  {
+    const ScratchFolder scratch;
+    const Ended ended = run_with_goal(scratch, { "run" }, launcher);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return read_summary(scratch / "results")["goal"];
+  };
+  const auto alone = goal_on({}), together = goal_on({ STEMWARE_MPIEXEC, "-n", "2" });
+  EXPECT_EQ(alone["name"], "torque");
+  EXPECT_EQ(alone["meshes"], 1);
+  EXPECT_EQ(alone["tolerance"], 1);
+  EXPECT_LT(std::abs(alone["estimated_error"].get<double>()), std::abs(alone["value"].get<double>()));
+  EXPECT_EQ(together["cells"], alone["cells"]);
+  EXPECT_EQ(together["unknowns"], alone["unknowns"]);
+  EXPECT_NEAR(together["value"].get<double>() / alone["value"].get<double>(), 1, 1e-8);
+  EXPECT_NEAR(together["estimated_error"].get<double>() / alone["estimated_error"].get<double>(), 1, 1e-3);
+}
+
 TEST(SolidRun, GoesOnFromItsCheckpointWhenItWasKilled)
 {
   const ScratchFolder scratch;
