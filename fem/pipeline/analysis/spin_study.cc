@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
+#include "fem/pipeline/analysis/all_spins.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
