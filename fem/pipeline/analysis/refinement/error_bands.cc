@@ -211,7 +211,8 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   std::size_t n_done = 0;
   for (const Change &change : changes)
   {
-    const std::shared_ptr<ElasticFoot> changed_foot = study_foot(change.study, cache);
+    const std::shared_ptr<ElasticFoot> changed_foot =
+      study_foot(change.study, cache, silent_progress(), foot.get());
     if (change.part != "rings" && change.part != "load_harmonics")
       changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
     const Findings found = look(change.study, changed_foot, probe);
