@@ -39,7 +39,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
                                { gradient[0], gradient[1] }, radius);
       }
       for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j < n_dofs; ++j)
+        for (unsigned int j = 0; j <= i; ++j)
         {
           const ShapeStrain &a = strains[i];
           const ShapeStrain &b = strains[j];
@@ -49,6 +49,10 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
           stiffness.parts[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
         }
     }
+    for (FullMatrix<double> &part : stiffness.parts) // symmetric
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          part(j, i) = part(i, j);
     cells.push_back(std::move(stiffness));
   }
 }
