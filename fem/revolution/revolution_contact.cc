@@ -147,6 +147,10 @@ void RevolutionFoot::start_like(const Foot &similar)
   of_similar.clear();
   if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty())
     return;
+  // Contacts of other widths lead nowhere.
+  if (setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
+      setup.plane_strain_compliance() != other->setup.plane_strain_compliance())
+    return;
   constexpr double apart = 1e-5; // of the largest spin: two solutions at one spin have no polynomial
   double largest = 0;
   for (const Solved &one : other->recent)

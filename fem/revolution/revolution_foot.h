@@ -33,7 +33,7 @@ public:
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   void resume(const ContactState &state) override;
-  /// Where neither is out of flat; a foot of another kind has nothing to tell.
+  /// Where neither is out of flat and both bodies and hardness are the same; others have nothing to tell.
   void start_like(const Foot &similar) override;
   unsigned int n_resolved_harmonics() const override;
   LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
