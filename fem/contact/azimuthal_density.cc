@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <limits>
 
 namespace stemware::fem
 {
@@ -24,24 +23,36 @@ unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
 /// Azimuths closer than this belong to one cut; the lines of one cut differ by rounding only.
 constexpr double azimuth_tolerance = 1e-7;
 
+/// Adds up densities of places of one azimuth.
+std::vector<AzimuthLoad> sum_of_cuts(std::vector<AzimuthLoad> places)
+{
+  const auto comes_before = [](const AzimuthLoad &one, const AzimuthLoad &other)
+  { return one.azimuth < other.azimuth; };
+  if (!std::is_sorted(places.begin(), places.end(), comes_before)) // as the lines of a body of revolution are
+    std::stable_sort(places.begin(), places.end(), comes_before);
+  std::vector<AzimuthLoad> density;
+  for (const AzimuthLoad &place : places)
+    if (density.empty() || place.azimuth - density.back().azimuth > azimuth_tolerance)
+      density.push_back(place);
+    else
+      density.back().density += place.density;
+  return density;
+}
+
 std::vector<AzimuthLoad> density_of_cuts(const ContactSurface &surface,
                                          const std::vector<double> &line_forces)
 {
-  std::vector<unsigned int> order(line_forces.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto comes_before = [&](unsigned int i, unsigned int j)
-  { return surface.lines[i].azimuth < surface.lines[j].azimuth; };
-  if (!std::is_sorted(order.begin(), order.end(), comes_before)) // as the lines of a body of revolution are
-    std::sort(order.begin(), order.end(), comes_before);
-  std::vector<AzimuthLoad> density;
-  for (const unsigned int i : order)
-  {
-    const ContactLine &line = surface.lines[i];
-    if (density.empty() || line.azimuth - density.back().azimuth > azimuth_tolerance)
-      density.push_back({ line.azimuth, 0 });
-    density.back().density += line_forces[i] / line.azimuth_width;
-  }
-  return density;
+  std::vector<AzimuthLoad> places;
+  for (std::size_t i = 0; i < line_forces.size(); ++i)
+    places.push_back({ surface.lines[i].azimuth, line_forces[i] / surface.lines[i].azimuth_width });
+  std::vector<double> packed;
+  for (const AzimuthLoad &place : sum_of_cuts(std::move(places)))
+    packed.insert(packed.end(), { place.azimuth, place.density });
+  packed = surface.parts.gather_everywhere(std::move(packed));
+  places.clear();
+  for (std::size_t i = 0; i < packed.size(); i += 2)
+    places.push_back({ packed[i], packed[i + 1] });
+  return sum_of_cuts(std::move(places));
 }
 } // namespace
 
@@ -50,37 +61,48 @@ std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
 {
   if (surface.lines_are_radial)
     return density_of_cuts(surface, line_forces);
-  std::vector<AzimuthLoad> density(surface.n_sectors);
-  for (unsigned int s = 0; s < surface.n_sectors; ++s)
-    density[s].azimuth = boost::math::double_constants::two_pi * (s + 0.5) / surface.n_sectors;
+  std::vector<double> densities(surface.n_sectors, 0);
   for (unsigned int i = 0; i < line_forces.size(); ++i)
-    density[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)].density +=
+    densities[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=
       line_forces[i] * surface.n_sectors / boost::math::double_constants::two_pi;
+  surface.parts.sum_in_place(densities);
+  std::vector<AzimuthLoad> density;
+  for (unsigned int s = 0; s < surface.n_sectors; ++s)
+    density.push_back(
+      { boost::math::double_constants::two_pi * (s + 0.5) / surface.n_sectors, densities[s] });
   return density;
 }
 
 std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
 {
+  using boost::math::double_constants::two_pi;
+  const unsigned int n_sectors = surface.n_sectors, n_nodes = surface.n_own_nodes();
+  std::vector<double> azimuths;
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    azimuths.push_back(std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)));
   // A quarter of a sector before a node: neither corner nor mid-side nodes then lie on a border between
   // sectors.
-  const double first = std::atan2(surface.node_position(0, 1), surface.node_position(0, 0));
-  const double begin = first - boost::math::double_constants::two_pi / (4 * surface.n_sectors);
-  std::vector<AzimuthLoad> density(surface.n_sectors);
-  std::vector<unsigned int> n_nodes(surface.n_sectors, 0);
-  for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+  const double first = surface.parts.min(n_nodes > 0 ? *std::min_element(azimuths.begin(), azimuths.end())
+                                                     : std::numeric_limits<double>::max());
+  const double begin = first - two_pi / (4 * n_sectors);
+  // Of each sector: density, azimuths from `begin` summed, number of nodes.
+  std::vector<double> sums(3 * n_sectors, 0);
+  for (unsigned int i = 0; i < n_nodes; ++i)
   {
-    const double azimuth = std::atan2(surface.node_position(i, 1), surface.node_position(i, 0));
-    const unsigned int sector = sector_of(azimuth, begin, surface.n_sectors);
-    density[sector].density += node_forces(i) * surface.n_sectors / boost::math::double_constants::two_pi;
-    const double turns = (azimuth - begin) / boost::math::double_constants::two_pi;
-    density[sector].azimuth +=
-      (turns - std::floor(turns)) * boost::math::double_constants::two_pi; // from `begin`, summed
-    ++n_nodes[sector];
+    double *const sector = &sums[3 * sector_of(azimuths[i], begin, n_sectors)];
+    const double turns = (azimuths[i] - begin) / two_pi;
+    sector[0] += node_forces(i) * n_sectors / two_pi;
+    sector[1] += (turns - std::floor(turns)) * two_pi;
+    sector[2] += 1;
   }
-  for (unsigned int s = 0; s < surface.n_sectors; ++s)
-    density[s].azimuth =
-      begin + (n_nodes[s] > 0 ? density[s].azimuth / n_nodes[s]
-                              : boost::math::double_constants::two_pi * (s + 0.5) / surface.n_sectors);
+  surface.parts.sum_in_place(sums);
+  std::vector<AzimuthLoad> density;
+  for (unsigned int s = 0; s < n_sectors; ++s)
+  {
+    const double *const sector = &sums[3 * s];
+    density.push_back(
+      { begin + (sector[2] > 0 ? sector[1] / sector[2] : two_pi * (s + 0.5) / n_sectors), sector[0] });
+  }
   return density;
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <sstream>
 
 namespace stemware::fem
@@ -27,7 +26,7 @@ void require_possible(const LinearConditions &conditions)
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
   if (centre.norm() == 0)
     return;
-  const double reach = (conditions.weights().rightCols<2>() * centre.normalized()).maxCoeff();
+  const double reach = conditions.reach(centre.normalized());
   if (centre.norm() < reach)
     return;
   std::ostringstream message;
@@ -48,6 +47,7 @@ public:
       , control(control)
       , conditions(conditions)
       , radius(radius)
+      , parts(body.contact_surface().parts)
       , modes(body.contact_surface().motion_modes())
       , motion(start.motion)
       , normal_displacement(start.normal_displacement)
@@ -63,7 +63,7 @@ public:
     double residual_before = std::numeric_limits<double>::infinity();
     double least_residual = std::numeric_limits<double>::infinity();
     unsigned int n_idle = 0;
-    std::map<ActiveSet, double> visited;
+    std::vector<VisitedSet> visited;
     for (;;)
     {
       const double present_residual = residual();
@@ -93,8 +93,8 @@ public:
         return;
       evaluate();
       // Not the normal displacement itself: on a flat land it tends to zero together with the violation.
-      const double moved = std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
-                                    (modes * motion).lpNorm<Eigen::Infinity>());
+      const double moved = parts.max(std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
+                                              (modes * motion).lpNorm<Eigen::Infinity>()));
       if (violation <= control.tolerance * moved)
         return;
     }
@@ -109,7 +109,9 @@ public:
     result.n_iterations = n_steps;
     result.n_linear_iterations = n_linear_iterations;
     const Eigen::VectorXd pressure = law.nodal_pressure(result);
-    result.n_loaded_nodes = static_cast<unsigned int>((pressure.array() > 0).count());
+    const Eigen::Index n_own_nodes = body.contact_surface().n_own_nodes();
+    result.n_loaded_nodes =
+      parts.sum(static_cast<std::size_t>((pressure.head(n_own_nodes).array() > 0).count()));
     result.n_nodes_across = body.contact_surface().n_nodes_across(pressure);
     if (control.set_matters && result.n_nodes_across < fewest_nodes_across)
       result.outcome = ContactOutcome::narrow_contact;
@@ -162,13 +164,31 @@ private:
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  void require_new_set(std::map<ActiveSet, double> &visited, double present_residual) const
+  /// An active set of a part of the surface, and the residual of the whole.
+  struct VisitedSet
   {
-    const auto [visit, is_new] = visited.emplace(contact.active_set, present_residual);
-    // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
-    if (is_new || present_residual < 0.5 * visit->second || last_step_length < 1)
+    ActiveSet set;
+    double residual;
+  };
+
+  void require_new_set(std::vector<VisitedSet> &visited, double present_residual) const
+  {
+    // The whole set came back where no part has another than then.
+    std::vector<double> differs;
+    for (const VisitedSet &visit : visited)
+      differs.push_back(visit.set != contact.active_set ? 1 : 0);
+    parts.sum_in_place(differs);
+    const auto same = std::find(differs.begin(), differs.end(), 0.);
+    if (same == differs.end())
     {
-      visit->second = present_residual;
+      visited.push_back({ contact.active_set, present_residual });
+      return;
+    }
+    double &residual_then = visited[static_cast<std::size_t>(same - differs.begin())].residual;
+    // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
+    if (present_residual < 0.5 * residual_then || last_step_length < 1)
+    {
+      residual_then = present_residual;
       return;
     }
     std::ostringstream message;
@@ -181,7 +201,7 @@ private:
   void require_support() const
   {
     const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
-    const Eigen::Matrix3d support = scale * support_of(contact.tangent, modes, modes) * scale;
+    const Eigen::Matrix3d support = scale * parts.sum(support_of(contact.tangent, modes, modes)) * scale;
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
@@ -194,7 +214,8 @@ private:
 
   unsigned int n_loaded() const
   {
-    return static_cast<unsigned int>(std::count(contact.active_set.begin(), contact.active_set.end(), true));
+    return parts.sum(
+      static_cast<std::size_t>(std::count(contact.active_set.begin(), contact.active_set.end(), true)));
   }
 
   void step()
@@ -278,7 +299,8 @@ private:
 
   bool start_is_apart(const Eigen::VectorXd &mismatch) const
   {
-    return mismatch.lpNorm<Eigen::Infinity>() > 1e-12 * normal_displacement.lpNorm<Eigen::Infinity>();
+    return parts.max(mismatch.lpNorm<Eigen::Infinity>()) >
+           1e-12 * parts.max(normal_displacement.lpNorm<Eigen::Infinity>());
   }
 
   NewtonIncrement solve(const Eigen::VectorXd &mismatch)
@@ -299,9 +321,10 @@ private:
                      const Eigen::VectorXd &forces_at_end) const
   {
     const double outer = conditions.target().dot(increment.motion);
-    const auto slope_under = [&](double step_length, const Eigen::VectorXd &forces) {
+    const auto slope_under = [&](double step_length, const Eigen::VectorXd &forces)
+    {
       return increment.energy_slope + step_length * increment.energy_curvature + outer -
-             forces.dot(direction);
+             parts.sum(forces.dot(direction));
     };
     ContactForces between;
     const auto slope = [&](double step_length)
@@ -335,18 +358,20 @@ private:
   void report(const NewtonIncrement &increment, double step_length, const ActiveSet &set_before)
   {
     ++n_steps;
-    n_changed = 0;
+    std::size_t n_different = 0;
     for (std::size_t i = 0; i < set_before.size(); ++i)
-      n_changed += set_before[i] != contact.active_set[i];
+      n_different += set_before[i] != contact.active_set[i];
+    n_changed = parts.sum(n_different);
     last_step_length = step_length;
     n_linear_iterations += increment.linear_iterations;
     if (control.checkpoint)
       control.checkpoint({ motion, normal_displacement, n_steps });
+    const unsigned int n_loaded_now = n_loaded(); // all parts count, whoever reports
     if (!control.progress)
       return;
     ContactIteration iteration;
     iteration.number = n_steps;
-    iteration.n_loaded = n_loaded();
+    iteration.n_loaded = n_loaded_now;
     iteration.n_changed = n_changed;
     iteration.residual = residual();
     iteration.step_length = step_length;
@@ -359,6 +384,7 @@ private:
   const ContactControl &control;
   const LinearConditions &conditions;
   const double radius;
+  const SurfaceParts &parts;
   const Eigen::MatrixX3d modes;
 
   Eigen::Vector3d motion;
@@ -417,8 +443,9 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
     body.reset();
     // From a foot that is pressed in so far that the whole zone carries.
     const ContactSurface &surface = body.contact_surface();
-    const double rise = surface.node_gap.maxCoeff() - surface.node_gap.minCoeff();
-    const Eigen::Vector3d pressed_in(-(surface.node_gap.maxCoeff() + rise + 1e-6 * radius), 0, 0);
+    const double greatest_gap = surface.parts.greatest(surface.node_gap);
+    const double rise = greatest_gap + surface.parts.greatest(-surface.node_gap);
+    const Eigen::Vector3d pressed_in(-(greatest_gap + rise + 1e-6 * radius), 0, 0);
     begin.motion = rigid_foot_motion(surface, law, conditions, radius, pressed_in);
     begin.normal_displacement = surface.motion_modes() * begin.motion;
   }

@@ -18,20 +18,25 @@ Eigen::MatrixX3d ContactSurface::motion_modes() const
 
 unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) const
 {
-  std::vector<double> azimuths;
-  for (unsigned int i = 0; i < n_nodes(); ++i)
+  constexpr std::size_t n_bins_side_by_side = 8; // azimuths that are equal but for rounding share all but one
+  const std::size_t n_bins = 8 * n_bins_side_by_side * n_sectors;
+  std::vector<double> n_loaded(n_bins, 0);
+  for (unsigned int i = 0; i < n_own_nodes(); ++i)
     if (pressure(i) > 0)
-      azimuths.push_back(std::atan2(node_position(i, 1), node_position(i, 0)));
-  std::sort(azimuths.begin(), azimuths.end());
-
-  const double side_by_side = boost::math::double_constants::two_pi / (8 * n_sectors);
-  std::ptrdiff_t most = 0;
-  auto end = azimuths.begin();
-  for (auto begin = azimuths.begin(); begin != azimuths.end(); ++begin)
+    {
+      const double turns =
+        std::atan2(node_position(i, 1), node_position(i, 0)) / boost::math::double_constants::two_pi;
+      const auto bin = static_cast<std::size_t>((turns - std::floor(turns)) * double(n_bins));
+      ++n_loaded[bin % n_bins];
+    }
+  parts.sum_in_place(n_loaded);
+  double most = 0;
+  for (std::size_t first = 0; first < n_bins; ++first)
   {
-    while (end != azimuths.end() && *end - *begin < side_by_side)
-      ++end;
-    most = std::max(most, end - begin);
+    double n_side_by_side = 0;
+    for (std::size_t i = 0; i < n_bins_side_by_side; ++i)
+      n_side_by_side += n_loaded[(first + i) % n_bins];
+    most = std::max(most, n_side_by_side);
   }
   return static_cast<unsigned int>(most);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/contact/surface_parts.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -27,12 +29,19 @@ struct ContactLine
   double azimuth_width = 0; ///< breadth of the line as an angle [rad]
 };
 
-/// The contact zone of a body, as the table and the contact driver see it. Replicated on all MPI ranks.
+/// The contact zone of a body, as the table and the contact driver see it, or a rank's part of it: the lines
+/// of its own cells and the nodes that act on these. Nodes that belong to other parts come last; every node
+/// belongs to one.
+///
+/// Of numbers at the nodes there are two kinds. Displacements, gaps and whatever is given as a function of
+/// the place are known to every part that has the node. Forces, tangents and whatever is integrated are what
+/// the part's own lines give, and the sum over the parts is the whole; so is the product of one kind with the
+/// other.
 struct ContactSurface
 {
   Eigen::MatrixX2d node_position; ///< (x, y) of the contact nodes [m]
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
-  Eigen::VectorXd node_area;      ///< int N_i dA, projected on the table [m^2]
+  Eigen::VectorXd node_area;      ///< int N_i dA of the whole surface, projected on the table [m^2]
   std::vector<ContactLine> lines;
   std::vector<std::size_t> mirrored_lines; ///< of every line the one that is its mirror image at y = 0 to the
                                            ///< last bit, gap aside; empty where there are none
@@ -40,13 +49,19 @@ struct ContactSurface
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
 
+  unsigned int n_foreign_nodes = 0; ///< those at the end that belong to other parts
+  SurfaceParts parts;               ///< of which this is one
+
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
-  /// Projected area of the contact zone [m^2].
-  double area() const { return node_area.sum(); }
+  unsigned int n_own_nodes() const { return n_nodes() - n_foreign_nodes; }
+  /// Of all parts.
+  unsigned int n_nodes_of_whole() const { return parts.sum(std::size_t(n_own_nodes())); }
+  /// Projected area of the whole contact zone [m^2].
+  double area() const { return parts.sum(node_area.head(n_own_nodes()).sum()); }
   /// Columns (1, x, y) at the nodes: what the table motions q0, q1, q2 do to the gap. Shape [n_nodes, 3].
   Eigen::MatrixX3d motion_modes() const;
-  /// How many nodes under pressure lie side by side across the rim, where they are most; nodes within an
-  /// eighth of a sector of one azimuth count as side by side. @p pressure of shape [n_nodes].
+  /// How many nodes under pressure lie side by side across the rim of the whole zone, where they are most;
+  /// nodes within an eighth of a sector count as side by side. @p pressure of shape [n_nodes].
   unsigned int n_nodes_across(const Eigen::VectorXd &pressure) const;
 };
 

@@ -20,6 +20,8 @@ struct NewtonIncrement
 
 /// An elastic foot, stem cut clamped, seen from its contact nodes (docs/method.md, "Newton's method").
 ///
+/// Where the contact surface is in parts, numbers at its nodes are of the two kinds of ContactSurface.
+///
 /// The body keeps its displacement u, K u being its elastic forces, as state; the contact driver asks for
 /// increments and accepts a part of each. B picks the vertical displacement of the contact nodes, Q = (1, x,
 /// y) there.

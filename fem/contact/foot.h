@@ -106,10 +106,12 @@ public:
   virtual LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
                                unsigned int n_harmonics) = 0;
 
-  /// The pressure of any state of this foot as forces where they lie, slip frame.
+  /// The pressure of any state of this foot as forces where they lie, slip frame; of a collective foot on the
+  /// first rank, nothing on the others.
   virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
 
-  /// The pressure p(r, theta) of any state of this foot, slip frame.
+  /// The pressure p(r, theta) of any state of this foot, slip frame; of a collective foot on the first rank,
+  /// empty on the others.
   virtual PressureMap pressure_map(const ContactState &state) = 0;
 
   /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank

@@ -11,7 +11,7 @@ class HardContact : public TableLaw
 public:
   HardContact(const ContactSurface &surface, double penalty)
       : surface(surface)
-      , stiffness(penalty * surface.node_area)
+      , stiffness(penalty * own_areas(surface))
       , multipliers(Eigen::VectorXd::Zero(surface.n_nodes()))
   {
   }
@@ -35,6 +35,7 @@ public:
   {
     const Eigen::VectorXd &nodal = solution.forces;
     TableLoad result;
+    result.parts = surface.parts;
     for (unsigned int i = 0; i < surface.n_nodes(); ++i)
       if (nodal(i) > 0)
         result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), nodal(i) });
@@ -57,12 +58,22 @@ public:
     const Eigen::VectorXd updated = forces(normal_displacement);
     // f - multiplier is stiffness * penetration where loaded, and what the node should have let go of where
     // not.
-    const double violation = ((updated - multipliers).array() / stiffness.array()).abs().maxCoeff();
+    const Eigen::Index n = surface.n_own_nodes();
+    const double violation =
+      surface.parts.greatest(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());
     multipliers = updated;
     return violation;
   }
 
 private:
+  /// Every node acts in the part that it belongs to.
+  static Eigen::VectorXd own_areas(const ContactSurface &surface)
+  {
+    Eigen::VectorXd areas = surface.node_area;
+    areas.tail(surface.n_foreign_nodes).setZero();
+    return areas;
+  }
+
   Eigen::VectorXd forces(const Eigen::VectorXd &normal_displacement) const
   {
     return (multipliers - stiffness.cwiseProduct(surface.node_gap + normal_displacement)).cwiseMax(0.);

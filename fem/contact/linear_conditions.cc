@@ -11,14 +11,16 @@ LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX
     : L(std::move(weights))
     , t(target)
     , H(motion_weights)
+    , parts(surface.parts)
 {
   if (!(t.allFinite() && t(0) > 0))
     throw std::invalid_argument(
       "The normal force must be a finite number greater than 0 N and the moment finite.");
-  if (L.rows() != surface.n_nodes() || !L.allFinite() || !H.allFinite() || (L.col(0).array() != 1).any())
+  if (parts.any(L.rows() != surface.n_nodes() || !L.allFinite() || !H.allFinite() ||
+                (L.col(0).array() != 1).any()))
     throw std::invalid_argument("The conditions on the contact forces are not allowed; give three finite "
                                 "weights for every contact node, the first of them 1.");
-  symmetric = H.isZero(0) && L == surface.motion_modes();
+  symmetric = !parts.any(!H.isZero(0) || L != surface.motion_modes());
 }
 
 LinearConditions LinearConditions::with_share_of_moment(const ContactSurface &surface, double share) const

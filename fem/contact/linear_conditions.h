@@ -40,10 +40,17 @@ public:
   /// even press, on a path to the whole of them. @p surface is theirs.
   LinearConditions with_share_of_moment(const ContactSurface &surface, double share) const;
 
-  /// L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad]: in N, N m, N m.
+  /// L'f + H q - t for nodal @p forces [N] and table motions @p motion [m, rad, rad]: in N, N m, N m. Of
+  /// the whole surface.
   Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const
   {
-    return L.transpose() * forces + H * motion - t;
+    return parts.sum(L.transpose() * forces) + H * motion - t;
+  }
+
+  /// How far the second and third weights of a node of the whole surface reach in @p direction [m].
+  double reach(const Eigen::Vector2d &direction) const
+  {
+    return parts.greatest(L.rightCols<2>() * direction);
   }
 
 private:
@@ -51,6 +58,7 @@ private:
   Eigen::Vector3d t;
   Eigen::Matrix3d H;
   bool symmetric;
+  SurfaceParts parts;
 };
 
 /// The conditions (1, x, y)'f = (N, -M_Ny, M_Nx). Throws std::invalid_argument unless N > 0 and all is

@@ -111,31 +111,35 @@ double ring_radius(const LoadHarmonics &load, double first_radial_moment, double
   return has_moment ? moment / (pi * amplitude) : second_radial_moment / first_radial_moment;
 }
 
-/// On the rings @p radii; without any on the one of ring_radius().
+/// On the rings @p radii; without any on the one of ring_radius(). @p forces of a part of the surface.
 LoadHarmonics sums_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
-                      const std::vector<double> &radii)
+                      const std::vector<double> &radii, const SurfaceParts &parts = {})
 {
   LoadHarmonics load;
   load.radii = radii;
-  double first_radial_moment = 0;
-  double second_radial_moment = 0;
+  using Moments = Eigen::Matrix<double, 5, 1>;
+  Moments moments = Moments::Zero();
   const std::optional<RingShares> shares = radii.empty() ? std::nullopt : std::optional(RingShares(radii));
   const Eigen::VectorXd whole = Eigen::VectorXd::Ones(1);
   AzimuthSums sums(std::max<std::size_t>(radii.size(), 1), n_harmonics);
   for (const PointForce &point : forces)
   {
     const double radius = std::sqrt(point.x * point.x + point.y * point.y);
-    load.normal_force += point.force;
-    load.moment_x += point.y * point.force;
-    load.moment_y -= point.x * point.force;
-    first_radial_moment += radius * point.force;
-    second_radial_moment += radius * radius * point.force;
+    moments += point.force * Moments(1, point.y, -point.x, radius, radius * radius);
     sums.add(point, radius, shares ? shares->at(radius) : whole);
   }
+  moments = parts.sum(moments);
+  load.normal_force = moments(0);
+  load.moment_x = moments(1);
+  load.moment_y = moments(2);
+  const double first_radial_moment = moments(3), second_radial_moment = moments(4);
   if (!(load.normal_force > 0))
     throw std::invalid_argument(
       "There is no load on the table, so there are no load harmonics; press the foot with a positive force.");
   sums.finish(load);
+  for (auto *coefficients : { &load.a, &load.b })
+    for (std::vector<double> &ring : *coefficients)
+      parts.sum_in_place(ring);
   load.mean_radius = first_radial_moment / load.normal_force;
   if (radii.empty())
     load.radii = { ring_radius(load, first_radial_moment, second_radial_moment) };
@@ -311,27 +315,28 @@ LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::Vec
   return load;
 }
 
-std::pair<double, double> loaded_band(const std::vector<PointForce> &forces)
+std::pair<double, double> loaded_band(const TableLoad &load)
 {
   double largest = 0;
-  for (const PointForce &point : forces)
+  for (const PointForce &point : load.points)
     largest = std::max(largest, point.force);
+  largest = load.parts.max(largest);
   double inner = std::numeric_limits<double>::infinity(), outer = 0;
-  for (const PointForce &point : forces)
+  for (const PointForce &point : load.points)
     if (point.force > 1e-9 * largest)
     {
       const double radius = std::hypot(point.x, point.y);
       inner = std::min(inner, radius);
       outer = std::max(outer, radius);
     }
-  return { inner, outer };
+  return { load.parts.min(inner), load.parts.max(outer) };
 }
 
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                            const std::vector<double> &ring_radii)
 {
   TableLoad on_table = law.load(solution);
-  LoadHarmonics load = sums_of(on_table.points, n_harmonics, ring_radii);
+  LoadHarmonics load = sums_of(on_table.points, n_harmonics, ring_radii, on_table.parts);
   load.pointwise = std::move(on_table.density);
   const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
   { return one.density < other.density; };

@@ -79,8 +79,8 @@ LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::Vec
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                            const std::vector<double> &ring_radii = {});
 
-/// Least and largest radius [m] of those @p forces that are more than rounding of the largest.
-std::pair<double, double> loaded_band(const std::vector<PointForce> &forces);
+/// Least and largest radius [m] of those points of @p load that are more than rounding of the largest.
+std::pair<double, double> loaded_band(const TableLoad &load);
 
 /// Harmonics of @p forces on one ring: a_n = sum f_i cos(n theta_i) / pi (a_0 half of that), b_n likewise,
 /// and the radius that carries the moment, |M_N| / (pi sqrt(a_1^2 + b_1^2)); without a moment sum f r^2 / sum

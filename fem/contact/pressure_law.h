@@ -50,6 +50,7 @@ public:
   TableLoad load(const ContactSolution &solution) const override
   {
     TableLoad result;
+    result.parts = surface.parts;
     std::vector<double> line_forces;
     line_forces.reserve(surface.lines.size());
     const std::vector<Eigen::Vector3d> depths = penetrations(solution.normal_displacement);
@@ -106,7 +107,7 @@ private:
     double deepest = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d &depth : depths)
       deepest = std::max(deepest, depth.maxCoeff());
-    return law.least_depth(deepest);
+    return law.least_depth(surface.parts.max(deepest));
   }
 
   /// The line that has the geometry, gap and normal displacement of line @p l mirrored at y = 0, to the last

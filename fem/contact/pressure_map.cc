@@ -37,28 +37,40 @@ void sort_by_azimuth(PressureMap &pressure_map)
 class LoadedLine
 {
 public:
-  LoadedLine(const ContactLine &line, const Eigen::VectorXd &normal_displacement,
-             const std::function<double(double)> &pressure)
-      : line(line)
-      , depth(penetration(line, normal_displacement))
+  /// What tells lines apart, as it travels between ranks: azimuth, positions and penetrations at the samples.
+  using Packed = Eigen::Matrix<double, 10, 1>;
+
+  static Packed pack(const ContactLine &line, const Eigen::VectorXd &normal_displacement)
+  {
+    Packed packed;
+    packed << line.azimuth, line.position.reshaped(), penetration(line, normal_displacement);
+    return packed;
+  }
+
+  LoadedLine(const Packed &packed, const std::function<double(double)> &pressure)
+      : azimuth(packed(0))
+      , positions(packed.segment<6>(1).reshaped(3, 2))
+      , depth(packed.tail<3>())
       , pressure(pressure)
   {
   }
+
+  const double azimuth;
 
   /// At a local coordinate in [-1, 1].
   PressurePoint at(double xi) const
   {
     const Eigen::Vector3d shape = line_shape(xi);
-    const Eigen::RowVector2d position = shape.transpose() * line.position;
+    const Eigen::RowVector2d position = shape.transpose() * positions;
     return { position.norm(), wrapped(std::atan2(position(1), position(0))), pressure(shape.dot(depth)) };
   }
 
-  double begin() const { return line.position.row(0).norm(); }
-  double end() const { return line.position.row(2).norm(); }
+  double begin() const { return positions.row(0).norm(); }
+  double end() const { return positions.row(2).norm(); }
 
 private:
-  const ContactLine &line;
-  const Eigen::Vector3d depth; ///< at the samples [m]
+  const Eigen::Matrix<double, 3, 2> positions; ///< of the samples [m]
+  const Eigen::Vector3d depth;                 ///< at the samples [m]
   const std::function<double(double)> &pressure;
 };
 
@@ -146,10 +158,19 @@ PressureMap PressureMap::turned(double angle) const
 PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::VectorXd &normal_displacement,
                                   const std::function<double(double)> &pressure)
 {
-  std::vector<LoadedLine> lines;
+  std::vector<double> packed;
   for (const ContactLine &line : surface.lines)
-    lines.emplace_back(line, normal_displacement, pressure);
+  {
+    const LoadedLine::Packed numbers = LoadedLine::pack(line, normal_displacement);
+    packed.insert(packed.end(), numbers.begin(), numbers.end());
+  }
+  packed = surface.parts.gather(std::move(packed));
   PressureMap pressure_map;
+  if (packed.empty())
+    return pressure_map;
+  std::vector<LoadedLine> lines;
+  for (std::size_t i = 0; i < packed.size(); i += LoadedLine::Packed::SizeAtCompileTime)
+    lines.emplace_back(LoadedLine::Packed(&packed[i]), pressure);
   pressure_map.is_grid = surface.lines_are_radial;
   if (!surface.lines_are_radial)
   {
@@ -160,7 +181,7 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
   }
   const RadialRange range = loaded_range(lines);
   std::vector<double> azimuths;
-  for (const ContactLine &line : surface.lines)
+  for (const LoadedLine &line : lines)
     azimuths.push_back(line.azimuth);
   for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
   {
@@ -174,28 +195,39 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
 
 PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &pressure)
 {
-  const double least = least_share * pressure.maxCoeff();
+  std::vector<double> packed;
+  for (unsigned int i = 0; i < surface.n_own_nodes(); ++i)
+    packed.insert(packed.end(),
+                  { surface.node_position.row(i).norm(),
+                    std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)), pressure(i) });
+  packed = surface.parts.gather(std::move(packed));
+  std::vector<PressurePoint> nodes;
+  double largest = 0;
+  for (std::size_t i = 0; i < packed.size(); i += 3)
+  {
+    nodes.push_back({ packed[i], packed[i + 1], packed[i + 2] });
+    largest = std::max(largest, packed[i + 2]);
+  }
   RadialRange range = { 1e300, 0 };
   std::vector<double> azimuths;
-  for (unsigned int i = 0; i < surface.n_nodes(); ++i)
+  for (const PressurePoint &node : nodes)
   {
-    const double radius = surface.node_position.row(i).norm();
-    azimuths.push_back(std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)));
-    if (pressure(i) >= least)
-      range = { std::min(range.lower, radius), std::max(range.upper, radius) };
+    azimuths.push_back(node.azimuth);
+    if (node.pressure >= least_share * largest)
+      range = { std::min(range.lower, node.radius), std::max(range.upper, node.radius) };
   }
   // A contact on a single circle still needs neighbours to be seen.
   const double margin = std::max(0.25 * (range.upper - range.lower), 1e-4 * range.upper);
   PressureMap pressure_map;
-  pressure_map.is_grid = true;
+  pressure_map.is_grid = !nodes.empty();
   for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
   {
     std::vector<PressurePoint> cut;
     for (const std::size_t i : group)
     {
-      const double radius = surface.node_position.row(static_cast<Eigen::Index>(i)).norm();
-      if (range.lower - margin <= radius && radius <= range.upper + margin)
-        cut.push_back({ radius, wrapped(azimuths[group.front()]), pressure(static_cast<Eigen::Index>(i)) });
+      const PressurePoint &node = nodes[i];
+      if (range.lower - margin <= node.radius && node.radius <= range.upper + margin)
+        cut.push_back({ node.radius, wrapped(azimuths[group.front()]), node.pressure });
     }
     std::sort(cut.begin(), cut.end(),
               [](const PressurePoint &one, const PressurePoint &other) { return one.radius < other.radius; });

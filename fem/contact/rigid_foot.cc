@@ -33,7 +33,7 @@ NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, con
                                  const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
   const Eigen::Matrix3d stiffness =
-    support_of(tangent, conditions.weights(), modes) - conditions.motion_weights();
+    surface.parts.sum(support_of(tangent, conditions.weights(), modes)) - conditions.motion_weights();
   const Eigen::Vector3d residual = conditions.residual(forces, motion);
   NewtonIncrement step;
   step.displacement = Eigen::VectorXd::Zero(surface.n_nodes());

@@ -6,8 +6,8 @@ namespace stemware::fem
 {
 
 /// How fast the conditions L'f on the forces of a table with the given @p tangent T change with its motions Q
-/// under a foot that does not deform: L'TQ, @p modes Q as ContactSurface::motion_modes(). With L = Q the
-/// stiffness of the table against the three motions.
+/// under a foot that does not deform: L'TQ, of a part of the surface its share; @p modes Q as
+/// ContactSurface::motion_modes(). With L = Q the stiffness of the table against the three motions.
 Eigen::Matrix3d support_of(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixX3d &weights,
                            const Eigen::MatrixX3d &modes);
 

@@ -17,7 +17,8 @@ namespace stemware::fem
 /// linear branch.
 using ActiveSet = std::vector<bool>;
 
-/// Nodal forces of a table law, their derivative, and the active set.
+/// Nodal forces of a table law, their derivative, and the active set: those of the lines and nodes of a part
+/// of the surface, where it is in parts (ContactSurface).
 struct ContactForces
 {
   Eigen::VectorXd forces; ///< consistent upward forces on the foot at the contact nodes [N]
@@ -34,9 +35,10 @@ struct ContactForces
   }
 };
 
-/// What a table carries, point by point and along the azimuth.
+/// What a table carries, point by point on a part of the surface and along the azimuth of the whole.
 struct TableLoad
 {
+  SurfaceParts parts; ///< of the surface
   /// Fine enough for harmonics: quadrature points of the pressure, or nodal forces where there is no
   /// pressure.
   std::vector<PointForce> points;
@@ -64,10 +66,12 @@ public:
   /// say all.
   virtual TableLoad load(const ContactSolution &solution) const = 0;
 
-  /// Where the foot presses in a solution, for plots.
+  /// Where the foot presses in a solution, for plots: on the whole surface, on the rank of the first part;
+  /// empty elsewhere.
   virtual PressureMap pressure_map(const ContactSolution &solution) const = 0;
 
-  /// Pressure at the contact nodes in a solution [Pa], for plots. Shape [n_nodes].
+  /// Pressure at the contact nodes in a solution [Pa], for plots; at those of other parts it need not be
+  /// known. Shape [n_nodes].
   virtual Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const = 0;
 
   /// Pressure [Pa] at a penetration [m], for laws by which it depends on that alone; nothing for the others.

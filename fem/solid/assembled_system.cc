@@ -34,8 +34,10 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
   locally_owned = dof_handler.locally_owned_dofs();
   constraints = clamp_stem_cut(dof_handler);
   assemble();
-  zone = describe_contact_zone(geometry, dof_handler, constraints, gap);
-  horizontal = owned_horizontal_dofs(dof_handler, zone.node_dofs);
+  const auto nodes =
+    std::make_shared<const ContactNodes>(locally_owned, contact_dofs(dof_handler, constraints), communicator);
+  zone = describe_contact_zone(geometry, dof_handler, constraints, nodes, gap);
+  horizontal = horizontal_places(dof_handler, *nodes);
 }
 
 void AssembledSystem::assemble()
@@ -55,47 +57,39 @@ void AssembledSystem::assemble()
 AssembledSystem::Vector AssembledSystem::contact_load(const Eigen::VectorXd &forces) const
 {
   Vector vector = scatter(forces);
-  if (friction.size() == 0)
+  if (!has_friction)
     return vector;
-  for (const HorizontalDofs &dofs : horizontal)
+  const Eigen::VectorXd own = zone.nodes->summed(forces);
+  for (const auto &[node, x, y] : horizontal)
   {
-    vector(dofs.x) += friction(dofs.node, 0) * forces(dofs.node);
-    vector(dofs.y) += friction(dofs.node, 1) * forces(dofs.node);
+    vector.begin()[x] += friction(node, 0) * own(node);
+    vector.begin()[y] += friction(node, 1) * own(node);
   }
-  vector.compress(VectorOperation::add);
   return vector;
 }
 
-AssembledSystem::Vector AssembledSystem::scatter(const Eigen::VectorXd &nodal) const
+AssembledSystem::Vector AssembledSystem::scatter(const Eigen::VectorXd &parts) const
 {
   Vector vector(locally_owned, communicator);
-  for (unsigned int i = 0; i < zone.node_dofs.size(); ++i)
-    if (locally_owned.is_element(zone.node_dofs[i]))
-      vector(zone.node_dofs[i]) = nodal(i);
-  vector.compress(VectorOperation::insert);
+  const Eigen::VectorXd own = zone.nodes->summed(parts);
+  for (unsigned int i = 0; i < own.size(); ++i)
+    vector.begin()[zone.nodes->own_places()[i]] = own(i);
   return vector;
 }
 
 Eigen::VectorXd AssembledSystem::restrict(const Vector &vector) const
 {
-  std::vector<double> nodal(zone.node_dofs.size(), 0);
-  for (unsigned int i = 0; i < zone.node_dofs.size(); ++i)
-    if (locally_owned.is_element(zone.node_dofs[i]))
-      nodal[i] = vector(zone.node_dofs[i]);
-  Utilities::MPI::sum(nodal, communicator, nodal);
-  return Eigen::Map<const Eigen::VectorXd>(nodal.data(), static_cast<Eigen::Index>(nodal.size()));
+  Eigen::VectorXd own(zone.nodes->n_own_nodes());
+  for (unsigned int i = 0; i < own.size(); ++i)
+    own(i) = vector.begin()[zone.nodes->own_places()[i]];
+  return zone.nodes->spread(own);
 }
 
 void AssembledSystem::set_tangent(const Eigen::SparseMatrix<double> &contact_tangent)
 {
   tangent.copy_from(stiffness);
-  for (Eigen::Index column = 0; column < contact_tangent.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(contact_tangent, column); entry; ++entry)
-    {
-      const auto row_dof = zone.node_dofs[static_cast<std::size_t>(entry.row())];
-      if (locally_owned.is_element(row_dof))
-        tangent.add(row_dof, zone.node_dofs[static_cast<std::size_t>(entry.col())], entry.value());
-    }
+  for (const ContactNodes::Entry &entry : zone.nodes->own_rows(contact_tangent))
+    tangent.add(entry.row, entry.column, entry.value);
   tangent.compress(VectorOperation::add);
 }
 
@@ -121,17 +115,18 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   const auto scatter_columns = [&](const Eigen::MatrixX3d &nodal) {
     return std::array<Vector, 3>{ scatter(nodal.col(0)), scatter(nodal.col(1)), scatter(nodal.col(2)) };
   };
+  const SurfaceParts &parts = zone.surface.parts;
   const ScaledMotions motions(zone.surface);
   BorderedSystem system{ tangent, {}, {}, {} };
   const Eigen::MatrixX3d stiffened = contact_tangent * motions.modes;
   system.border = scatter_columns(stiffened);
   if (conditions.are_resultants())
-    system.corner = motions.modes.transpose() * stiffened;
+    system.corner = parts.sum(motions.modes.transpose() * stiffened);
   else
   {
     const Eigen::MatrixX3d weights = conditions.weights() * motions.scale.asDiagonal();
     system.condition_border = scatter_columns(contact_tangent * weights);
-    system.corner = weights.transpose() * stiffened -
+    system.corner = parts.sum(weights.transpose() * stiffened) -
                     motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
   }
   const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
@@ -153,7 +148,7 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   const Vector unbalanced = residual(forces);
   SolidIncrement<Vector> solution =
     solve_symmetric_part(unbalanced, motions.scale.asDiagonal() * conditions.residual(forces, motion), true);
-  if (friction.size() > 0)
+  if (has_friction)
   {
     constexpr double share_left = 1e-4; // a correction costs little more than a back substitution
     Vector left = unbalanced;
@@ -169,8 +164,8 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
   // The work of friction, which changes with the forces, belongs to the body's.
-  step.energy_curvature = solution.image * increment - forces_of(solution).dot(step.displacement);
-  step.energy_slope = forces.dot(step.displacement) - unbalanced * increment;
+  step.energy_curvature = solution.image * increment - parts.sum(forces_of(solution).dot(step.displacement));
+  step.energy_slope = parts.sum(forces.dot(step.displacement)) - unbalanced * increment;
   return step;
 }
 
@@ -186,7 +181,7 @@ void AssembledSystem::reset()
 
 double AssembledSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  return residual(forces).l2_norm() / forces.norm();
+  return residual(forces).l2_norm() / zone.nodes->norm(forces);
 }
 
 void AssembledSystem::write_state(std::ostream &stream) const

@@ -35,9 +35,9 @@ private:
   void assemble();
   /// B' @p forces with the friction that they bring along.
   Vector contact_load(const Eigen::VectorXd &forces) const;
-  /// B' applied to values at the contact nodes.
-  Vector scatter(const Eigen::VectorXd &nodal) const;
-  /// B applied to a vector of dofs; the same on all ranks.
+  /// B' applied to what the ranks' parts have at the contact nodes.
+  Vector scatter(const Eigen::VectorXd &parts) const;
+  /// B applied to a vector of dofs.
   Eigen::VectorXd restrict(const Vector &vector) const;
   /// tangent = K + B' T B.
   void set_tangent(const Eigen::SparseMatrix<double> &contact_tangent);
@@ -57,7 +57,7 @@ private:
   Vector displacement;
   Vector increment; ///< of the last solve
   BorderedSolver solver;
-  std::vector<HorizontalDofs> horizontal;
+  std::vector<HorizontalPlaces> horizontal;
 };
 
 } // namespace stemware::fem

@@ -13,14 +13,15 @@ namespace stemware::fem
 
 using namespace dealii;
 
-void LevelMatrix::reinit(const SolidLevel &level, const ElasticMaterial &material)
+void LevelMatrix::reinit(const SolidLevel &level, const ElasticMaterial &material,
+                         const std::shared_ptr<const ContactNodes> &nodes)
 {
   elastic = make_elastic_operator<float>(level.mapping, level.dof_handler, level.constraints, material);
-  contact = std::make_unique<ContactStiffness>(level.dof_handler, level.constraints);
+  contact = std::make_unique<ContactStiffness>(nodes);
   n_rows = level.dof_handler.n_dofs();
   elastic->compute_diagonal(elastic_diagonal);
   inverse_diagonal = std::make_shared<DiagonalMatrix<FloatVector>>();
-  set_contact(Eigen::SparseMatrix<double>(contact->n_nodes(), contact->n_nodes()));
+  set_contact(Eigen::SparseMatrix<double>(nodes->n_nodes(), nodes->n_nodes()));
 }
 
 void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
@@ -56,10 +57,11 @@ LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
   return data;
 }
 
-FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material)
+FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material,
+                                 std::shared_ptr<const ContactNodes> contact_nodes)
     : communicator(level.dof_handler.get_communicator())
     , owned(level.dof_handler.locally_owned_dofs())
-    , contact_nodes(contact_dofs(level.dof_handler, level.constraints))
+    , nodes(std::move(contact_nodes))
 {
   IndexSet relevant;
   DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);
@@ -84,11 +86,15 @@ FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial 
 
 void FactorizedLevel::set_contact(const Eigen::SparseMatrix<double> &tangent)
 {
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> packed; // row, column, value: of a level as small as this, a rank can have all
   for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
-      entries.emplace_back(static_cast<int>(contact_nodes[static_cast<std::size_t>(entry.row())]),
-                           static_cast<int>(contact_nodes[static_cast<std::size_t>(column)]), entry.value());
+      packed.insert(packed.end(), { double(nodes->dofs()[static_cast<std::size_t>(entry.row())]),
+                                    double(nodes->dofs()[static_cast<std::size_t>(column)]), entry.value() });
+  packed = nodes->parts().gather_everywhere(std::move(packed));
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < packed.size(); i += 3)
+    entries.emplace_back(static_cast<int>(packed[i]), static_cast<int>(packed[i + 1]), packed[i + 2]);
   Eigen::SparseMatrix<double> table(stiffness.rows(), stiffness.cols());
   table.setFromTriplets(entries.begin(), entries.end());
   factors.compute(stiffness + table);

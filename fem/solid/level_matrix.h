@@ -20,8 +20,10 @@ public:
   using value_type = float;
   using size_type = dealii::types::global_dof_index;
 
-  void reinit(const SolidLevel &level, const ElasticMaterial &material);
-  /// @p tangent T between the contact nodes.
+  /// @p nodes: contact nodes of the level.
+  void reinit(const SolidLevel &level, const ElasticMaterial &material,
+              const std::shared_ptr<const ContactNodes> &nodes);
+  /// @p tangent T between the contact nodes, this rank's part of it.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);
 
   void vmult(FloatVector &dst, const FloatVector &src) const;
@@ -54,8 +56,8 @@ LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
-  /// @p tangent T between the contact nodes, which operator() then knows. Throws std::runtime_error when the
-  /// sum is not positive definite.
+  /// @p tangent T between the contact nodes, this rank's part of it, which operator() then knows. Throws
+  /// std::runtime_error when the sum is not positive definite.
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
 };
 
@@ -63,7 +65,9 @@ public:
 class FactorizedLevel : public CoarseSolver
 {
 public:
-  FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material);
+  /// @p nodes: contact nodes of the level.
+  FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material,
+                  std::shared_ptr<const ContactNodes> nodes);
 
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void operator()(unsigned int level, FloatVector &dst, const FloatVector &src) const override;
@@ -71,7 +75,7 @@ public:
 private:
   const MPI_Comm communicator;
   const dealii::IndexSet owned;
-  const std::vector<dealii::types::global_dof_index> contact_nodes;
+  const std::shared_ptr<const ContactNodes> nodes;
   Eigen::SparseMatrix<double> stiffness;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
 };

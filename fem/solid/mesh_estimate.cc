@@ -181,16 +181,18 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const Eigen::VectorXd pressed_goal = pressed.tangent * of_forces;
   MeshError error;
   // Integrated along the finer mesh's lines, and then what the step changes.
-  error.correction = goal.of_load(load) - goal.of_load(contact.load) +
-                     goal.of_moment.dot(Eigen::Vector2d(load.moment_x - contact.load.moment_x,
-                                                        load.moment_y - contact.load.moment_y)) -
-                     pressed_goal.dot(step.displacement + surface.motion_modes() * step.motion) +
-                     goal.of_motion.dot(step.motion);
+  error.correction =
+    goal.of_load(load) - goal.of_load(contact.load) +
+    goal.of_moment.dot(
+      Eigen::Vector2d(load.moment_x - contact.load.moment_x, load.moment_y - contact.load.moment_y)) -
+    surface.parts.sum(pressed_goal.dot(step.displacement + surface.motion_modes() * step.motion)) +
+    goal.of_motion.dot(step.motion);
   if (!with_cells)
     return error;
 
   const DofVector dual = finer.solve_symmetric(
-    pressed_goal, surface.motion_modes().transpose() * pressed_goal - goal.of_motion, dual_tolerance);
+    pressed_goal, surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion,
+    dual_tolerance);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
   products.scale(finer.residual(pressed.forces));

@@ -4,6 +4,7 @@
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/level_matrix.h"
 #include "fem/solid/revolved_cycle.h"
+#include "fem/solid/solid_contact_zone.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -71,16 +72,35 @@ struct MeshHierarchy::Cycle
       levels.push_back(std::make_unique<SolidLevel>(mesh, degree, mapping_degree));
     const auto finest = static_cast<unsigned int>(levels.size() - 1);
     cycles.resize(finest + 1);
+    find_contact_nodes(finest);
     matrices.resize(0, finest);
     for (unsigned int l = 0; l <= finest; ++l)
-      matrices[l].reinit(*levels[l], material);
+      matrices[l].reinit(*levels[l], material, contact_nodes[l]);
     make_transfer(finest);
     make_smoothers(finest);
     if (levels[0]->dof_handler.n_dofs() <= most_factorized_unknowns)
-      coarse_solver = std::make_unique<FactorizedLevel>(*levels[0], material);
+      coarse_solver = std::make_unique<FactorizedLevel>(*levels[0], material, contact_nodes[0]);
     else
-      coarse_solver = std::make_unique<RevolvedCycle>(*levels[0], matrices[0], material);
+      coarse_solver = std::make_unique<RevolvedCycle>(*levels[0], matrices[0], material, contact_nodes[0]);
     matrix.initialize(matrices);
+  }
+
+  void find_contact_nodes(unsigned int finest)
+  {
+    const auto elements = [&](unsigned int l) {
+      return ContactElements{ levels[l]->dof_handler, levels[l]->constraints };
+    };
+    const DoFHandler<3> &dofs = levels[finest]->dof_handler;
+    contact_nodes.resize(finest + 1);
+    contact_nodes[finest] = std::make_shared<ContactNodes>(
+      dofs.locally_owned_dofs(), contact_dofs(dofs, levels[finest]->constraints), dofs.get_communicator());
+    interpolations.resize(finest + 1);
+    for (unsigned int l = finest; l > 0; --l)
+    {
+      ContactInterpolation found = interpolation_between(elements(l - 1), elements(l), *contact_nodes[l]);
+      contact_nodes[l - 1] = std::move(found.coarse_nodes);
+      interpolations[l] = std::move(found.matrix);
+    }
   }
 
   void make_transfer(unsigned int finest)
@@ -89,7 +109,6 @@ struct MeshHierarchy::Cycle
     std::vector<AffineConstraints<float>> constraints(finest + 1);
     for (unsigned int l = 0; l <= finest; ++l)
       constraints[l].copy_from(levels[l]->constraints);
-    interpolations.resize(finest + 1);
     for (unsigned int l = 1; l <= finest; ++l)
     {
       const DoFHandler<3> &fine = levels[l]->dof_handler;
@@ -98,8 +117,6 @@ struct MeshHierarchy::Cycle
         transfers[l].reinit_polynomial_transfer(fine, coarse, constraints[l], constraints[l - 1]);
       else
         transfers[l].reinit_geometric_transfer(fine, coarse, constraints[l], constraints[l - 1]);
-      interpolations[l] =
-        interpolation_between({ coarse, levels[l - 1]->constraints }, { fine, levels[l]->constraints });
     }
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
@@ -132,6 +149,7 @@ struct MeshHierarchy::Cycle
   };
 
   std::vector<std::unique_ptr<SolidLevel>> levels;
+  std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
   std::vector<Eigen::SparseMatrix<double>> interpolations; ///< of contact nodes, from the level below
   MGLevelObject<LevelMatrix> matrices;
   std::unique_ptr<Transfer> transfer;
@@ -175,6 +193,11 @@ unsigned int MeshHierarchy::coarsest_mesh() const
 const SolidLevel &MeshHierarchy::level(unsigned int l) const
 {
   return *cycle->levels[l];
+}
+
+const std::shared_ptr<const ContactNodes> &MeshHierarchy::contact_nodes(unsigned int l) const
+{
+  return cycle->contact_nodes[l];
 }
 
 void MeshHierarchy::set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent)

@@ -64,8 +64,11 @@ public:
   /// The lowest level whose elements are those of the finest.
   unsigned int coarsest_mesh() const;
   const SolidLevel &level(unsigned int l) const;
+  /// Contact nodes of level @p l: those of this rank's cells, and what those of the level above follow from.
+  const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const;
 
-  /// Prepares V-cycles from level @p l down for K + B' T B, @p tangent T between that level's contact nodes.
+  /// Prepares V-cycles from level @p l down for K + B' T B, @p tangent T between that level's contact
+  /// nodes, this rank's part of it.
   void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
 
   /// One V-cycle from level @p l down: @p dst is an approximate solution of (K + B' T B) dst = @p src.

@@ -82,7 +82,7 @@ unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &p
 /// What the table's motions add to the system of one Newton step.
 struct MultigridSystem::Border
 {
-  Eigen::MatrixX3d columns; ///< B G = T Q
+  Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
   Eigen::Matrix3d inverse_schur; ///< of C - G' W, in the form that is positive definite whatever W is
@@ -101,9 +101,11 @@ public:
   void vmult(Vector &dst, const Vector &src) const
   {
     system.elastic->vmult(dst, src);
-    const Eigen::VectorXd nodal = system.contact.gather(src);
-    const Eigen::Vector3d motion = border.inverse_corner * (border.columns.transpose() * nodal);
-    system.contact.scatter_add(system.contact.matrix() * nodal - border.columns * motion, dst);
+    const ContactNodes &nodes = system.contact.nodes();
+    const Eigen::VectorXd nodal = nodes.gather(src);
+    const Eigen::Vector3d motion =
+      border.inverse_corner * nodes.parts().sum(border.columns.transpose() * nodal);
+    nodes.scatter_add(system.contact.matrix() * nodal - border.columns * motion, dst);
   }
 
 private:
@@ -154,9 +156,11 @@ MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned
     , elastic(make_elastic_operator<double>(hierarchy->level(level).mapping,
                                             hierarchy->level(level).dof_handler,
                                             hierarchy->level(level).constraints, material))
-    , contact(hierarchy->level(level).dof_handler, hierarchy->level(level).constraints)
+    , contact(hierarchy->contact_nodes(level))
+    , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
 {
-  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints, gap);
+  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
+                               hierarchy->contact_nodes(level), gap);
   for (Vector *vector : { &displacement, &elastic_forces, &increment, &increment_forces })
     elastic->initialize_dof_vector(*vector);
   for (FloatVector &column : eliminated_border)
@@ -172,9 +176,15 @@ MultigridSystem::Vector MultigridSystem::contact_load(const Eigen::VectorXd &for
 {
   Vector load;
   elastic->initialize_dof_vector(load);
-  contact.scatter_add(forces, load);
-  if (friction.size() > 0)
-    contact.scatter_friction_add(forces, friction, load);
+  const Eigen::VectorXd own = contact.nodes().summed(forces);
+  for (unsigned int i = 0; i < own.size(); ++i)
+    load.local_element(contact.nodes().own_places()[i]) = own(i);
+  if (has_friction)
+    for (const auto &[node, x, y] : horizontal)
+    {
+      load.local_element(x) += friction(node, 0) * own(node);
+      load.local_element(y) += friction(node, 1) * own(node);
+    }
   return load;
 }
 
@@ -212,7 +222,7 @@ MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::VectorXd &
   Vector rhs, solution;
   elastic->initialize_dof_vector(rhs);
   elastic->initialize_dof_vector(solution);
-  contact.scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
+  contact.nodes().scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
   conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
                       reduction * rhs.l2_norm(), solution);
   return solution;
@@ -220,14 +230,15 @@ MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::VectorXd &
 
 Eigen::VectorXd MultigridSystem::contact_displacement() const
 {
-  return contact.gather(displacement);
+  return contact.nodes().gather(displacement);
 }
 
 MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &modes, double tolerance)
 {
   Border border;
   border.columns = contact.matrix() * modes;
-  border.corner = modes.transpose() * border.columns;
+  const SurfaceParts &parts = contact.nodes().parts();
+  border.corner = parts.sum(modes.transpose() * border.columns);
   border.corner = ((border.corner + border.corner.transpose()) / 2).eval();
   border.inverse_corner = border.corner.inverse();
   if (!border_matters && tolerance >= loose_border)
@@ -245,7 +256,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
     column.copy_locally_owned_data_from(eliminated_border[i]);
     tangent.vmult(image, column);
     residual = 0;
-    contact.scatter_add(border.columns.col(i), residual);
+    contact.nodes().scatter_add(border.columns.col(i), residual);
     const double target = tolerance * residual.l2_norm();
     residual -= image;
     if (residual.l2_norm() > target)
@@ -258,7 +269,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
     }
     images[i].reinit(image, true);
     images[i].copy_locally_owned_data_from(image);
-    overlap.row(i) = contact.gather(column).transpose() * border.columns;
+    overlap.row(i) = parts.sum(contact.nodes().gather(column).transpose() * border.columns);
   }
   Eigen::Matrix3d schur = border.corner - overlap - overlap.transpose();
   for (unsigned int i = 0; i < 3; ++i)
@@ -288,6 +299,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
 {
   contact.set(tangent);
   hierarchy->set_contact(level, tangent);
+  const ContactNodes &nodes = contact.nodes();
   const ScaledMotions motions(zone.surface);
   const bool symmetric = conditions.are_resultants();
   const Border border = make_border(motions.modes, symmetric ? loose_border : tight_border);
@@ -301,11 +313,12 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
     SolidIncrement<Vector> solution;
     elastic->initialize_dof_vector(solution.body);
     Vector rhs = residual;
-    contact.scatter_add(-border.columns * (border.inverse_corner * missing), rhs);
+    nodes.scatter_add(-border.columns * (border.inverse_corner * missing), rhs);
     if (rhs.l2_norm() > target)
       solution.n_iterations = conjugate_gradients(matrix, preconditioner, rhs, target, solution.body);
-    solution.displacement = contact.gather(solution.body);
-    solution.motion = border.inverse_corner * (missing - border.columns.transpose() * solution.displacement);
+    solution.displacement = nodes.gather(solution.body);
+    solution.motion = border.inverse_corner *
+                      (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
     if (!symmetric)
       close_conditions(conditions, motions, missing, solution);
     elastic->initialize_dof_vector(solution.image);
@@ -317,10 +330,10 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
   const Vector residual = this->residual(forces);
   Vector projected = residual;
-  contact.scatter_add(-border.columns * (border.inverse_corner * missing), projected);
-  const double target = target_residual(projected.l2_norm(), forces.norm());
+  nodes.scatter_add(-border.columns * (border.inverse_corner * missing), projected);
+  const double target = target_residual(projected.l2_norm(), nodes.norm(forces));
   SolidIncrement<Vector> solution = solve_symmetric_part(residual, missing, target);
-  if (friction.size() > 0)
+  if (has_friction)
   {
     Vector left = residual;
     left -= solution.image;
@@ -338,8 +351,8 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
   // The work of friction, which changes with the forces, belongs to the body's.
-  step.energy_curvature = solution.image * increment - change.dot(step.displacement);
-  step.energy_slope = forces.dot(step.displacement) - residual * increment;
+  step.energy_curvature = solution.image * increment - nodes.parts().sum(change.dot(step.displacement));
+  step.energy_slope = nodes.parts().sum(forces.dot(step.displacement)) - residual * increment;
   return step;
 }
 
@@ -349,14 +362,16 @@ void MultigridSystem::close_conditions(const LinearConditions &conditions, const
   // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)
-    response.col(i) -= contact.gather(eliminated_border[i]);
+    response.col(i) -= contact.nodes().gather(eliminated_border[i]);
   const Eigen::MatrixX3d weights = conditions.weights() * motions.scale.asDiagonal();
   const Eigen::Matrix3d leaning =
     motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
-  const Eigen::Matrix3d matrix = weights.transpose() * (contact.matrix() * response) - leaning;
+  const SurfaceParts &parts = contact.nodes().parts();
+  const Eigen::Matrix3d matrix = parts.sum(weights.transpose() * (contact.matrix() * response)) - leaning;
   const Eigen::Vector3d left =
     missing -
-    weights.transpose() * (contact.matrix() * (solution.displacement + motions.modes * solution.motion)) +
+    parts.sum(weights.transpose() *
+              (contact.matrix() * (solution.displacement + motions.modes * solution.motion))) +
     leaning * solution.motion;
   const Eigen::FullPivLU<Eigen::Matrix3d> factors(matrix);
   if (!factors.isInvertible())
@@ -384,7 +399,7 @@ void MultigridSystem::reset()
 
 double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  return residual(forces).l2_norm() / forces.norm();
+  return residual(forces).l2_norm() / contact.nodes().norm(forces);
 }
 
 void MultigridSystem::write_state(std::ostream &stream) const

@@ -73,6 +73,7 @@ private:
   double linear_tolerance;
   const std::unique_ptr<ElasticOperator<double>> elastic;
   ContactStiffness contact;
+  const std::vector<HorizontalPlaces> horizontal;
 
   Vector displacement;
   Vector elastic_forces;                        ///< K u

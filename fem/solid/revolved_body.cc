@@ -34,9 +34,11 @@ Eigen::SparseMatrix<double> matrix_of(const Triplets &entries, std::size_t n_row
 
 } // namespace
 
-RevolvedBody::RevolvedBody(const SolidLevel &level, const ElasticMaterial &material)
+RevolvedBody::RevolvedBody(const SolidLevel &level, const ElasticMaterial &material,
+                           const std::shared_ptr<const ContactNodes> &contact_nodes)
     : communicator(level.dof_handler.get_communicator())
     , grid(level)
+    , contact_nodes(contact_nodes)
 {
   describe_contact(level);
   const double clamped_height = describe_nodes(level);
@@ -46,31 +48,41 @@ RevolvedBody::RevolvedBody(const SolidLevel &level, const ElasticMaterial &mater
 void RevolvedBody::describe_contact(const SolidLevel &level)
 {
   const ContactSurface surface = describe_contact_zone(level.mapping, level.dof_handler, level.constraints,
-                                                       [](double, double) { return 0.; })
+                                                       contact_nodes, [](double, double) { return 0.; })
                                    .surface;
   n_max = std::clamp(surface.n_sectors / cells_per_wave, 2u, most_harmonics);
-  std::map<unsigned int, int> places; // of the grid's nodes among those that the contact sees
-  Triplets entries;
+  std::vector<std::vector<std::pair<unsigned int, double>>> functions; // of the grid, at each contact node
+  std::vector<double> seen;                                            // nodes of the grid
   contact_cosines.resize(surface.n_nodes(), n_max + 1);
   contact_sines.resizeLike(contact_cosines);
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)
   {
     const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
-    for (const auto &[node, value] : grid.functions_at({ std::hypot(x, y), surface.node_gap(i) }))
-    {
-      const auto found = places.emplace(node, static_cast<int>(places.size())).first;
-      entries.emplace_back(static_cast<int>(i), found->second, value);
-    }
+    functions.push_back(grid.functions_at({ std::hypot(x, y), surface.node_gap(i) }));
+    for (const auto &function : functions.back())
+      seen.push_back(function.first);
     for (unsigned int n = 0; n <= n_max; ++n)
     {
       contact_cosines(i, n) = std::cos(n * std::atan2(y, x));
       contact_sines(i, n) = std::sin(n * std::atan2(y, x));
     }
   }
-  contact_grid_nodes.resize(places.size());
-  for (const auto &[node, place] : places)
-    contact_grid_nodes[static_cast<std::size_t>(place)] = node;
-  contact_interpolation = matrix_of(entries, surface.n_nodes(), places.size());
+  const auto make_unique_and_sorted = [](std::vector<double> &numbers)
+  {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  };
+  make_unique_and_sorted(seen);
+  seen = surface.parts.gather_everywhere(std::move(seen));
+  make_unique_and_sorted(seen);
+  contact_grid_nodes.assign(seen.begin(), seen.end());
+  Triplets entries;
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    for (const auto &[node, value] : functions[i])
+      entries.emplace_back(static_cast<int>(i),
+                           static_cast<int>(std::lower_bound(seen.begin(), seen.end(), node) - seen.begin()),
+                           value);
+  contact_interpolation = matrix_of(entries, surface.n_nodes(), seen.size());
 }
 
 /// Returns the height of the lowest clamped node [m].
@@ -221,10 +233,11 @@ void RevolvedBody::set_contact(const Eigen::SparseMatrix<double> &tangent)
       displacements.middleCols(contact_block(n, turn), shapes.cols()) = wave.asDiagonal() * of_unknowns;
     }
   }
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n_all, n_all);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n_all, n_all);
   if (!loaded.empty())
-    matrix.noalias() +=
-      displacements.transpose() * (pick.transpose() * tangent * pick * displacements).eval();
+    matrix.noalias() = displacements.transpose() * (pick.transpose() * tangent * pick * displacements).eval();
+  matrix = contact_nodes->parts().sum(matrix);
+  matrix.diagonal().array() += 1;
   contact_factors.compute(matrix);
   if (contact_factors.info() != Eigen::Success)
     throw std::runtime_error("the contact stiffness of the mesh's mean body of revolution is not positive "

@@ -23,11 +23,13 @@ namespace stemware::fem
 class RevolvedBody
 {
 public:
-  RevolvedBody(const SolidLevel &level, const ElasticMaterial &material);
+  /// @p contact_nodes: of the level.
+  RevolvedBody(const SolidLevel &level, const ElasticMaterial &material,
+               const std::shared_ptr<const ContactNodes> &contact_nodes);
 
   unsigned int n_harmonics() const { return n_max; }
 
-  /// @p tangent T between the contact nodes of the level.
+  /// @p tangent T between the contact nodes of the level, this rank's part of it.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);
 
   /// Adds P A^-1 P' @p src to @p dst: P interpolates at the mesh's nodes, A is the stiffness of body and
@@ -72,6 +74,7 @@ private:
 
   const MPI_Comm communicator;
   const SectionGrid grid;
+  const std::shared_ptr<const ContactNodes> contact_nodes;
   unsigned int n_max = 0;
 
   std::vector<Node> nodes;

@@ -4,9 +4,10 @@ namespace stemware::fem
 {
 
 RevolvedCycle::RevolvedCycle(const SolidLevel &level, const LevelMatrix &matrix,
-                             const ElasticMaterial &material)
+                             const ElasticMaterial &material,
+                             const std::shared_ptr<const ContactNodes> &nodes)
     : matrix(matrix)
-    , body(level, material)
+    , body(level, material, nodes)
 {
   smoother.initialize(matrix, smoothing_of(matrix));
   FloatVector vector;

@@ -11,7 +11,9 @@ class RevolvedCycle : public CoarseSolver
 {
 public:
   /// Keeps a reference to @p matrix, that of @p level, whose contact is set before this one's.
-  RevolvedCycle(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material);
+  /// @p nodes: contact nodes of the level.
+  RevolvedCycle(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material,
+                const std::shared_ptr<const ContactNodes> &nodes);
 
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
   void operator()(unsigned int level, FloatVector &dst, const FloatVector &src) const override;

@@ -52,7 +52,7 @@ std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,
 ScaledMotions::ScaledMotions(const ContactSurface &surface)
     : modes(surface.motion_modes())
 {
-  const double length = modes.rightCols<2>().rowwise().norm().maxCoeff();
+  const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
   scale = { 1, 1 / length, 1 / length };
   modes = (modes * scale.asDiagonal()).eval();
 }
@@ -99,8 +99,8 @@ void SolidBody::start_from(const SolidBody &coarse)
 
 void SolidSystem::set_sliding(const SlidingTraction &traction)
 {
-  friction.resize(0, 2);
-  if (traction.friction_coefficient == 0)
+  has_friction = traction.friction_coefficient != 0;
+  if (!has_friction)
     return;
   friction.resize(zone.surface.n_nodes(), 2);
   for (Eigen::Index i = 0; i < friction.rows(); ++i)

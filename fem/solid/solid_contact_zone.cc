@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -66,6 +66,13 @@ struct SampledFace
   }
 };
 
+/// Whether face @p f of @p cell is one of this rank's.
+bool is_contact_face(const DoFHandler<3>::active_cell_iterator &cell, unsigned int f)
+{
+  return cell->is_locally_owned() && cell->face(f)->at_boundary() &&
+         cell->face(f)->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone);
+}
+
 /// Tensor product of @p n equidistant points from 0 to 1, first direction running fastest.
 Quadrature<2> equidistant_samples(unsigned int n)
 {
@@ -90,8 +97,7 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
   for (const auto &cell : dof_handler.active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
-      if (!cell->is_locally_owned() || !cell->face(f)->at_boundary() ||
-          cell->face(f)->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      if (!is_contact_face(cell, f))
         continue;
       fe_values.reinit(cell, f);
       cell->get_dof_indices(cell_dofs);
@@ -124,29 +130,9 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
   return faces;
 }
 
-/// Numbers on which all ranks agree: contact nodes in the order of their dofs.
-std::vector<global_dof_index> gather_node_dofs(const std::vector<SampledFace> &faces,
-                                               const MPI_Comm &communicator)
-{
-  std::vector<global_dof_index> local;
-  for (const SampledFace &face : faces)
-    local.insert(local.end(), face.dofs.begin(), face.dofs.end());
-  std::vector<global_dof_index> all;
-  for (const std::vector<global_dof_index> &part : Utilities::MPI::all_gather(communicator, local))
-    all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-unsigned int index_of(const std::vector<global_dof_index> &sorted, global_dof_index dof)
-{
-  return static_cast<unsigned int>(std::lower_bound(sorted.begin(), sorted.end(), dof) - sorted.begin());
-}
-
 /// The line of @p face at @p eta in [-1, 1] of its second direction, standing for a breadth of @p weight.
-ContactLine make_line(const SampledFace &face, double eta, double weight,
-                      const std::vector<global_dof_index> &node_dofs, const SolidBody::Gap &gap)
+ContactLine make_line(const SampledFace &face, double eta, double weight, const ContactNodes &nodes,
+                      const SolidBody::Gap &gap)
 {
   const Eigen::Vector3d value = line_shape(eta);
   const Eigen::Vector3d slope(eta - 0.5, -2 * eta, eta + 0.5);
@@ -154,7 +140,7 @@ ContactLine make_line(const SampledFace &face, double eta, double weight,
   line.shape.resize(3, static_cast<Eigen::Index>(face.dofs.size()));
   for (unsigned int i = 0; i < face.dofs.size(); ++i)
   {
-    line.nodes.push_back(index_of(node_dofs, face.dofs[i]));
+    line.nodes.push_back(nodes.find(face.dofs[i]));
     line.shape.col(i) = face.shapes[i] * value;
   }
   for (unsigned int s = 0; s < 3; ++s)
@@ -182,69 +168,24 @@ ContactLine make_line(const SampledFace &face, double eta, double weight,
 /// points than a smooth integrand needs.
 constexpr unsigned int n_lines_per_face = 8;
 
-using PackedLine = std::vector<double>;
-
-PackedLine pack(const ContactLine &line)
-{
-  PackedLine packed = { static_cast<double>(line.nodes.size()), line.azimuth, line.azimuth_width };
-  const auto append = [&](const auto &matrix)
-  { packed.insert(packed.end(), matrix.data(), matrix.data() + matrix.size()); };
-  append(line.position);
-  append(line.transverse_tangent);
-  append(line.gap);
-  append(line.shape);
-  packed.insert(packed.end(), line.nodes.begin(), line.nodes.end());
-  return packed;
-}
-
-ContactLine unpack(const PackedLine &packed)
-{
-  ContactLine line;
-  const auto n_nodes = static_cast<Eigen::Index>(packed[0]);
-  line.azimuth = packed[1];
-  line.azimuth_width = packed[2];
-  const double *next = packed.data() + 3;
-  const auto take = [&](auto &matrix)
-  {
-    std::copy(next, next + matrix.size(), matrix.data());
-    next += matrix.size();
-  };
-  line.shape.resize(3, n_nodes);
-  take(line.position);
-  take(line.transverse_tangent);
-  take(line.gap);
-  take(line.shape);
-  line.nodes.assign(next, next + n_nodes);
-  return line;
-}
-
-std::vector<ContactLine> gather_lines(const std::vector<SampledFace> &faces,
-                                      const std::vector<global_dof_index> &node_dofs,
-                                      const SolidBody::Gap &gap, const MPI_Comm &communicator)
+std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const ContactNodes &nodes,
+                                    const SolidBody::Gap &gap)
 {
   const QGauss<1> gauss(n_lines_per_face);
-  std::vector<PackedLine> local;
+  std::vector<ContactLine> lines;
   for (const SampledFace &face : faces)
     for (unsigned int q = 0; q < gauss.size(); ++q)
-      local.push_back(pack(make_line(face, 2 * gauss.point(q)[0] - 1, 2 * gauss.weight(q), node_dofs, gap)));
-  std::vector<ContactLine> lines;
-  for (const std::vector<PackedLine> &part : Utilities::MPI::all_gather(communicator, local))
-    for (const PackedLine &packed : part)
-      lines.push_back(unpack(packed));
+      lines.push_back(make_line(face, 2 * gauss.point(q)[0] - 1, 2 * gauss.weight(q), nodes, gap));
   return lines;
 }
 
-/// Nodes lie at their shapes' support points, on cells of the zone or, where others hang on them, beside it.
-void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
-                    const std::vector<global_dof_index> &node_dofs, const SolidBody::Gap &gap,
-                    ContactSurface &surface)
+/// Calls @p visit(cell, shape, node, dofs of the cell) for each own node, on one of this rank's cells. They
+/// lie at their shapes' support points, on cells of the zone or, where others hang on them, beside it.
+template <typename Visit>
+void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
 {
-  const MPI_Comm &communicator = dof_handler.get_communicator();
   const FiniteElement<3> &element = dof_handler.get_fe();
-  const std::vector<Point<3>> &points = element.get_unit_support_points();
-  const auto n_nodes = static_cast<Eigen::Index>(node_dofs.size());
-  std::vector<double> owners(node_dofs.size(), 0);
-  std::vector<double> coordinates(3 * node_dofs.size(), 0);
+  std::vector<bool> known(nodes.n_own_nodes(), false);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
@@ -253,45 +194,55 @@ void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
     cell->get_dof_indices(cell_dofs);
     for (unsigned int i = 0; i < cell_dofs.size(); ++i)
     {
-      const unsigned int node = index_of(node_dofs, cell_dofs[i]);
-      if (node == node_dofs.size() || node_dofs[node] != cell_dofs[i] || owners[node] == 1)
+      if (element.system_to_component_index(i).first != 2)
         continue;
-      const Point<3> position = mapping.transform_unit_to_real_cell(cell, points[i]);
-      owners[node] = 1;
-      for (unsigned int d = 0; d < 3; ++d)
-        coordinates[3 * node + d] = position[d];
+      const unsigned int node = nodes.find(cell_dofs[i]);
+      if (node >= nodes.n_own_nodes() || known[node])
+        continue;
+      known[node] = true;
+      visit(cell, i, node, cell_dofs);
     }
-  }
-  Utilities::MPI::sum(owners, communicator, owners);
-  Utilities::MPI::sum(coordinates, communicator, coordinates);
-  surface.node_position.resize(n_nodes, 2);
-  surface.node_gap.resize(n_nodes);
-  for (unsigned int i = 0; i < node_dofs.size(); ++i)
-  {
-    const double x = coordinates[3 * i] / owners[i];
-    const double y = coordinates[3 * i + 1] / owners[i];
-    surface.node_position.row(i) << x, y;
-    surface.node_gap(i) = coordinates[3 * i + 2] / owners[i] + gap(x, y);
   }
 }
 
-void measure(ContactSurface &surface)
+void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler, const ContactNodes &nodes,
+                    const SolidBody::Gap &gap, ContactSurface &surface)
 {
-  surface.node_area = Eigen::VectorXd::Zero(surface.node_gap.size());
-  surface.lines_are_radial = true;
+  const std::vector<Point<3>> &points = dof_handler.get_fe().get_unit_support_points();
+  Eigen::MatrixX3d coordinates(nodes.n_own_nodes(), 3);
+  for_each_own_node(dof_handler, nodes,
+                    [&](const auto &cell, unsigned int shape, unsigned int node, const auto &)
+                    {
+                      const Point<3> position = mapping.transform_unit_to_real_cell(cell, points[shape]);
+                      coordinates.row(node) << position[0], position[1], position[2];
+                    });
+  surface.node_position.resize(nodes.n_nodes(), 2);
+  for (Eigen::Index d = 0; d < 2; ++d)
+    surface.node_position.col(d) = nodes.spread(coordinates.col(d));
+  surface.node_gap = nodes.spread(coordinates.col(2));
+  for (Eigen::Index i = 0; i < surface.node_gap.size(); ++i)
+    surface.node_gap(i) += gap(surface.node_position(i, 0), surface.node_position(i, 1));
+}
+
+void measure(ContactSurface &surface, const ContactNodes &nodes)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.n_nodes());
+  bool are_radial = true;
   double total_width = 0;
   for (const ContactLine &line : surface.lines)
   {
-    add_node_areas(line, surface.node_area);
+    add_node_areas(line, areas);
     total_width += line.azimuth_width;
     const Eigen::RowVector2d begin = line.position.row(0);
     const Eigen::RowVector2d end = line.position.row(2);
     const double sine = std::abs(begin(0) * end(1) - begin(1) * end(0)) / (begin.norm() * end.norm());
-    surface.lines_are_radial = surface.lines_are_radial && sine < 1e-9;
+    are_radial = are_radial && sine < 1e-9;
   }
-  const double n_faces = static_cast<double>(surface.lines.size()) / n_lines_per_face;
-  surface.n_sectors =
-    static_cast<unsigned int>(std::max(1., std::round(2 * numbers::PI * n_faces / total_width)));
+  surface.node_area = nodes.spread(nodes.summed(areas));
+  surface.lines_are_radial = !surface.parts.any(!are_radial);
+  const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / n_lines_per_face;
+  surface.n_sectors = static_cast<unsigned int>(
+    std::max(1., std::round(2 * numbers::PI * n_faces / surface.parts.sum(total_width))));
 }
 
 double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &communicator)
@@ -305,48 +256,70 @@ double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &comm
 
 } // namespace
 
-std::vector<HorizontalDofs> owned_horizontal_dofs(const DoFHandler<3> &dof_handler,
-                                                  const std::vector<global_dof_index> &node_dofs)
+std::vector<HorizontalPlaces> horizontal_places(const DoFHandler<3> &dof_handler, const ContactNodes &nodes)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
   const IndexSet &owned = dof_handler.locally_owned_dofs();
-  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
-  std::vector<HorizontalDofs> result;
-  std::vector<bool> known(node_dofs.size(), false);
-  for (const auto &cell : dof_handler.active_cell_iterators())
-  {
-    if (!cell->is_locally_owned())
-      continue;
-    cell->get_dof_indices(cell_dofs);
-    for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+  std::vector<HorizontalPlaces> places;
+  for_each_own_node(
+    dof_handler, nodes,
+    [&](const auto &, unsigned int shape, unsigned int node, const std::vector<global_dof_index> &cell_dofs)
     {
-      const auto [component, place] = element.system_to_component_index(i);
-      const unsigned int node = index_of(node_dofs, cell_dofs[i]);
-      if (component != 2 || !owned.is_element(cell_dofs[i]) || node == node_dofs.size() ||
-          node_dofs[node] != cell_dofs[i] || known[node])
+      const unsigned int support = element.system_to_component_index(shape).second;
+      const auto place = [&](unsigned int component)
+      {
+        const auto dof = cell_dofs[element.component_to_system_index(component, support)];
+        return static_cast<unsigned int>(owned.index_within_set(dof));
+      };
+      places.push_back({ node, place(0), place(1) });
+    });
+  return places;
+}
+
+std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
+                                           const AffineConstraints<double> &constraints)
+{
+  const FiniteElement<3> &element = dof_handler.get_fe();
+  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell()), dofs;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+    {
+      if (!is_contact_face(cell, f))
         continue;
-      known[node] = true;
-      result.push_back({ node, cell_dofs[element.component_to_system_index(0, place)],
-                         cell_dofs[element.component_to_system_index(1, place)] });
+      cell->get_dof_indices(cell_dofs);
+      for (unsigned int i = 0; i < cell_dofs.size(); ++i)
+      {
+        if (element.system_to_component_index(i).first != 2 || !element.has_support_on_face(i, f))
+          continue;
+        if (!constraints.is_constrained(cell_dofs[i]))
+          dofs.push_back(cell_dofs[i]);
+        else
+          for (const auto &entry : *constraints.get_constraint_entries(cell_dofs[i]))
+            dofs.push_back(entry.first);
+      }
     }
-  }
-  return result;
+  std::sort(dofs.begin(), dofs.end());
+  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+  return dofs;
 }
 
 SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
                                        const AffineConstraints<double> &constraints,
+                                       const std::shared_ptr<const ContactNodes> &nodes,
                                        const SolidBody::Gap &gap)
 {
   const MPI_Comm &communicator = dof_handler.get_communicator();
   const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler, constraints);
   SolidContactZone zone;
-  zone.node_dofs = gather_node_dofs(faces, communicator);
-  if (zone.node_dofs.empty())
+  zone.nodes = nodes;
+  zone.surface.parts = nodes->parts();
+  zone.surface.n_foreign_nodes = nodes->n_nodes() - nodes->n_own_nodes();
+  if (!zone.surface.parts.any(!faces.empty()))
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");
-  describe_nodes(mapping, dof_handler, zone.node_dofs, gap, zone.surface);
-  zone.surface.lines = gather_lines(faces, zone.node_dofs, gap, communicator);
-  measure(zone.surface);
+  describe_nodes(mapping, dof_handler, *nodes, gap, zone.surface);
+  zone.surface.lines = make_lines(faces, *nodes, gap);
+  measure(zone.surface, *nodes);
   zone.smallest_cell = smallest_edge(faces, communicator);
   return zone;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/solid/contact_nodes.h"
 #include "fem/solid/solid_body.h"
 
 #include <deal.II/dofs/dof_handler.h>
@@ -9,32 +10,38 @@
 namespace stemware::fem
 {
 
-/// The contact zone of a hexahedral mesh: its surface, and which dofs its nodes are.
+/// This rank's part of the contact zone of a hexahedral mesh, and which dofs its nodes are.
 struct SolidContactZone
 {
   ContactSurface surface;
-  std::vector<dealii::types::global_dof_index> node_dofs; ///< vertical displacement of each contact node
-  double smallest_cell = 0;                               ///< shortest edge of a contact face [m]
+  std::shared_ptr<const ContactNodes> nodes;
+  double smallest_cell = 0; ///< shortest edge of a contact face of all ranks [m]
 };
 
-/// A contact node's horizontal displacement among the dofs.
-struct HorizontalDofs
+/// Where the horizontal displacement of an own contact node is among this rank's dofs.
+struct HorizontalPlaces
 {
   unsigned int node;
-  dealii::types::global_dof_index x, y;
+  unsigned int x, y;
 };
 
-/// Of those @p node_dofs, vertical and ascending, that this rank owns; the horizontal ones are its own too.
-std::vector<HorizontalDofs>
-owned_horizontal_dofs(const dealii::DoFHandler<3> &dof_handler,
-                      const std::vector<dealii::types::global_dof_index> &node_dofs);
+/// Of the own @p nodes.
+std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof_handler,
+                                                const ContactNodes &nodes);
 
-/// Describes the faces with FootBoundary::contact_zone of all ranks. Every face carries lines at Gauss points
-/// of its more azimuthal direction; nodes that hang on others are replaced by these; the gap of a point is
-/// its own z plus @p gap(x, y). Throws std::invalid_argument when there is no such face.
+/// Dofs of the vertical displacement on this rank's faces with FootBoundary::contact_zone. Hanging nodes are
+/// replaced by those that they hang on.
+std::vector<dealii::types::global_dof_index>
+contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
+
+/// Describes this rank's faces with FootBoundary::contact_zone; @p nodes are those of contact_dofs(), or
+/// more. Every face carries lines at Gauss points of its more azimuthal direction; nodes that hang on others
+/// are replaced by these; the gap of a point is its own z plus @p gap(x, y). Throws std::invalid_argument
+/// when no rank has such a face.
 SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
                                        const dealii::DoFHandler<3> &dof_handler,
                                        const dealii::AffineConstraints<double> &constraints,
+                                       const std::shared_ptr<const ContactNodes> &nodes,
                                        const SolidBody::Gap &gap);
 
 } // namespace stemware::fem

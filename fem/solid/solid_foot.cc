@@ -116,6 +116,7 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     , interface(interface_of(setup, body))
     , softening_of_coarser(is_spring(setup, body) ? softening : 1)
     , law(interface->make(body.contact_surface(), setup.material.young_modulus / body.contact_cell_size()))
+    , n_contact_nodes(body.contact_surface().n_nodes_of_whole())
 {
   if (!setup.checkpoint_folder.empty() && !body.has_hierarchy())
     throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
@@ -129,7 +130,7 @@ FootDescription SolidFoot::description() const
   description.body = "solid";
   description.n_cells = static_cast<unsigned int>(mesh.triangulation->n_global_active_cells());
   description.n_unknowns = body.n_unknowns();
-  description.n_contact_nodes = body.contact_surface().n_nodes();
+  description.n_contact_nodes = n_contact_nodes;
   description.mesh_report = mesh.report;
   return description;
 }
@@ -164,7 +165,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   before = { state.solution.motion, state.solution.normal_displacement };
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
-  std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution).points);
+  std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution));
   return state;
 }
 
@@ -228,7 +229,14 @@ LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<dou
 
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
 {
-  return turned_by(law->load(state.solution).points, axis_of(state.slip));
+  std::vector<double> packed;
+  for (const PointForce &point : law->load(state.solution).points)
+    packed.insert(packed.end(), { point.x, point.y, point.force });
+  packed = body.contact_surface().parts.gather(std::move(packed));
+  std::vector<PointForce> points;
+  for (std::size_t i = 0; i < packed.size(); i += 3)
+    points.push_back({ packed[i], packed[i + 1], packed[i + 2] });
+  return turned_by(std::move(points), axis_of(state.slip));
 }
 
 PressureMap SolidFoot::pressure_map(const ContactState &state)

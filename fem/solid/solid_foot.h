@@ -88,6 +88,7 @@ private:
   const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
+  const unsigned int n_contact_nodes; ///< of all ranks
   std::optional<ContactStart> before; ///< of the table under the solution before
 };
 

@@ -120,10 +120,9 @@ std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::Vect
   const LinearAlgebra::distributed::Vector<double> displacement = system->displacement_for_output();
   LinearAlgebra::distributed::Vector<double> pressure;
   pressure.reinit(displacement);
-  const std::vector<types::global_dof_index> &node_dofs = system->contact_zone().node_dofs;
-  for (std::size_t i = 0; i < node_dofs.size(); ++i)
-    if (pressure.in_local_range(node_dofs[i]))
-      pressure(node_dofs[i]) = nodal_pressure(static_cast<Eigen::Index>(i));
+  const ContactNodes &nodes = *system->contact_zone().nodes;
+  for (unsigned int i = 0; i < nodes.n_own_nodes(); ++i)
+    pressure(nodes.dofs()[i]) = nodal_pressure(i);
   pressure.update_ghost_values();
 
   const RestoredMotion restored(motion);

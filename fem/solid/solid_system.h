@@ -55,8 +55,9 @@ protected:
 
   const ElasticMaterial material;
   SolidContactZone zone;
-  /// Friction (x, y) at the contact nodes per normal force there: a force on the foot, shape [n_nodes, 2].
-  /// Empty: none.
+  bool has_friction = false;
+  /// Friction (x, y) at the contact nodes per normal force there, where there is any: a force on the foot,
+  /// shape [n_nodes, 2].
   Eigen::MatrixX2d friction;
 };
 

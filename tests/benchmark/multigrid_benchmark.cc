@@ -100,7 +100,7 @@ void run(const Case &study)
   SolidBody body(mesh, glass, gap, study.options);
   const double n = body.n_unknowns();
   say("{} unknowns, {} contact nodes, {} lanes, {:.2f} s for the set-up\n", body.n_unknowns(),
-      body.contact_surface().n_nodes(), n_simd_lanes(), timer.wall_time());
+      body.contact_surface().n_nodes_of_whole(), n_simd_lanes(), timer.wall_time());
 
   timer.restart();
   const std::optional<ContactStart> start =

@@ -8,6 +8,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/output/run_results.h"
+#include "fem/pipeline/support/ranks.h"
 
 #include <CLI/CLI.hpp>
 
@@ -47,7 +48,9 @@ void run(const StudyOptions &options)
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, tabulate(study, report, spin, bands), folder, stopwatch);
+  // Only the first rank knows where the foot presses.
+  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands) : Results(), folder,
+          stopwatch);
 }
 
 } // namespace

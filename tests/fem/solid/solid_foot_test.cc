@@ -4,6 +4,8 @@
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <gtest/gtest.h>
 
 using namespace stemware::fem_tests;
@@ -43,11 +45,15 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
     ASSERT_EQ(later.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       EXPECT_EQ(later[i].force, points[i].force);
-    const LoadHarmonics sums = harmonics_of(later, 1);
-    EXPECT_NEAR(sums.moment_x / first.load.moment_x, 1, 1e-12);
-    EXPECT_EQ(foot.pressure_map(first).cuts.front().front().pressure,
-              pressure_map.cuts.front().front().pressure);
+    const PressureMap same_map = foot.pressure_map(first);
     EXPECT_THROW(foot.fields(first), std::logic_error);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+    {
+      EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // the first rank has all
+      continue;
+    }
+    EXPECT_NEAR(harmonics_of(later, 1).moment_x / first.load.moment_x, 1, 1e-12);
+    EXPECT_EQ(same_map.cuts.front().front().pressure, pressure_map.cuts.front().front().pressure);
   }
 }
 

@@ -1,0 +1,238 @@
+// How contact nodes of a mesh follow from those of a coarser one.
+#include "fem/geometry/boundary_ids.h"
+#include "fem/solid/contact_stiffness.h"
+#include "fem/solid/solid_contact_zone.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe.h>
+#include <deal.II/grid/cell_id.h>
+
+#include <boost/serialization/utility.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace stemware::fem
+{
+
+using namespace dealii;
+using types::global_dof_index;
+
+namespace
+{
+
+using BinaryId = CellId::binary_type;
+
+/// To which dof a cell's shape belongs, with which weight: one each, unless the shape's own node hangs on
+/// others.
+struct DofShare
+{
+  unsigned int shape;
+  global_dof_index dof;
+  double weight;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int)
+  {
+    archive &shape &dof &weight;
+  }
+};
+using DofShares = std::vector<DofShare>;
+using SharesOfCell = std::pair<BinaryId, DofShares>;
+
+/// A row of the interpolation: dofs of the coarse mesh, and their values at a node of the fine one.
+using Row = std::vector<std::pair<global_dof_index, double>>;
+
+template <typename T>
+using ToRanks = std::map<unsigned int, std::vector<T>>;
+
+/// Vertical shapes of @p cell.
+DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active_cell_iterator &cell)
+{
+  const FiniteElement<3> &element = elements.dof_handler.get_fe();
+  std::vector<global_dof_index> dofs(element.n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  DofShares shares;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+  {
+    if (element.system_to_component_index(i).first != 2)
+      continue;
+    if (!elements.constraints.is_constrained(dofs[i]))
+      shares.push_back({ i, dofs[i], 1 });
+    else
+      for (const auto &[dof, weight] : *elements.constraints.get_constraint_entries(dofs[i]))
+        shares.push_back({ i, dof, weight });
+  }
+  return shares;
+}
+
+/// Cells of a mesh that have contact nodes, of faces, edges or corners, where all ranks find them: each on a
+/// rank that follows from the cell's identity.
+class CellDirectory
+{
+public:
+  explicit CellDirectory(const ContactElements &elements)
+      : communicator(elements.dof_handler.get_communicator())
+  {
+    ComponentMask vertical(3, false);
+    vertical.set(2, true);
+    IndexSet near_zone = DoFTools::extract_boundary_dofs(
+      elements.dof_handler, vertical, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
+    const std::vector<global_dof_index> resolved = contact_dofs(elements.dof_handler, elements.constraints);
+    near_zone.add_indices(resolved.begin(), resolved.end());
+    ToRanks<SharesOfCell> entries;
+    for (const auto &cell : elements.dof_handler.active_cell_iterators())
+    {
+      if (!cell->is_locally_owned())
+        continue;
+      DofShares shares = shares_of(elements, cell);
+      if (std::any_of(shares.begin(), shares.end(),
+                      [&](const DofShare &share) { return near_zone.is_element(share.dof); }))
+      {
+        const BinaryId id = cell->id().to_binary<3>();
+        entries[home(id)].emplace_back(id, std::move(shares));
+      }
+    }
+    for (const auto &received : Utilities::MPI::some_to_some(communicator, entries))
+      cells.insert(received.second.begin(), received.second.end());
+  }
+
+  /// Those of the cells @p asked for, by any rank for itself, that there are.
+  std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
+  {
+    ToRanks<BinaryId> questions;
+    for (const BinaryId &id : asked)
+      questions[home(id)].push_back(id);
+    ToRanks<SharesOfCell> answers;
+    for (const auto &[rank, ids] : Utilities::MPI::some_to_some(communicator, questions))
+      for (const BinaryId &id : ids)
+        if (const auto place = cells.find(id); place != cells.end())
+          answers[rank].push_back(*place);
+    std::map<BinaryId, DofShares> found;
+    for (const auto &received : Utilities::MPI::some_to_some(communicator, answers))
+      found.insert(received.second.begin(), received.second.end());
+    return found;
+  }
+
+private:
+  unsigned int home(const BinaryId &id) const
+  {
+    unsigned int hash = 0;
+    for (const unsigned int part : id)
+      hash = hash * 1000003u + part;
+    return hash % Utilities::MPI::n_mpi_processes(communicator);
+  }
+
+  const MPI_Comm communicator;
+  std::map<BinaryId, DofShares> cells;
+};
+
+/// A cell's parent, and which child of it the cell is; nothing for one without a parent.
+std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
+{
+  const auto children = id.get_child_indices();
+  if (children.size() == 0)
+    return std::nullopt;
+  std::vector<std::uint8_t> ancestors(children.begin(), children.end());
+  const unsigned int child = ancestors.back();
+  ancestors.pop_back();
+  return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
+}
+
+/// Rows of the nodes that this rank owns.
+std::vector<Row> own_rows(const ContactElements &coarse, const ContactElements &fine,
+                          const ContactNodes &fine_nodes)
+{
+  const FiniteElement<3> &coarse_element = coarse.dof_handler.get_fe();
+  const std::vector<Point<3>> &points = fine.dof_handler.get_fe().get_unit_support_points();
+  struct NodeOfCell
+  {
+    unsigned int node, shape;
+    CellId cell;
+  };
+  std::vector<global_dof_index> dofs(fine.dof_handler.get_fe().n_dofs_per_cell());
+  std::vector<NodeOfCell> places;
+  std::set<BinaryId> asked;
+  for (const auto &cell : fine.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      const CellId id = cell->id();
+      const std::size_t n_before = places.size();
+      cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (const unsigned int node = fine_nodes.find(dofs[i]); node < fine_nodes.n_own_nodes())
+          places.push_back({ node, i, id });
+      if (places.size() == n_before)
+        continue;
+      asked.insert(id.to_binary<3>());
+      if (const auto parent = parent_of(id))
+        asked.insert(parent->first);
+    }
+  const std::map<BinaryId, DofShares> found = CellDirectory(coarse).find(asked);
+
+  std::vector<Row> rows(fine_nodes.n_own_nodes());
+  for (const auto &[node, shape, id] : places)
+  {
+    if (!rows[node].empty()) // cells side by side say the same
+      continue;
+    auto cell = found.find(id.to_binary<3>());
+    Point<3> point = points[shape];
+    if (cell == found.end())
+    {
+      const auto parent = parent_of(id);
+      if (!parent || (cell = found.find(parent->first)) == found.end())
+        continue; // the cell only touches the zone, and has a neighbour in it
+      point = GeometryInfo<3>::child_to_cell_coordinates(point, parent->second);
+    }
+    std::map<global_dof_index, double> values;
+    for (const DofShare &share : cell->second)
+      values[share.dof] += share.weight * coarse_element.shape_value_component(share.shape, point, 2);
+    for (const auto &[dof, value] : values)
+      if (std::abs(value) > 1e-12)
+        rows[node].emplace_back(dof, value);
+  }
+  return rows;
+}
+
+} // namespace
+
+ContactInterpolation interpolation_between(const ContactElements &coarse, const ContactElements &fine,
+                                           const ContactNodes &fine_nodes)
+{
+  const MPI_Comm &communicator = fine.dof_handler.get_communicator();
+  std::vector<Row> rows = own_rows(coarse, fine, fine_nodes);
+
+  // Rows of the others' nodes, which come in the order in which they are asked for.
+  ToRanks<global_dof_index> questions;
+  for (std::size_t i = fine_nodes.n_own_nodes(); i < fine_nodes.n_nodes(); ++i)
+    questions[fine_nodes.ranks_of_others()[i - fine_nodes.n_own_nodes()]].push_back(fine_nodes.dofs()[i]);
+  ToRanks<Row> answers;
+  for (const auto &[rank, dofs] : Utilities::MPI::some_to_some(communicator, questions))
+    for (const global_dof_index dof : dofs)
+      answers[rank].push_back(rows[fine_nodes.find(dof)]);
+  for (const auto &received : Utilities::MPI::some_to_some(communicator, answers))
+    rows.insert(rows.end(), received.second.begin(), received.second.end());
+
+  std::vector<global_dof_index> needed = contact_dofs(coarse.dof_handler, coarse.constraints);
+  for (const Row &row : rows)
+    for (const auto &entry : row)
+      needed.push_back(entry.first);
+  ContactInterpolation interpolation;
+  interpolation.coarse_nodes =
+    std::make_shared<ContactNodes>(coarse.dof_handler.locally_owned_dofs(), std::move(needed), communicator);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto &[dof, value] : rows[i])
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(interpolation.coarse_nodes->find(dof)),
+                           value);
+  interpolation.matrix.resize(fine_nodes.n_nodes(), interpolation.coarse_nodes->n_nodes());
+  interpolation.matrix.setFromTriplets(entries.begin(), entries.end());
+  return interpolation;
+}
+
+} // namespace stemware::fem

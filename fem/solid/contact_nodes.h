@@ -1,0 +1,81 @@
+#pragma once
+
+#include "fem/contact/surface_parts.h"
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/partitioner.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// SurfaceParts, one on each rank of @p communicator.
+SurfaceParts parts_on_ranks(const MPI_Comm &communicator);
+
+/// The contact nodes that a rank knows, among the dofs of a mesh: those that it owns, then those of other
+/// ranks; both in the order of their dofs. All ranks call every function together.
+///
+/// Of values at the nodes there are the two kinds of ContactSurface.
+class ContactNodes
+{
+public:
+  using Dof = dealii::types::global_dof_index;
+
+  /// The nodes of this rank's part of the surface, @p dofs of any order, and of those with dofs in @p owned
+  /// the ones that other ranks ask for.
+  ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
+
+  unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
+  unsigned int n_own_nodes() const { return static_cast<unsigned int>(places.size()); }
+  /// Vertical displacement of the nodes, shape [n_nodes].
+  const std::vector<Dof> &dofs() const { return all_dofs; }
+  /// Where the own nodes are among this rank's dofs, shape [n_own_nodes].
+  const std::vector<unsigned int> &own_places() const { return places; }
+  /// The number of the node with @p dof; n_nodes() where this rank knows none.
+  unsigned int find(Dof dof) const;
+  const SurfaceParts &parts() const { return all_parts; }
+  /// Ranks of the nodes from n_own_nodes() on.
+  const std::vector<unsigned int> &ranks_of_others() const { return other_ranks; }
+
+  /// Values at the nodes, of @p vector over the dofs.
+  template <typename Number>
+  Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
+
+  /// Values at all nodes from those that the ranks have at their own, @p own of shape [n_own_nodes].
+  Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
+  /// At the own nodes the sums of what all parts have there, @p parts of shape [n_nodes].
+  Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
+  /// Euclidean norm of these sums over all nodes.
+  double norm(const Eigen::VectorXd &parts) const;
+
+  /// Adds the sums of what all parts have at the nodes.
+  template <typename Number>
+  void scatter_add(const Eigen::VectorXd &parts,
+                   dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
+
+  /// Entries of a matrix between dofs.
+  struct Entry
+  {
+    Dof row, column;
+    double value;
+  };
+  /// The rows of own nodes of the matrix that is the sum of all parts' @p parts, shape [n_nodes, n_nodes];
+  /// places may occur several times.
+  std::vector<Entry> own_rows(const Eigen::SparseMatrix<double> &parts) const;
+
+private:
+  MPI_Comm communicator;
+  SurfaceParts all_parts;
+  std::vector<Dof> all_dofs;
+  std::vector<unsigned int> places;
+  std::vector<unsigned int> other_ranks;
+  /// Numbers at the nodes, those of the own first.
+  mutable dealii::LinearAlgebra::distributed::Vector<double> values;
+};
+
+} // namespace stemware::fem
