@@ -79,6 +79,8 @@ public:
       balanced_before = balanced;
       residual_before = present_residual;
       step();
+      if (control.is_enough && control.is_enough(solution()))
+        return;
     }
   }
 

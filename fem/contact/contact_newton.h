@@ -49,6 +49,9 @@ struct ContactControl
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
   /// Called after each step, before `progress`, with where the solve could go on; may be empty.
   std::function<void(const ContactStart &)> checkpoint;
+  /// Asked after each step: whether what has been found is enough, whatever the tolerances on the residual
+  /// say; may be empty.
+  std::function<bool(const ContactSolution &)> is_enough;
 };
 
 /// Presses @p body on the table described by @p law until the normal forces fulfil @p conditions.

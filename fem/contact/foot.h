@@ -95,6 +95,10 @@ public:
   /// turn, each starts from its own. A foot whose state is more than that may go on from the last one.
   virtual void resume(const ContactState & /*state*/) {}
 
+  /// Contacts of this foot start from what those of @p similar let expect, a foot that differs little. Feet
+  /// that cannot make use of it go on as they are.
+  virtual void start_like(const Foot & /*similar*/) {}
+
   /// Highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 

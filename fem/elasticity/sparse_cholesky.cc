@@ -5,6 +5,8 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <mutex>
 #include <omp.h>
 #include <stdexcept>
 
@@ -14,7 +16,24 @@ namespace stemware::fem
 namespace
 {
 
-using LowerTriangle = Eigen::SparseMatrix<double>;
+/// Debian's serial OpenBLAS gives wrong numbers to threads that enter it together.
+std::mutex entering_blas;
+
+[[noreturn]] void throw_indefinite()
+{
+  throw std::runtime_error(
+    "A stiffness matrix is not positive definite: the mesh is distorted, or nothing holds "
+    "the body.");
+}
+
+cholmod_sparse view_of(LowerTriangle &lower)
+{
+  cholmod_sparse view = Eigen::viewAsCholmod(Eigen::Ref<LowerTriangle>(lower));
+  view.stype = -1;
+  return view;
+}
+
+} // namespace
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 {
@@ -33,81 +52,6 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
   lower.finalize();
   return lower;
 }
-
-[[noreturn]] void throw_indefinite()
-{
-  throw std::runtime_error(
-    "A stiffness matrix is not positive definite: the mesh is distorted, or nothing holds "
-    "the body.");
-}
-
-/// Factors L L' by CHOLMOD, in the order of elimination given or found.
-class OrderedFactors
-{
-public:
-  /// Eliminates the rows @p kept last, each part in an order of little fill-in.
-  OrderedFactors(LowerTriangle lower, const std::vector<unsigned int> &kept)
-  {
-    omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
-    cholmod_start(&common);
-    common.print = 0;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = 0;
-    common.supernodal = CHOLMOD_AUTO;
-    common.final_asis = 0;
-    common.final_super = 0;
-    common.final_ll = 1;
-    cholmod_sparse view = Eigen::viewAsCholmod(Eigen::Ref<LowerTriangle>(lower));
-    view.stype = -1;
-    std::vector<int> part(view.nrow, 0);
-    for (const unsigned int row : kept)
-      part[row] = 1;
-    std::vector<int> order(view.nrow);
-    cholmod_camd(&view, nullptr, 0, part.data(), order.data(), &common);
-    factors = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common);
-    cholmod_factorize(&view, factors, &common);
-  }
-  ~OrderedFactors()
-  {
-    cholmod_free_factor(&factors, &common);
-    cholmod_finish(&common);
-  }
-  OrderedFactors(const OrderedFactors &) = delete;
-  OrderedFactors &operator=(const OrderedFactors &) = delete;
-
-  bool are_complete() const { return common.status == CHOLMOD_OK && factors->minor == factors->n; }
-
-  /// Place of every row in the order of elimination.
-  std::vector<int> places() const
-  {
-    std::vector<int> result(factors->n);
-    for (std::size_t i = 0; i < factors->n; ++i)
-      result[static_cast<std::size_t>(static_cast<const int *>(factors->Perm)[i])] = static_cast<int>(i);
-    return result;
-  }
-
-  /// The last @p n rows and columns of L.
-  Eigen::MatrixXd end(Eigen::Index n) const
-  {
-    const auto *starts = static_cast<const int *>(factors->p);
-    const auto *lengths = static_cast<const int *>(factors->nz);
-    const auto *rows = static_cast<const int *>(factors->i);
-    const auto *values = static_cast<const double *>(factors->x);
-    const Eigen::Index first = static_cast<Eigen::Index>(factors->n) - n;
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      for (int k = starts[first + j]; k < starts[first + j] + lengths[first + j]; ++k)
-        result(rows[k] - first, j) = values[k];
-    return result;
-  }
-
-private:
-  cholmod_common common = {};
-  cholmod_factor *factors = nullptr;
-};
-
-} // namespace
 
 struct SparseCholesky::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen::Lower>
 {
@@ -135,25 +79,131 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) c
   return factors->solve(right_hand_sides);
 }
 
-Eigen::MatrixXd inverse_block(const dealii::SparseMatrix<double> &matrix,
-                              const std::vector<unsigned int> &kept, unsigned int n_columns)
+/// CHOLMOD's parameters and work space.
+struct BlockInverse::Workspace
 {
-  const OrderedFactors factors(lower_triangle_of(matrix), kept);
-  if (!factors.are_complete())
+  Workspace()
+  {
+    omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 0;
+    common.supernodal = CHOLMOD_AUTO;
+    common.final_asis = 0;
+    common.final_super = 0;
+    common.final_ll = 1;
+  }
+  ~Workspace() { cholmod_finish(&common); }
+  Workspace(const Workspace &) = delete;
+  Workspace &operator=(const Workspace &) = delete;
+
+  cholmod_common common = {};
+};
+
+/// Factors L L', freed with the work space that they belong to.
+struct BlockInverse::Factors
+{
+  Factors(cholmod_factor *factors, Workspace &workspace)
+      : factors(factors)
+      , workspace(workspace)
+  {
+  }
+  ~Factors() { cholmod_free_factor(&factors, &workspace.common); }
+  Factors(const Factors &) = delete;
+  Factors &operator=(const Factors &) = delete;
+
+  /// The last @p n rows and columns of L.
+  Eigen::MatrixXd end(Eigen::Index n) const
+  {
+    const auto *starts = static_cast<const int *>(factors->p);
+    const auto *lengths = static_cast<const int *>(factors->nz);
+    const auto *rows = static_cast<const int *>(factors->i);
+    const auto *values = static_cast<const double *>(factors->x);
+    const Eigen::Index first = static_cast<Eigen::Index>(factors->n) - n;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (int k = starts[first + j]; k < starts[first + j] + lengths[first + j]; ++k)
+        result(rows[k] - first, j) = values[k];
+    return result;
+  }
+
+  cholmod_factor *factors;
+  Workspace &workspace;
+};
+
+struct BlockInverse::Plan
+{
+  Workspace workspace;
+  LowerTriangle reordered;           ///< pattern in the order of elimination
+  std::vector<Eigen::Index> sources; ///< of its values in the matrix as given
+  std::vector<Eigen::Index> of_kept; ///< places of the kept rows among the last ones
+  std::unique_ptr<Factors> symbolic;
+};
+
+BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept)
+    : plan(std::make_unique<Plan>())
+{
+  LowerTriangle given = pattern;
+  std::vector<int> part(static_cast<std::size_t>(given.rows()), 0), order(part.size()), place(part.size());
+  for (const unsigned int row : kept)
+    part[row] = 1;
+  cholmod_sparse view_of_given = view_of(given);
+  cholmod_camd(&view_of_given, nullptr, 0, part.data(), order.data(), &plan->workspace.common);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  for (const unsigned int row : kept)
+    plan->of_kept.push_back(place[row] - static_cast<Eigen::Index>(order.size() - kept.size()));
+
+  // Entries carry their numbers through the sorting.
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index column = 0; column < pattern.cols(); ++column)
+    for (LowerTriangle::InnerIterator entry(pattern, column); entry; ++entry)
+    {
+      const int a = place[static_cast<std::size_t>(entry.row())], b = place[static_cast<std::size_t>(column)];
+      entries.emplace_back(std::max(a, b), std::min(a, b), static_cast<double>(entries.size()));
+    }
+  plan->reordered.resize(pattern.rows(), pattern.cols());
+  plan->reordered.setFromTriplets(entries.begin(), entries.end());
+  for (Eigen::Index k = 0; k < plan->reordered.nonZeros(); ++k)
+    plan->sources.push_back(static_cast<Eigen::Index>(plan->reordered.valuePtr()[k]));
+  cholmod_sparse view = view_of(plan->reordered);
+  plan->symbolic =
+    std::make_unique<Factors>(cholmod_analyze(&view, &plan->workspace.common), plan->workspace);
+}
+
+BlockInverse::~BlockInverse() = default;
+BlockInverse::BlockInverse(BlockInverse &&) noexcept = default;
+
+Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const
+{
+  Workspace workspace;
+  LowerTriangle matrix = plan->reordered;
+  for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
+    matrix.valuePtr()[k] = entries(plan->sources[static_cast<std::size_t>(k)]);
+  Factors numeric(cholmod_copy_factor(plan->symbolic->factors, &workspace.common), workspace);
+  {
+    std::unique_lock<std::mutex> alone(entering_blas, std::defer_lock);
+    if (numeric.factors->is_super)
+      alone.lock();
+    cholmod_sparse view = view_of(matrix);
+    cholmod_factorize(&view, numeric.factors, &workspace.common);
+  }
+  if (workspace.common.status != CHOLMOD_OK || numeric.factors->minor != numeric.factors->n)
     throw_indefinite();
+
   // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.
-  const auto n_kept = static_cast<Eigen::Index>(kept.size());
-  const Eigen::MatrixXd end = factors.end(n_kept);
-  const std::vector<int> places = factors.places();
-  const Eigen::Index first = static_cast<Eigen::Index>(matrix.m()) - n_kept;
+  const auto n_kept = static_cast<Eigen::Index>(plan->of_kept.size());
+  const Eigen::MatrixXd end = numeric.end(n_kept);
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(n_kept, n_columns);
   for (unsigned int j = 0; j < n_columns; ++j)
-    columns(places[kept[j]] - first, j) = 1;
+    columns(plan->of_kept[j], j) = 1;
   end.triangularView<Eigen::Lower>().solveInPlace(columns);
   end.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
   Eigen::MatrixXd result(n_kept, n_columns);
   for (Eigen::Index i = 0; i < n_kept; ++i)
-    result.row(i) = columns.row(places[kept[static_cast<std::size_t>(i)]] - first);
+    result.row(i) = columns.row(plan->of_kept[static_cast<std::size_t>(i)]);
   return result;
 }
 

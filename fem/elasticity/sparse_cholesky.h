@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <memory>
 #include <vector>
@@ -13,6 +13,12 @@ class SparseMatrix;
 
 namespace stemware::fem
 {
+
+/// Lower triangle of a symmetric matrix, column by column.
+using LowerTriangle = Eigen::SparseMatrix<double>;
+
+/// That of @p matrix, which is symmetric.
+LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 
 /// Factors L L' of a sparse symmetric positive definite matrix (CHOLMOD, ordered by approximate minimum
 /// degree).
@@ -34,11 +40,28 @@ private:
   std::unique_ptr<Factors> factors;
 };
 
-/// The part of the inverse of @p matrix in the rows @p kept and in the columns of the first @p n_columns of
-/// them, shape [kept.size(), n_columns], without the rest of those columns: the kept rows are eliminated
-/// last, so that the end of the triangular factor alone has the answer. Threads and exceptions as for
-/// SparseCholesky.
-Eigen::MatrixXd inverse_block(const dealii::SparseMatrix<double> &matrix,
-                              const std::vector<unsigned int> &kept, unsigned int n_columns);
+/// The parts of the inverses of symmetric positive definite matrices that share their pattern, in a few rows
+/// and columns each: the order of elimination is found once, the kept rows are eliminated last, and the end
+/// of the triangular factor alone has the answer. May be asked by several threads at once; large matrices are
+/// factorised by blocks, with BLAS, one after the other.
+class BlockInverse
+{
+public:
+  /// Of matrices whose lower triangles have the pattern of @p pattern, in the rows and columns @p kept.
+  BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept);
+  ~BlockInverse();
+  BlockInverse(BlockInverse &&) noexcept;
+
+  /// The inverse in the rows kept and in the columns of the first @p n_columns of them, shape [kept.size(),
+  /// n_columns], of the matrix with @p entries, in the order of the pattern's. Throws std::runtime_error
+  /// unless it is positive definite.
+  Eigen::MatrixXd operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const;
+
+private:
+  struct Workspace;
+  struct Factors;
+  struct Plan;
+  std::unique_ptr<Plan> plan;
+};
 
 } // namespace stemware::fem

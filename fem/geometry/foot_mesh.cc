@@ -363,15 +363,15 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
-/// Halves the cells with a vertex in the land, up to its height.
-void refine_land(const GlassProfile &profile, Triangulation<3> &triangulation)
+/// Halves the cells with a vertex in the land, up to its height, between two radii.
+void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
   const auto is_in_land = [&](const Point<3> &vertex)
   {
     const double radius = std::hypot(vertex[0], vertex[1]);
-    return vertex[2] < profile.land_height + tolerance && radius > profile.land_inner_radius() - tolerance &&
-           radius < profile.land_outer_radius() + tolerance;
+    return vertex[2] < profile.land_height + tolerance && radius > inner - tolerance &&
+           radius < outer + tolerance;
   };
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
@@ -409,8 +409,11 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
   mark_boundaries(profile, triangulation);
   if (resolution.refinements > 0)
     triangulation.refine_global(resolution.refinements);
+  const double inner = profile.land_inner_radius(), outer = profile.land_outer_radius();
   for (unsigned int i = 0; i < resolution.land_refinements; ++i)
-    refine_land(profile, triangulation);
+    refine_land(profile, inner, outer, triangulation);
+  for (unsigned int i = 0; i < resolution.edge_halvings; ++i)
+    refine_land(profile, inner, inner, triangulation);
 }
 
 } // namespace stemware::fem

@@ -2,6 +2,9 @@
 
 #include "fem/revolution/meridian_space.h"
 
+#include <algorithm>
+#include <array>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <tbb/parallel_for.h>
@@ -82,13 +85,17 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   tbb::this_task_arena::isolate(
     [&]
     {
+      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // harmonics 0, 1, and from 2 on
+      tbb::parallel_for(0u, 3u,
+                        [&](unsigned int n)
+                        { of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n); });
       tbb::parallel_for(0u, options.n_harmonics + 2,
                         [&](unsigned int n)
                         {
-                          if (n <= options.n_harmonics)
-                            result.harmonics[n] = space.compliance(n);
-                          else
-                            result.beyond = space.compliance(options.beyond());
+                          const bool is_beyond = n > options.n_harmonics;
+                          const unsigned int harmonic = is_beyond ? options.beyond() : n;
+                          (is_beyond ? result.beyond : result.harmonics[n]) =
+                            (*of[std::min(harmonic, 2u)])(harmonic);
                         });
     });
   return result;

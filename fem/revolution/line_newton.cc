@@ -100,7 +100,8 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
     Line &line = lines[static_cast<std::size_t>(j)];
     if (line.size == 0)
       continue;
-    const Eigen::MatrixXd local = response.local(j, line.first, line.size);
+    // Both transposed, which makes the rows that T adds columns.
+    const Eigen::MatrixXd local = response.local(j, line.first, line.size).transpose();
     // T is banded: its products are taken entry by entry. Right-hand sides T (functions, Q) and r.
     const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
     Eigen::MatrixXd shape(line.size, n_functions + 3);
@@ -116,12 +117,12 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
         if (entry.value() != 0)
         {
           const Eigen::Index row = entry.row() - j * n_radii - line.first;
-          matrix.row(row) += entry.value() * local.row(i);
+          matrix.col(row) += entry.value() * local.col(i);
           rhs.row(row).head(n_functions + 3) += entry.value() * shape.row(i);
         }
     rhs.col(n_functions + 3) = unbalanced.col(j).segment(line.first, line.size);
     const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(matrix);
-    const Eigen::MatrixXd solution = factors.solve(rhs);
+    const Eigen::MatrixXd solution = factors.transpose().solve(rhs);
     line.answer = solution.leftCols(n_functions);
     line.moved = solution.middleCols(n_functions, 3);
     line.balanced = solution.col(n_functions + 3);

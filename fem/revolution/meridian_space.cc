@@ -44,22 +44,20 @@ double MeridianSpace::contact_radius(unsigned int i) const
   return points[contact_nodes[i][vertical]][0];
 }
 
-void MeridianSpace::assemble(unsigned int harmonic, const AffineConstraints<double> &constraints,
-                             SparsityPattern &pattern, SparseMatrix<double> &matrix) const
+void MeridianSpace::make_pattern(const AffineConstraints<double> &constraints, SparsityPattern &pattern) const
 {
   DynamicSparsityPattern dynamic_pattern(dofs.n_dofs());
   DoFTools::make_sparsity_pattern(dofs, dynamic_pattern, constraints, false);
   pattern.copy_from(dynamic_pattern);
-  matrix.reinit(pattern);
-  stiffness->assemble(harmonic, constraints, matrix);
 }
 
 SparseCholesky MeridianSpace::factorise(unsigned int harmonic,
                                         const AffineConstraints<double> &constraints) const
 {
   SparsityPattern pattern;
-  SparseMatrix<double> matrix;
-  assemble(harmonic, constraints, pattern, matrix);
+  make_pattern(constraints, pattern);
+  SparseMatrix<double> matrix(pattern);
+  stiffness->assemble(MeridianStiffness::factors_of(harmonic), constraints, matrix);
   return SparseCholesky(matrix);
 }
 
@@ -88,18 +86,34 @@ void MeridianSpace::Factors::solve(Vector<double> &forces) const
   values = solve(Eigen::MatrixXd(values));
 }
 
-HarmonicCompliance MeridianSpace::compliance(unsigned int harmonic) const
+MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int harmonic)
+    : space(space)
+    , constraints(space.make_constraints(harmonic))
 {
-  const unsigned int n_nodes = n_contact_nodes();
-  std::vector<unsigned int> of_contact;
   for (const unsigned int component : { vertical, radial, azimuthal })
-    for (const NodeDofs &node : contact_nodes)
+    for (const NodeDofs &node : space.contact_nodes)
       of_contact.push_back(static_cast<unsigned int>(node[component]));
   SparsityPattern pattern;
-  SparseMatrix<double> matrix;
-  const AffineConstraints<double> constraints = make_constraints(harmonic);
-  assemble(harmonic, constraints, pattern, matrix);
-  Eigen::MatrixXd displacements = inverse_block(matrix, of_contact, n_nodes);
+  space.make_pattern(constraints, pattern);
+  SparseMatrix<double> matrix(pattern);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    std::array<double, 3> factors = {};
+    factors[k] = 1;
+    space.stiffness->assemble(factors, constraints, matrix);
+    const LowerTriangle lower = lower_triangle_of(matrix);
+    parts[k] = Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
+    if (k == 0)
+      inverse = std::make_unique<BlockInverse>(lower, of_contact);
+  }
+}
+
+HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic) const
+{
+  const unsigned int n_nodes = space.n_contact_nodes();
+  const std::array<double, 3> factors = MeridianStiffness::factors_of(harmonic);
+  Eigen::MatrixXd displacements =
+    (*inverse)(factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2], n_nodes);
   // A contact node is free unless it lies on the axis.
   for (unsigned int i = 0; i < of_contact.size(); ++i)
     if (const auto *entries = constraints.get_constraint_entries(of_contact[i]))

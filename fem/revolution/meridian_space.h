@@ -57,9 +57,24 @@ public:
     const SparseCholesky factors;
   };
 
-  /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
-  /// reciprocity also the vertical displacements under radial and azimuthal ones.
-  HarmonicCompliance compliance(unsigned int harmonic) const;
+  /// Contact compliances of the harmonics that have their conditions on the axis, and with them the order of
+  /// elimination, in common: 0, 1, and all others. May be asked by several threads at once.
+  class Compliances
+  {
+  public:
+    /// Of @p harmonic and those like it. Keeps a reference to @p space.
+    Compliances(const MeridianSpace &space, unsigned int harmonic);
+    /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
+    /// reciprocity also the vertical displacements under radial and azimuthal ones.
+    HarmonicCompliance operator()(unsigned int harmonic) const;
+
+  private:
+    const MeridianSpace &space;
+    const dealii::AffineConstraints<double> constraints;
+    std::vector<unsigned int> of_contact; ///< dofs: u_z of the contact nodes, then u_r, then u_theta
+    std::array<Eigen::VectorXd, 3> parts; ///< entries of K_0, K_1 and K_2
+    std::unique_ptr<const BlockInverse> inverse;
+  };
 
   using Cell = dealii::DoFHandler<2>::cell_iterator;
   /// Energy product per radian, on @p cell or its children, of what an interpolation of one degree less on @p
@@ -74,9 +89,9 @@ private:
   /// Clamp, hanging nodes, and what keeps the displacement single-valued on the axis: n = 0 moves along it,
   /// n = 1 across it (u_theta = -u_r), higher harmonics not at all.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
-  /// K_n with @p constraints eliminated, in @p matrix, whose entries lie in @p pattern.
-  void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
-                dealii::SparsityPattern &pattern, dealii::SparseMatrix<double> &matrix) const;
+  /// The entries of K_n with @p constraints eliminated.
+  void make_pattern(const dealii::AffineConstraints<double> &constraints,
+                    dealii::SparsityPattern &pattern) const;
   SparseCholesky factorise(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints) const;
 
   const dealii::MappingQ<2> curves;

@@ -39,7 +39,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
                                { gradient[0], gradient[1] }, radius);
       }
       for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j < n_dofs; ++j)
+        for (unsigned int j = 0; j <= i; ++j)
         {
           const ShapeStrain &a = strains[i];
           const ShapeStrain &b = strains[j];
@@ -49,6 +49,10 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
           stiffness.parts[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
         }
     }
+    for (FullMatrix<double> &part : stiffness.parts) // symmetric
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        for (unsigned int j = 0; j < i; ++j)
+          part(j, i) = part(i, j);
     cells.push_back(std::move(stiffness));
   }
 }
@@ -57,20 +61,28 @@ double MeridianStiffness::product(unsigned int harmonic, unsigned int active_cel
                                   const Vector<double> &first, const Vector<double> &second) const
 {
   const std::array<FullMatrix<double>, 3> &parts = cells[active_cell].parts;
-  const double n = harmonic;
-  return parts[0].matrix_scalar_product(first, second) + n * parts[1].matrix_scalar_product(first, second) +
-         n * n * parts[2].matrix_scalar_product(first, second);
+  const std::array<double, 3> factors = factors_of(harmonic);
+  double sum = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    sum += factors[k] * parts[k].matrix_scalar_product(first, second);
+  return sum;
 }
 
-void MeridianStiffness::assemble(unsigned int harmonic, const AffineConstraints<double> &constraints,
+std::array<double, 3> MeridianStiffness::factors_of(unsigned int harmonic)
+{
+  const double n = harmonic;
+  return { 1, n, n * n };
+}
+
+void MeridianStiffness::assemble(const std::array<double, 3> &factors,
+                                 const AffineConstraints<double> &constraints,
                                  SparseMatrix<double> &matrix) const
 {
   matrix = 0;
-  const double n = harmonic;
   for (const Cell &cell : cells)
   {
-    FullMatrix<double> cell_matrix = cell.parts[0];
-    cell_matrix.add(n, cell.parts[1], n * n, cell.parts[2]);
+    FullMatrix<double> cell_matrix(cell.parts[0].m(), cell.parts[0].n());
+    cell_matrix.add(factors[0], cell.parts[0], factors[1], cell.parts[1], factors[2], cell.parts[2]);
     constraints.distribute_local_to_global(cell_matrix, cell.dofs, matrix);
   }
 }

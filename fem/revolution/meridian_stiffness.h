@@ -26,8 +26,12 @@ public:
   MeridianStiffness(const dealii::Mapping<2> &mapping, const dealii::DoFHandler<2> &dof_handler,
                     const ElasticMaterial &material);
 
-  /// K_n with @p constraints eliminated symmetrically. @p matrix comes with its sparsity and is overwritten.
-  void assemble(unsigned int harmonic, const dealii::AffineConstraints<double> &constraints,
+  /// By what K_0, K_1 and K_2 are multiplied in K_n: 1, n and n^2.
+  static std::array<double, 3> factors_of(unsigned int harmonic);
+
+  /// The sum of K_0, K_1 and K_2 times @p factors with @p constraints eliminated symmetrically. @p matrix
+  /// comes with its sparsity and is overwritten.
+  void assemble(const std::array<double, 3> &factors, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
 
   /// v'K_n w of the active cell with that number, v and w the values @p first and @p second of its dofs.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stemware::fem
 {
@@ -31,31 +32,38 @@ std::array<double, 4> RevolutionFoot::Solved::numbers_of(const ContactDemand &de
 
 void RevolutionFoot::remember(const ContactDemand &demand, const Slip &slip)
 {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 24, newest = 8;
   const Solved now = { Solved::numbers_of(demand), slip.spin_per_speed, *before };
   recent.erase(std::remove_if(recent.begin(), recent.end(),
                               [&](const Solved &one)
                               { return one.demand == now.demand && one.spin == now.spin; }),
                recent.end());
-  if (recent.size() == most)
-    recent.erase(recent.begin());
   recent.push_back(now);
+  if (recent.size() <= most)
+    return;
+  // Of the older ones, that goes which has the nearest neighbour: the others go on to cover the spins.
+  const auto room = [&](const Solved &one)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Solved &other : recent)
+      if (&other != &one)
+        nearest = std::min(nearest, std::abs(other.spin - one.spin));
+    return nearest;
+  };
+  recent.erase(std::min_element(recent.begin(), recent.end() - newest,
+                                [&](const Solved &one, const Solved &other)
+                                { return room(one) < room(other); }));
 }
 
-std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand, const Slip &slip) const
+std::optional<ContactStart> RevolutionFoot::between(std::vector<const Solved *> points, double spin,
+                                                    std::size_t n_least)
 {
   constexpr std::size_t most_points = 4;
   constexpr double largest_sum = 8; // of the weights: beyond, it is no neighbour
-  const std::array<double, 4> asked = Solved::numbers_of(demand);
-  std::vector<const Solved *> points;
-  for (const Solved &one : recent)
-    if (one.demand == asked)
-      points.push_back(&one);
-  const double spin = slip.spin_per_speed;
   std::sort(points.begin(), points.end(),
             [&](const Solved *one, const Solved *other)
             { return std::abs(one->spin - spin) < std::abs(other->spin - spin); });
-  for (std::size_t n = std::min(points.size(), most_points); n >= 2; --n)
+  for (std::size_t n = std::min(points.size(), most_points); n >= n_least; --n)
   {
     Eigen::VectorXd spins(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -64,7 +72,7 @@ std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand,
     if (!(weights.lpNorm<1>() <= largest_sum))
       continue;
     ContactStart start = { Eigen::Vector3d::Zero(),
-                           Eigen::VectorXd::Zero(before->normal_displacement.size()) };
+                           Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()) };
     for (std::size_t i = 0; i < n; ++i)
     {
       start.motion += weights(static_cast<Eigen::Index>(i)) * points[i]->start.motion;
@@ -74,6 +82,83 @@ std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand,
     return start;
   }
   return std::nullopt;
+}
+
+std::optional<ContactStart> RevolutionFoot::predict(const ContactDemand &demand, const Slip &slip) const
+{
+  const std::array<double, 4> asked = Solved::numbers_of(demand);
+  const double spin = slip.spin_per_speed;
+  std::vector<const Solved *> same_demand, similar;
+  for (const Solved &one : recent)
+    if (one.demand == asked)
+      same_demand.push_back(&one);
+  if (const auto start = between(same_demand, spin, 2))
+    return start;
+  for (const Solved &one : of_similar)
+    similar.push_back(&one);
+  const std::optional<ContactStart> start = between(similar, spin, 1);
+  if (start || recent.empty())
+    return start;
+  const double radius = setup.profile.contact_radius;
+  const auto distance = [&](const Solved &one)
+  {
+    double sum = radius * std::abs(one.spin - spin);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      sum += std::abs(one.demand[i] - asked[i]) / (asked[0] * (i == 0 ? 1 : radius));
+    return sum;
+  };
+  // Of equally near ones the newest.
+  return std::min_element(recent.rbegin(), recent.rend(),
+                          [&](const Solved &one, const Solved &other)
+                          { return distance(one) < distance(other); })
+    ->start;
+}
+
+ContactStart RevolutionFoot::on_own_nodes(const ContactStart &one, const RevolutionFoot &other) const
+{
+  const Eigen::VectorXd &from = other.elastic_body().contact_compliance().radii;
+  const Eigen::VectorXd &to = elastic_body().contact_compliance().radii;
+  const Eigen::Index n_from = other.setup.n_lines, n_to = setup.n_lines;
+  Eigen::MatrixXd in_r(to.size(), from.size());
+  for (Eigen::Index i = 0; i < to.size(); ++i)
+    in_r.row(i) =
+      other.elastic_body().contact_compliance().shape_at(std::clamp(to(i), from(0), from(from.size() - 1)));
+  // A penetration counts by the pressure that it makes, which the interface of the one has at another depth.
+  const double pressure = setup.line_load(setup.normal_force) / setup.profile.land_width;
+  const double softer = other.interface->stiffness_at(pressure) / interface->stiffness_at(pressure);
+  const auto scaled = [&](double separation) { return separation < 0 ? softer * separation : separation; };
+  const Eigen::VectorXd separation =
+    (other.elastic_body().contact_surface().node_gap + one.normal_displacement).unaryExpr(scaled);
+  const Eigen::MatrixXd on_lines = in_r * separation.reshaped(from.size(), n_from);
+  Eigen::MatrixXd result(to.size(), n_to);
+  for (Eigen::Index j = 0; j < n_to; ++j)
+  {
+    const double place = static_cast<double>(j) / static_cast<double>(n_to) * static_cast<double>(n_from);
+    const auto line = static_cast<Eigen::Index>(place);
+    const double share = place - static_cast<double>(line);
+    result.col(j) = (1 - share) * on_lines.col(line) + share * on_lines.col((line + 1) % n_from);
+  }
+  return { one.motion, result.reshaped() - elastic_body().contact_surface().node_gap };
+}
+
+void RevolutionFoot::start_like(const Foot &similar)
+{
+  const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
+  of_similar.clear();
+  if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty())
+    return;
+  // Contacts of other widths lead nowhere.
+  if (setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
+      setup.plane_strain_compliance() != other->setup.plane_strain_compliance())
+    return;
+  constexpr double apart = 1e-5; // of the largest spin: two solutions at one spin have no polynomial
+  double largest = 0;
+  for (const Solved &one : other->recent)
+    largest = std::max(largest, std::abs(one.spin));
+  for (auto one = other->recent.rbegin(); one != other->recent.rend(); ++one)
+    if (std::none_of(of_similar.begin(), of_similar.end(),
+                     [&](const Solved &known) { return std::abs(known.spin - one->spin) < apart * largest; }))
+      of_similar.push_back({ one->demand, one->spin, on_own_nodes(one->start, *other) });
 }
 
 ContactSolution RevolutionFoot::press(const ContactDemand &demand, const Slip &slip)
@@ -176,7 +261,7 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand, c
   Zone &zone = *zones.back();
   const LinearConditions conditions =
     conditions_of(zone.body.contact_surface(), axis() == 0 ? demand : demand.in_axes_turned_by(axis()));
-  const std::optional<ContactStart> predicted = before ? predict(demand, slip) : std::nullopt;
+  const std::optional<ContactStart> predicted = predict(demand, slip);
   std::vector<ContactStart> starts;
   if (before)
     starts.push_back(*before);

@@ -48,6 +48,7 @@ void RevolutionFoot::add_zone(double reach)
   zones.push_back(std::make_unique<Zone>(*this, first, last - first + 1));
   before.reset();
   recent.clear();
+  of_similar.clear();
 }
 
 bool RevolutionFoot::has_left_zone() const

@@ -33,6 +33,8 @@ public:
   ContactState solve(const ContactDemand &demand, const Slip &slip = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) override;
   void resume(const ContactState &state) override;
+  /// Where neither is out of flat and both bodies and hardness are the same; others have nothing to tell.
+  void start_like(const Foot &similar) override;
   unsigned int n_resolved_harmonics() const override;
   LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
                        unsigned int n_harmonics) override;
@@ -92,9 +94,14 @@ private:
   ContactSolution solve_from_before(const ContactDemand &demand, const Slip &slip);
   /// Keeps the solution before for predict().
   void remember(const ContactDemand &demand, const Slip &slip);
-  /// The polynomial in the spin through the nearest solutions under the same demand; nothing where there are
-  /// fewer than two near enough.
+  /// The polynomial in the spin through the nearest solutions under the same demand; where fewer than two are
+  /// near enough, that of the similar foot; without one, the nearest solution. Nothing where there is none.
   std::optional<ContactStart> predict(const ContactDemand &demand, const Slip &slip) const;
+  /// The polynomial through those of @p points that are nearest to @p spin, at least @p n_least of them.
+  static std::optional<ContactStart> between(std::vector<const Solved *> points, double spin,
+                                             std::size_t n_least);
+  /// @p one of @p other at the nodes of the zone in use.
+  ContactStart on_own_nodes(const ContactStart &one, const RevolutionFoot &other) const;
   /// solve_contact() from @p start, in few steps or not at all.
   ContactSolution solve_near(const LinearConditions &conditions, const ContactStart &start);
   /// From @p start on a softened interface.
@@ -117,6 +124,7 @@ private:
   ComplianceCache finer{ 4 };         ///< of mesh_error()
   std::optional<ContactStart> before; ///< the solution before, of the zone in use
   std::vector<Solved> recent;         ///< solutions of the zone in use at the present phase, oldest first
+  std::vector<Solved> of_similar;     ///< those of start_like(), on the nodes of the zone in use
   std::optional<ContactStart> turned; ///< the same turned with the crests since
   bool crests_have_moved = false;     ///< since the solution before
   /// Whether the last start that led to a solution after a turn of the crests was the turned one.

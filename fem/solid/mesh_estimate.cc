@@ -10,6 +10,7 @@
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
 
 #include <cmath>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -21,10 +22,13 @@ namespace
 
 using DofVector = MeshHierarchy::Vector;
 
-/// Reductions of the residual by the two linear solves: the estimate is good to a few per cent, the dual
-/// solution only has to find cells.
-constexpr double step_tolerance = 1e-7;
+/// Reduction of the residual by the linear solve for the dual solution, which only has to find cells.
 constexpr double dual_tolerance = 1e-4;
+
+/// Newton's method on the finer elements ends when a step changes the goal by no more than this share of what
+/// all of them have changed, and this share of the forces is unbalanced at most.
+constexpr double last_change = 0.1;
+constexpr double left_unbalanced = 1e-3;
 
 DofVector vector_on(const SolidLevel &level)
 {
@@ -141,6 +145,24 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
+/// J of @p solution under @p law less J of @p contact.
+double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
+                      const ContactSolution &solution)
+{
+  const auto n_harmonics = static_cast<unsigned int>(contact.load.n_harmonics());
+  const LoadHarmonics load = extract_load(law, solution, n_harmonics, goal.ring_radii);
+  const Eigen::Vector2d moment(load.moment_x - contact.load.moment_x, load.moment_y - contact.load.moment_y);
+  return goal.of_load(load) - goal.of_load(contact.load) + goal.of_moment.dot(moment) +
+         goal.of_motion.dot(solution.motion - contact.solution.motion);
+}
+
+/// Nodal weights of the forces in @p goal.
+Eigen::VectorXd force_weights(const ContactGoal &goal, const ContactSurface &surface)
+{
+  return node_values(surface, goal.ring_radii, goal.of_load) +
+         goal.of_moment(0) * surface.node_position.col(1) - goal.of_moment(1) * surface.node_position.col(0);
+}
+
 } // namespace
 
 MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells)
@@ -156,43 +178,43 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const auto hierarchy = std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1,
                                                          contact.system.glass());
   const unsigned int finest = hierarchy->n_levels() - 1;
-  MultigridSystem finer(hierarchy, finest, contact.system.glass(), contact.gap, step_tolerance);
-  finer.set_sliding(contact.sliding);
-  const ContactSurface &surface = finer.contact_zone().surface;
+  auto system = std::make_unique<MultigridSystem>(hierarchy, finest, contact.system.glass(), contact.gap, 0);
+  MultigridSystem &finer = *system;
+  SolidBody body(std::move(system), contact.gap);
+  body.set_sliding(contact.sliding);
+  const ContactSurface &surface = body.contact_surface();
   const Embedding embedding(*hierarchy, own);
-  finer.set_displacement(embedding.embedded(contact.system.displacement_for_output()));
+  const DofVector embedded = embedding.embedded(contact.system.displacement_for_output());
+  finer.set_displacement(embedded);
 
-  // The law at the mesh's own displacement, and the step from there.
-  ContactSolution solution = contact.solution;
-  solution.normal_displacement =
-    finer.contact_displacement() + surface.motion_modes() * contact.solution.motion;
   const std::unique_ptr<TableLaw> law = contact.interface.make(surface, 0);
-  ContactForces pressed;
-  law->evaluate(solution.normal_displacement, pressed);
-  solution.forces = pressed.forces;
-  const NewtonIncrement step =
-    finer.solve(pressed.tangent, pressed.forces, conditions_of(surface, contact.demand), solution.motion);
-
-  const auto n_harmonics = static_cast<unsigned int>(contact.load.n_harmonics());
-  const LoadHarmonics load = extract_load(*law, solution, n_harmonics, goal.ring_radii);
-  const Eigen::VectorXd of_forces = node_values(surface, goal.ring_radii, goal.of_load) +
-                                    goal.of_moment(0) * surface.node_position.col(1) -
-                                    goal.of_moment(1) * surface.node_position.col(0);
-  const Eigen::VectorXd pressed_goal = pressed.tangent * of_forces;
   MeshError error;
-  // Integrated along the finer mesh's lines, and then what the step changes.
-  error.correction =
-    goal.of_load(load) - goal.of_load(contact.load) +
-    goal.of_moment.dot(
-      Eigen::Vector2d(load.moment_x - contact.load.moment_x, load.moment_y - contact.load.moment_y)) -
-    surface.parts.sum(pressed_goal.dot(step.displacement + surface.motion_modes() * step.motion)) +
-    goal.of_motion.dot(step.motion);
+  ContactControl control;
+  control.set_matters = false;
+  control.resultant_tolerance = left_unbalanced;
+  control.is_enough = [&](const ContactSolution &found)
+  {
+    const double before = std::exchange(error.correction, change_of_goal(contact, goal, *law, found));
+    return found.equilibrium_residual <= left_unbalanced &&
+           std::abs(error.correction - before) <= last_change * std::abs(error.correction);
+  };
+  const ContactStart start = { contact.solution.motion, body.contact_displacement() +
+                                                          surface.motion_modes() * contact.solution.motion };
+  const double radius = surface.parts.greatest(surface.node_position.rowwise().norm());
+  const ContactSolution solution =
+    solve_contact(body, *law, conditions_of(surface, contact.demand), radius, control, &start);
   if (!with_cells)
     return error;
 
+  ContactForces pressed;
+  law->evaluate(solution.normal_displacement, pressed);
+  const Eigen::VectorXd pressed_goal = pressed.tangent * force_weights(goal, surface);
   const DofVector dual = finer.solve_symmetric(
-    pressed_goal, surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion,
-    dual_tolerance);
+    pressed.tangent, pressed_goal,
+    surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion, dual_tolerance);
+  // The forces that were found, not those of the law at the own displacement: a stiff spring makes nearly
+  // everything of what the own elements cannot say about the penetration.
+  finer.set_displacement(embedded);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
   products.scale(finer.residual(pressed.forces));

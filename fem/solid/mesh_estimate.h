@@ -26,16 +26,16 @@ struct SolvedSolidContact
 /// What the mesh of @p contact does to @p goal, in the same axes (docs/method/error_bands.md, "The error of
 /// one number").
 ///
-/// One Newton step of the contact from the mesh's own displacement, on elements of one degree more that are
-/// halved under the load and at re-entrant edges, friction and conditions included: what it changes in the
-/// goal is the residual of that displacement, weighted by the dual solution. The cells' shares are that
-/// product, unknown by unknown, with what the own elements leave out of the dual displacement; the dual
+/// The contact is found again from the mesh's own displacement, on elements of one degree more that are
+/// halved under the load and at re-entrant edges, friction and conditions included: the correction is what
+/// that changes in the goal. The cells' shares are the residual of the mesh's own displacement under the
+/// forces found, times what the own elements leave out of the dual displacement, unknown by unknown; the dual
 /// system is taken without friction and with resultants in the place of other conditions. Cells are numbered
 /// by CellNumbers.
 ///
 /// Multigrid solves both systems (MeshHierarchy), whatever the own system is solved by. Collective. Throws
-/// std::invalid_argument where the coarsest mesh is too large for it, and std::runtime_error where it does
-/// not converge.
+/// std::invalid_argument where the coarsest mesh is too large for it, std::runtime_error where it does not
+/// converge, and ContactFailure.
 MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells);
 
 } // namespace stemware::fem

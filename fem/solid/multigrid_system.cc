@@ -213,9 +213,12 @@ MultigridSystem::Vector MultigridSystem::residual(const Eigen::VectorXd &forces)
   return result;
 }
 
-MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::VectorXd &nodal,
+MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::SparseMatrix<double> &tangent,
+                                                         const Eigen::VectorXd &nodal,
                                                          const Eigen::Vector3d &on_motions, double reduction)
 {
+  contact.set(tangent);
+  hierarchy->set_contact(level, tangent);
   const ScaledMotions motions(zone.surface);
   const Border border = make_border(motions.modes, loose_border);
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * on_motions;

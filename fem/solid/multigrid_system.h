@@ -44,10 +44,11 @@ public:
   void set_displacement(const dealii::LinearAlgebra::distributed::Vector<double> &vector);
   /// The load of nodal @p forces, with the friction that they bring along, less K u.
   dealii::LinearAlgebra::distributed::Vector<double> residual(const Eigen::VectorXd &forces) const;
-  /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], with T of the last solve(), to
-  /// @p reduction of the residual. Throws as solve().
+  /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, to @p
+  /// reduction of the residual. Throws as solve().
   dealii::LinearAlgebra::distributed::Vector<double>
-  solve_symmetric(const Eigen::VectorXd &nodal, const Eigen::Vector3d &on_motions, double reduction);
+  solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
+                  const Eigen::Vector3d &on_motions, double reduction);
 
 private:
   using Vector = MeshHierarchy::Vector;

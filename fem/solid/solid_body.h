@@ -57,6 +57,8 @@ public:
   /// outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no contact zone.
   SolidBody(dealii::Triangulation<3, 3> &triangulation, const ElasticMaterial &material, const Gap &gap,
             const SolidOptions &options = {});
+  /// A body with the equations @p system, whose contact zone lies @p gap above the table.
+  SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
   ~SolidBody() override;
 
   const ContactSurface &contact_surface() const override;
@@ -102,8 +104,6 @@ public:
   const SolidSystem &equations() const { return *system; }
 
 private:
-  SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
-
   std::unique_ptr<SolidSystem> system;
   Gap gap;
   SlidingTraction sliding;

@@ -94,6 +94,11 @@ void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked)
   halve(dynamic_cast<dealii::parallel::distributed::Triangulation<3> &>(*mesh.triangulation), marked);
 }
 
+unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard, LinearSolver solver)
+{
+  return table_is_hard && profile.crown_radius == 0 && solver != LinearSolver::direct ? 2 : 0;
+}
+
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);

@@ -73,7 +73,7 @@ struct Cylinder
     DoFTools::make_sparsity_pattern(dofs, dynamic, constraints, false);
     pattern.copy_from(dynamic);
     matrix.reinit(pattern);
-    stiffness->assemble(harmonic, constraints, matrix);
+    stiffness->assemble(MeridianStiffness::factors_of(harmonic), constraints, matrix);
   }
 
   AffineConstraints<double> hanging_nodes() const

@@ -107,14 +107,15 @@ TEST(MultigridAgreement, HardFlatLandOnBothBodies)
   setup.profile = flat_profile();
   setup.table.interface = std::make_shared<HardInterface>();
   setup.options.linear_solver = LinearSolver::multigrid;
-  SolidFoot solid(generate_solid_mesh(setup.profile, { 48, 2, 2, 1 }), setup);
+  // The pressure gathers at the inner side of the land: cells of half a millimetre, halved twice there.
+  const unsigned int edge_halvings = edge_halvings_for(setup.profile, true, setup.options.linear_solver);
+  SolidFoot solid(generate_solid_mesh(setup.profile, { 24, 2, 1, 1, 0, edge_halvings }), setup);
   RevolutionFoot revolution(hard_flat_revolution().resolved_for(weight));
-  // Beyond lift-off the solid's pressure at the inner edge of the land is what is left.
-  for (const auto &[m, tolerance] : { std::pair(0.5, 1e-4), { 1.2, 1.5e-3 } })
+  for (const double m : { 0.5, 1.2 })
   {
     ContactDemand demand = load_at(m);
     demand.n_harmonics = 8;
-    EXPECT_LT(largest_difference(solid.solve(demand).load, revolution.solve(demand).load), tolerance)
+    EXPECT_LT(largest_difference(solid.solve(demand).load, revolution.solve(demand).load), 3e-4)
       << "m = " << m;
   }
 }

@@ -128,8 +128,9 @@ BudgetRow row_with_torques(const ChainLink &link, const std::array<double, 3> &s
   return row;
 }
 
-WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, bool complete_is_hard,
-                          fem::ComplianceCache &cache)
+/// @p foot and @p complete are those of the complete model.
+WithoutRow answer_without(const ModelVariant &variant, const ElasticFoot *foot, const SpinRow &complete,
+                          bool complete_is_hard, fem::ComplianceCache &cache)
 {
   WithoutRow row = { variant.name };
   if (!has_compliance(variant.study))
@@ -144,7 +145,7 @@ WithoutRow answer_without(const ModelVariant &variant, const SpinRow &complete, 
     return row;
   }
   const LoadedRow answer =
-    attempt_row(variant.study, cache, question_near(variant.study, complete), all_harmonics);
+    attempt_row(variant.study, cache, question_near(variant.study, complete), all_harmonics, foot);
   row.omega_terminal = answer.row.omega_terminal();
   if (row.omega_terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
@@ -226,7 +227,8 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
   progress.pieces_done("budget", ++n_done, n_pieces);
   for (const ModelVariant &variant : variants)
   {
-    budget.without.push_back(answer_without(variant, by_harmonics.back().row, study.table.is_hard(), cache));
+    budget.without.push_back(
+      answer_without(variant, foot.get(), by_harmonics.back().row, study.table.is_hard(), cache));
     progress.pieces_done("budget", ++n_done, n_pieces);
   }
   budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_unit(study));

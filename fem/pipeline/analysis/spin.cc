@@ -67,25 +67,6 @@ BalancedLoad on_the_way_to(double terminal, const BalancedLoad &load)
   return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
 }
 
-/// The farthest spin up to @p end, in steps of @p step from rest, at which there is a torque.
-double last_balance(const ring::TorqueFunction &torque, double step, double end)
-{
-  double last = 0;
-  try
-  {
-    for (double omega = step; std::abs(omega) <= std::abs(end); omega += step)
-    {
-      torque(omega);
-      last = omega;
-    }
-  }
-  catch (const std::runtime_error &)
-  {
-    // The load tips or has no balance there: nothing lies beyond.
-  }
-  return last;
-}
-
 /// Where the load of rest would take the glass: a first guess. Nothing where that is nowhere.
 std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion &motion)
 {
@@ -195,28 +176,6 @@ double against_grip(double torque, double omega, double grip)
   if (omega == 0)
     return std::abs(torque) <= grip ? 0 : torque - std::copysign(grip, torque);
   return torque - std::copysign(grip, omega);
-}
-
-std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
-                                                   double grip_torque)
-{
-  if (load.phases())
-    return {};
-  const double unit = load.spin_scale(motion), step = unit / 4;
-  const auto torque = [&](double omega)
-  { return against_grip(yaw_torque(load, motion, omega), omega, grip_torque); };
-  const double lower = last_balance(torque, -step, -1.5 * unit),
-               upper = last_balance(torque, step, 1.5 * unit);
-  if (!(lower < upper))
-    return {};
-  const auto n_intervals = static_cast<unsigned int>(std::ceil(32 * (upper - lower) / unit));
-  std::vector<ring::TerminalSpin> spins =
-    ring::all_terminal_spins(torque, motion.yaw_inertia, lower, upper, n_intervals);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  for (ring::TerminalSpin &spin : spins)
-    if (grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
-      spin = { 0, nan, nan, true, true };
-  return spins;
 }
 
 SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question)

@@ -45,13 +45,6 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
                           bool with_slope = true, double grip_torque = 0,
                           const std::optional<ring::KnownZero> &near = {});
 
-/// All spins within 1.5 v / R of rest at which the torques on the glass balance, lowest first, each with its
-/// stability; those where the fingers hold the glass at rest included (TerminalSpin::held). Two that lie
-/// closer together than v / 32 R may be missed. The search ends on either side where the load has no balance.
-/// Nothing where the load depends on the phase.
-std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
-                                                   double grip_torque = 0);
-
 /// What is left of @p torque at @p omega [rad/s] when the fingers resist with @p grip [N m]: nothing where
 /// they hold the glass at rest.
 double against_grip(double torque, double omega, double grip);

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
+#include "fem/pipeline/analysis/all_spins.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
@@ -141,12 +142,13 @@ std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const Bala
 }
 
 /// The study on one ring.
-std::optional<SpinRow> row_on_one_ring(Study study, const SpinRow &all, fem::ComplianceCache &cache)
+std::optional<SpinRow> row_on_one_ring(Study study, const ElasticFoot *foot, const SpinRow &all,
+                                       fem::ComplianceCache &cache)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
   study.contact.rings = 1;
-  SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics, foot).row;
   row.harmonics = all.harmonics;
   row.all_harmonics = true;
   if (row.terminal && all.relative_change)
@@ -233,7 +235,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
-  result.one_ring = row_on_one_ring(study, result.all(), cache);
+  result.one_ring = row_on_one_ring(study, foot.get(), result.all(), cache);
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, solved);

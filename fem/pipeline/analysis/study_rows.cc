@@ -144,12 +144,12 @@ LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &fo
 }
 
 LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
-                      unsigned int n_harmonics)
+                      unsigned int n_harmonics, const ElasticFoot *similar)
 {
   try
   {
     require_standing(study);
-    return attempt_row(study, study_foot(study, cache), question, n_harmonics);
+    return attempt_row(study, study_foot(study, cache, silent_progress(), similar), question, n_harmonics);
   }
   catch (const std::exception &)
   {

@@ -48,9 +48,9 @@ void require_standing(const Study &study);
 LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                       const SpinQuestion &question, unsigned int n_harmonics);
 
-/// attempt_row() of a study whose foot is made first; feet share what they can in @p cache.
+/// attempt_row() of a study whose foot is made first, @p similar and @p cache as for study_foot().
 LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
-                      unsigned int n_harmonics);
+                      unsigned int n_harmonics, const ElasticFoot *similar = nullptr);
 
 /// The answer with the first @p n_harmonics of @p load, which is find_load() of @p foot with all of them: in
 /// a balance of their own where loads are two-way, else that load cut off. Does not throw, as attempt_row().

@@ -62,7 +62,7 @@ BalancedLoad BalancedLoad::interpolated(double lower, double upper) const
     return *this;
   // With lift-off the load has a small kink wherever a line of contact is lost. The spins solved for one
   // tolerance serve the next.
-  for (const double tolerance : { 1e-9, 1e-7, 1e-5 })
+  for (const double tolerance : { 1e-8, 1e-6, 1e-5 })
     try
     {
       const LoadCurve samples = sample_load_curve(parts->at_spin, lower, upper, tolerance, 200);

@@ -38,6 +38,9 @@ public:
   /// The next contact starts from @p state, one of this foot's.
   void resume(const fem::ContactState &state) const { foot->resume(state); }
 
+  /// Contacts start from what those of @p similar let expect, the foot of a study that differs little.
+  void start_like(const ElasticFoot &similar) const { foot->start_like(*similar.foot); }
+
   /// solve() that remembers the last contact it has found: what is asked for at rest is asked for often.
   const fem::ContactState &solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
                                          Progress &progress);

@@ -64,6 +64,8 @@ fem::SolidMesh mesh_before_goal(const Study &study)
   {
     fem::FootResolution resolution = study.contact.resolution;
     resolution.refinements = study.contact.refinements;
+    resolution.edge_halvings =
+      fem::edge_halvings_for(study.glass.profile, study.table.is_hard(), study.contact.linear_solver);
     return fem::generate_solid_mesh(study.glass.profile, resolution);
   }
   require_usable_mesh(study);

@@ -314,11 +314,14 @@ BalancedLoad load_from_file(const std::string &file)
 
 } // namespace
 
-std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress)
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress,
+                                        const ElasticFoot *similar)
 {
   if (!study.load.is_from_contact())
     return nullptr;
   auto foot = std::make_shared<ElasticFoot>(make_foot(study, cache), study.glass.profile.contact_radius);
+  if (similar)
+    foot->start_like(*similar);
   progress.stage_done("mesh_and_stiffness");
   return foot;
 }

@@ -12,9 +12,11 @@ namespace stemware::pipeline
 {
 
 /// The foot of a study; nothing where the load does not come from a contact. Feet that are given the same @p
-/// cache share their compliances. Throws as make_foot().
+/// cache share their compliances; its contacts start from what those of @p similar let expect, the foot of a
+/// study that differs little, if any. Throws as make_foot().
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
-                                        Progress &progress = silent_progress());
+                                        Progress &progress = silent_progress(),
+                                        const ElasticFoot *similar = nullptr);
 
 /// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as
 /// Load/Coupling wants it. @p foot is study_foot().

@@ -122,7 +122,8 @@ struct Change
   std::string part;
   double factor;
   Study study;
-  std::optional<Study> from = {}; ///< compared with; nothing: the study itself
+  std::optional<std::size_t>
+    from = {}; ///< earlier change that it is compared with; nothing: the study itself
 };
 
 std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool is_full)
@@ -145,21 +146,28 @@ std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool
                                    contact.halved.pop_back();
                                });
   changes.push_back({ "mesh", safety, coarse });
-  // At re-entrant corners the error falls with the first order: the halved cells show half of it.
-  if (study.contact.halved.empty() && has_focused_mesh(study))
-    changes.push_back(
-      { "mesh", 2, changed(study, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }) });
   if (study.contact.degree < 4)
   {
     const auto higher = [](ContactSection &contact) { ++contact.degree; };
     if (study.table.is_hard())
-      changes.push_back({ "degree", safety, changed(coarse, higher), coarse });
+      changes.push_back({ "degree", safety, changed(coarse, higher), 0 });
     else
       changes.push_back({ "degree", safety, changed(study, higher) });
   }
+  const Study fewer =
+    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
+  std::optional<std::size_t> of_fewer;
   if (study.contact.harmonics > 1)
-    changes.push_back(
-      { "harmonics", 0.5, changed(study, [](ContactSection &contact) { contact.harmonics /= 2; }) });
+  {
+    of_fewer = changes.size();
+    changes.push_back({ "harmonics", 0.5, fewer });
+  }
+  // At re-entrant corners the error falls with the first order: the halved cells show half of it. What cells
+  // that far from the contact change fades with the harmonic, so that half of them will do.
+  if (study.contact.halved.empty() && has_focused_mesh(study))
+    changes.push_back({ "mesh", 2,
+                        changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
+                        of_fewer });
   if (!is_full)
     changes.push_back(
       { "lines", safety, changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }) });
@@ -207,18 +215,16 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     if (std::isfinite(quantity.value))
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
   const std::vector<Change> changes = changes_of(study, *foot, carries_all_round(all, own.at_rest));
-  std::optional<Findings> coarse;
-  std::size_t n_done = 0;
+  std::vector<Findings> by_change;
   for (const Change &change : changes)
   {
-    const std::shared_ptr<ElasticFoot> changed_foot = study_foot(change.study, cache);
+    const std::shared_ptr<ElasticFoot> changed_foot =
+      study_foot(change.study, cache, silent_progress(), foot.get());
     if (change.part != "rings" && change.part != "load_harmonics")
       changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
-    const Findings found = look(change.study, changed_foot, probe);
-    if (!coarse)
-      coarse = found;
-    const auto to = quantities_from(found, probe, own, all, study);
-    const auto from = quantities_from(change.from ? *coarse : own, probe, own, all, study);
+    by_change.push_back(look(change.study, changed_foot, probe));
+    const auto to = quantities_from(by_change.back(), probe, own, all, study);
+    const auto from = quantities_from(change.from ? by_change[*change.from] : own, probe, own, all, study);
     for (BandedQuantity &banded : bands)
     {
       const std::string &key = banded.quantity.key;
@@ -228,7 +234,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
       banded.parts[change.part] += part;
       banded.band += part;
     }
-    progress.pieces_done("error bands", ++n_done, changes.size());
+    progress.pieces_done("error bands", by_change.size(), changes.size());
   }
   if (all.spin_uncertainty > 0)
     for (BandedQuantity &banded : bands)

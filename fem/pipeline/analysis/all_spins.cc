@@ -1,0 +1,149 @@
+#include "fem/pipeline/analysis/all_spins.h"
+
+#include "fem/pipeline/analysis/spin.h"
+#include "ring_model/friction_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// A torque to be scanned for its zeros. A load takes a contact, and far from a zero need not be known well:
+/// where the load halfway between two spins tells that one between theirs can be off by less than a third of
+/// the torque, a load between theirs does.
+class ScannedTorque
+{
+public:
+  /// Spins are told apart down to @p finest [rad/s].
+  ScannedTorque(const BalancedLoad &load, const ring::Motion &motion, double grip_torque, double finest)
+      : load(load)
+      , motion(motion)
+      , grip_torque(grip_torque)
+      , finest(finest)
+      , unit(motion.friction_at_rest() * motion.normal_force() * load.report().rings.radius())
+  {
+  }
+
+  double operator()(double omega)
+  {
+    const auto piece = pieces.lower_bound(omega);
+    if (piece != pieces.end() && piece->second.first <= omega)
+      return torque_of(between(piece->second.first, piece->first, omega), omega);
+    return torque_of(at(omega), omega);
+  }
+
+  /// Looks for the pieces of @p lower to @p upper where a load between them does.
+  void survey(double lower, double upper)
+  {
+    const double middle = (lower + upper) / 2;
+    constexpr double safety = 3, of_halves = 1. / 4; // the error falls with the square of the length
+    const double error = safety * of_halves * unit * between(lower, upper, middle).difference(at(middle));
+    for (const auto &[begin, end] : { std::pair(lower, middle), std::pair(middle, upper) })
+      if (keeps_off_zero(begin, end, error))
+        pieces.emplace(end, std::make_pair(begin, end));
+      else if (end - begin > 1.5 * finest)
+        survey(begin, end);
+  }
+
+private:
+  /// Whether the torque of the loads between those at @p lower and @p upper is everywhere of one sign and
+  /// more than @p error.
+  bool keeps_off_zero(double lower, double upper, double error)
+  {
+    const int n_parts = static_cast<int>(std::ceil((upper - lower) / finest));
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (int i = 0; i <= n_parts; ++i)
+    {
+      const double omega = lower + (upper - lower) * i / n_parts;
+      const double torque = torque_of(between(lower, upper, omega), omega);
+      least = std::min(least, torque);
+      most = std::max(most, torque);
+    }
+    return least > error || most < -error;
+  }
+
+  const LeaningLoad &at(double omega)
+  {
+    const double rounding = 1e-9 * finest;
+    const auto known = loads.lower_bound(omega - rounding);
+    return known != loads.end() && known->first <= omega + rounding
+             ? known->second
+             : loads.emplace(omega, load.leaning(omega)).first->second;
+  }
+
+  LeaningLoad between(double lower, double upper, double omega)
+  {
+    const LeaningLoad &below = at(lower), &above = at(upper);
+    const unsigned int n = std::max(below.rings.n_harmonics(), above.rings.n_harmonics());
+    const double share = (omega - lower) / (upper - lower);
+    std::vector<double> row = below.coefficients(n);
+    const std::vector<double> other = above.coefficients(n);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      row[i] += share * (other[i] - row[i]);
+    return LeaningLoad::from_coefficients(row, below.rings.rings().size());
+  }
+
+  double torque_of(const LeaningLoad &at_spin, double omega) const
+  {
+    const double torque = ring::wrench(motion, at_spin.rings, omega).torque + at_spin.lean_torque();
+    return against_grip(torque, omega, grip_torque);
+  }
+
+  const BalancedLoad &load;
+  const ring::Motion &motion;
+  const double grip_torque;
+  const double finest;
+  const double unit; ///< mu N R [N m]: what an error of the load of a_0 makes of the torque at most
+  std::map<double, LeaningLoad> loads;
+  std::map<double, std::pair<double, double>> pieces; ///< by their end
+};
+
+/// How many of at most @p n_most steps of @p step from rest have a torque.
+int n_balances(ScannedTorque &torque, double step, int n_most)
+{
+  int n_found = 0;
+  try
+  {
+    for (; n_found < n_most; ++n_found)
+      torque((n_found + 1) * step);
+  }
+  catch (const std::runtime_error &)
+  {
+    // The load tips or has no balance there: nothing lies beyond.
+  }
+  return n_found;
+}
+
+} // namespace
+
+std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
+                                                   double grip_torque)
+{
+  if (load.phases())
+    return {};
+  constexpr int steps_to_end = 6, finest_steps = 8; // 1.5 v / R, v / 32 R
+  const double unit = load.spin_scale(motion), step = unit / 4;
+  ScannedTorque torque(load, motion, grip_torque, step / finest_steps);
+  const int first = -n_balances(torque, -step, steps_to_end), last = n_balances(torque, step, steps_to_end);
+  if (first == last)
+    return {};
+  for (int n = first; n < last; n += 2)
+    torque.survey(n * step, std::min(n + 2, last) * step);
+  std::vector<ring::TerminalSpin> spins =
+    ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
+                             last * step, static_cast<unsigned int>(finest_steps * (last - first)));
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (ring::TerminalSpin &spin : spins)
+    if (grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)
+      spin = { 0, nan, nan, true, true };
+  return spins;
+}
+
+} // namespace stemware::pipeline
