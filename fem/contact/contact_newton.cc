@@ -20,6 +20,9 @@ namespace
 /// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
 constexpr unsigned int fewest_nodes_across = 4;
 
+/// Of the share of a Newton step that is taken.
+constexpr double longest_step = 2;
+
 /// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the
 /// nodes.
 void require_possible(const LinearConditions &conditions)
@@ -168,7 +171,7 @@ private:
   {
     const auto [visit, is_new] = visited.emplace(contact.active_set, present_residual);
     // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
-    if (is_new || present_residual < 0.5 * visit->second || last_step_length < 1)
+    if (is_new || present_residual < 0.5 * visit->second || last_step_length != 1)
     {
       visit->second = present_residual;
       return;
@@ -296,7 +299,8 @@ private:
   }
 
   /// Share of the increment to take: all of it unless the energy rises again towards its end, then where it
-  /// is stationary.
+  /// is stationary. Where the edges of contact alone decide, beyond its end too: Newton's steps towards a
+  /// narrower contact are too short. A rigid foot would leave the table by such steps.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
@@ -318,13 +322,22 @@ private:
     const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
     // Close to the solution the slopes are differences of large numbers: below their noise the full step is
     // the best there is.
-    if (end <= 0.5 * std::abs(start) + noise || start >= 0)
+    const bool may_go_beyond = !control.set_matters && increment.energy_curvature > 0;
+    const double enough = (may_go_beyond ? 0.02 : 0.5) * std::abs(start) + noise;
+    if (start >= 0 || (end <= enough && (end >= -enough || !may_go_beyond)))
       return 1;
-    boost::uintmax_t max_evaluations = 60;
-    const auto close_enough = [](double a, double b) { return b - a < 1e-3 * b; };
-    const auto bracket =
-      boost::math::tools::toms748_solve(slope, 0., 1., start, end, close_enough, max_evaluations);
-    return (bracket.first + bracket.second) / 2;
+    const auto close_enough = [&](double a, double b) { return b - a < 0.02 * b; };
+    const auto stationary = [&](double from, double to, double slope_from, double slope_to)
+    {
+      boost::uintmax_t max_evaluations = 60;
+      const auto bracket = boost::math::tools::toms748_solve(slope, from, to, slope_from, slope_to,
+                                                             close_enough, max_evaluations);
+      return (bracket.first + bracket.second) / 2;
+    };
+    if (end > 0)
+      return stationary(0, 1, start, end);
+    const double beyond = slope(longest_step);
+    return beyond <= 0 ? longest_step : stationary(1, longest_step, end, beyond);
   }
 
   [[noreturn]] static void throw_overflow()
