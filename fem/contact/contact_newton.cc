@@ -1,9 +1,9 @@
 #include "fem/contact/contact_newton.h"
 
+#include "fem/contact/line_search.h"
 #include "fem/contact/rigid_foot.h"
 
 #include <Eigen/Eigenvalues>
-#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +188,7 @@ private:
     }
     double &residual_then = visited[static_cast<std::size_t>(same - differs.begin())].residual;
     // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
-    if (present_residual < 0.5 * residual_then || last_step_length < 1)
+    if (present_residual < 0.5 * residual_then || last_step_length != 1)
     {
       residual_then = present_residual;
       return;
@@ -317,8 +317,8 @@ private:
     }
   }
 
-  /// Share of the increment to take: all of it unless the energy rises again towards its end, then where it
-  /// is stationary.
+  /// Share of the increment to take, step_of_least_energy(): beyond its end too where the edges of contact
+  /// alone decide. A rigid foot would leave the table by such steps.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {
@@ -339,15 +339,8 @@ private:
     if (!std::isfinite(start) || !std::isfinite(end))
       throw_overflow();
     const double noise = 1e-10 * (std::abs(outer) + std::abs(increment.energy_slope));
-    // Close to the solution the slopes are differences of large numbers: below their noise the full step is
-    // the best there is.
-    if (end <= 0.5 * std::abs(start) + noise || start >= 0)
-      return 1;
-    boost::uintmax_t max_evaluations = 60;
-    const auto close_enough = [](double a, double b) { return b - a < 1e-3 * b; };
-    const auto bracket =
-      boost::math::tools::toms748_solve(slope, 0., 1., start, end, close_enough, max_evaluations);
-    return (bracket.first + bracket.second) / 2;
+    return step_of_least_energy(slope, start, end, noise,
+                                !control.set_matters && increment.energy_curvature > 0);
   }
 
   [[noreturn]] static void throw_overflow()

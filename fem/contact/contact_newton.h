@@ -54,6 +54,16 @@ struct ContactControl
   std::function<bool(const ContactSolution &)> is_enough;
 };
 
+/// The rule for a stiff spring in the place of a hard interface, integrated along lines: its resultants are
+/// as exact as the final check asks.
+inline ContactControl control_of_spring()
+{
+  ContactControl control;
+  control.set_matters = false;
+  control.tolerance = control.resultant_tolerance;
+  return control;
+}
+
 /// Presses @p body on the table described by @p law until the normal forces fulfil @p conditions.
 ///
 /// Damped Newton method, started from the body's present displacement when @p start is given, else from rest

@@ -24,6 +24,10 @@ constexpr unsigned int max_cycles = 200;
 /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
 constexpr double unbalanced_share = 2e-10;
 
+/// Of the residual, by each linear solve: with less, Newton's method takes more steps and no fewer
+/// iterations.
+constexpr double least_reduction = 1e-3;
+
 /// How well W has to solve its equations where it only helps to precondition, and where the conditions on the
 /// forces are closed with it.
 constexpr double loose_border = 0.02;
@@ -31,6 +35,8 @@ constexpr double tight_border = 1e-3;
 
 /// W is left out where the V-cycle sees at least this share of what the table's motions change.
 constexpr double small_border = 0.2;
+/// Whether it is to be left out is asked again where the table is stiffer by this factor.
+constexpr double much_stiffer = 4;
 
 struct TangentOperator
 {
@@ -194,6 +200,7 @@ void MultigridSystem::start_from(const MultigridSystem &coarse)
   elastic->vmult(elastic_forces, displacement);
   residual_before = 0;
   border_matters = coarse.border_matters;
+  border_stiffness = coarse.border_stiffness;
   if (border_matters)
     for (unsigned int i = 0; i < 3; ++i)
       hierarchy->prolongate(level, eliminated_border[i], coarse.eliminated_border[i]);
@@ -244,7 +251,8 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
   border.corner = parts.sum(modes.transpose() * border.columns);
   border.corner = ((border.corner + border.corner.transpose()) / 2).eval();
   border.inverse_corner = border.corner.inverse();
-  if (!border_matters && tolerance >= loose_border)
+  const double stiffness = border.corner(0, 0);
+  if (!border_matters && tolerance >= loose_border && stiffness < much_stiffer * border_stiffness)
     return border;
 
   const TangentOperator tangent{ *elastic, contact };
@@ -283,6 +291,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
   const double share =
     Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(schur, border.corner).eigenvalues().minCoeff();
   border_matters = share < small_border;
+  border_stiffness = stiffness;
   return border;
 }
 
@@ -293,7 +302,7 @@ double MultigridSystem::target_residual(double residual, double force)
   // As exact as the step before was good: what a Newton step cannot keep is not worth solving for.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
-  return std::max(std::min(0.01, ratio * ratio) * residual, unbalanced_share * force);
+  return std::max(std::min(least_reduction, ratio * ratio) * residual, unbalanced_share * force);
 }
 
 NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangent,
@@ -413,6 +422,7 @@ void MultigridSystem::write_state(std::ostream &stream) const
     write_binary(stream, column.begin(), column.locally_owned_size());
   write_binary(stream, &residual_before, 1);
   write_binary(stream, &border_matters, 1);
+  write_binary(stream, &border_stiffness, 1);
 }
 
 void MultigridSystem::read_state(std::istream &stream)
@@ -423,6 +433,7 @@ void MultigridSystem::read_state(std::istream &stream)
     read_binary(stream, column.begin(), column.locally_owned_size());
   read_binary(stream, &residual_before, 1);
   read_binary(stream, &border_matters, 1);
+  read_binary(stream, &border_stiffness, 1);
 }
 
 LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_output() const

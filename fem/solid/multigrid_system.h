@@ -82,6 +82,7 @@ private:
   Vector increment_forces;                      ///< K du
   std::array<FloatVector, 3> eliminated_border; ///< W of the last solve that needed it
   bool border_matters = true;                   ///< whether W improves on the V-cycle
+  double border_stiffness = 0;                  ///< of the table when that was found [N/m]
   double residual_before = 0;                   ///< of the last solve [N]; 0: none
 };
 

@@ -157,7 +157,8 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   state.demand = demand;
   state.slip = slip;
   ContactControl control;
-  control.set_matters = softening_of_coarser == 1; // a spring's pressure is integrated along lines
+  if (softening_of_coarser != 1)
+    control = control_of_spring();
   control.progress = [&](const ContactIteration &iteration)
   {
     state.history.push_back(iteration);

@@ -4,7 +4,8 @@
 //
 // cells=48,2,2 (round the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
 // degree=2, crown=0.003 (0: a flat land of 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a
-// hard one), modulus=1e11, moment=1.3, tolerance=1e-8 (of the linear solve).
+// hard one), edge=0 (halvings of the land's inner side), modulus=1e11, moment=1.3, tolerance=1e-8 (of the
+// linear solve).
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
@@ -39,6 +40,7 @@ Case read_case(int argc, char **argv)
                            { { "cells", "48,2,2" },
                              { "refinements", "2" },
                              { "land", "0" },
+                             { "edge", "0" },
                              { "degree", "2" },
                              { "crown", "0.003" },
                              { "shape", "step" },
@@ -48,8 +50,8 @@ Case read_case(int argc, char **argv)
                              { "tolerance", "1e-8" } });
   Case study;
   const std::vector<unsigned int> cells = values.counts("cells");
-  study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements"),
-                       values.count("land") };
+  study.resolution = { cells.at(0),          cells.at(1),         cells.at(2), values.count("refinements"),
+                       values.count("land"), values.count("edge") };
   study.profile = profile_of(values);
   study.options.degree = values.count("degree");
   study.options.linear_solver = LinearSolver::multigrid;
@@ -107,7 +109,7 @@ void run(const Case &study)
     start_from_coarser_mesh(body, *study.interface, study.softening, study.load, radius);
   const double coarse_seconds = timer.wall_time();
   const auto law = study.interface->make(body.contact_surface(), 0);
-  ContactControl control;
+  ContactControl control = study.softening == 1 ? ContactControl() : control_of_spring();
   control.progress = [](const ContactIteration &step)
   {
     say("  step {}: {} loaded, {} changed, residual {:.1e}, length {:.2f}, {} iterations\n", step.number,
