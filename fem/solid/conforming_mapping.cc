@@ -1,6 +1,7 @@
 #include "fem/solid/conforming_mapping.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -11,11 +12,39 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace stemware::fem
 {
 
 using namespace dealii;
+
+namespace
+{
+
+/// A halved cell whose face lies on the chord of a coarse one may be thinner than the chord is deep.
+void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
+{
+  const FiniteElement<3> &element = dof_handler.get_fe();
+  FEValues<3> values(mapping, element, QGauss<3>(element.degree + 1), update_JxW_values);
+  unsigned int n_inverted = 0;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      values.reinit(cell);
+      const auto points = values.quadrature_point_indices();
+      n_inverted +=
+        std::any_of(points.begin(), points.end(), [&](unsigned int q) { return values.JxW(q) <= 0; });
+    }
+  n_inverted = Utilities::MPI::sum(n_inverted, dof_handler.get_communicator());
+  if (n_inverted > 0)
+    throw std::runtime_error("Halving some cells turns " + std::to_string(n_inverted) +
+                             " others inside out: the mesh follows the round rim too coarsely; give it more "
+                             "cells round the rim (Contact/Azimuthal cells).");
+}
+
+} // namespace
 
 std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &mesh, unsigned int degree)
 {
@@ -54,6 +83,7 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   // Mappings of degree 1 read vertices from the mesh in places.
   auto conforming = std::make_unique<MappingQCache<3>>(std::max(degree, 2u));
   conforming->initialize(*smooth, dof_handler, positions, false);
+  require_right_side_out(*conforming, dof_handler);
   return conforming;
 }
 

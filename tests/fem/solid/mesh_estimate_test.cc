@@ -176,6 +176,27 @@ TEST(MeshEstimate, MarksWholeRings)
   EXPECT_GT(n_whole, 0u);
 }
 
+// A chord of 45 degrees lies as far inside the rim as the land's inner cells are wide.
+TEST(MeshEstimate, SaysThatHalvedCellsAreInsideOut)
+{
+  const GlassProfile profile = profile_of(GlassShape::step);
+  const auto map_with = [&](unsigned int n_azimuthal)
+  {
+    dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
+    make_foot_mesh(profile, { n_azimuthal, 2, 1 }, mesh);
+    for (const auto &cell : mesh.active_cell_iterators())
+    {
+      const double radius = std::hypot(cell->center(true)[0], cell->center(true)[1]);
+      if (cell->is_locally_owned() && radius > profile.land_inner_radius() && radius < profile.contact_radius)
+        cell->set_refine_flag();
+    }
+    mesh.execute_coarsening_and_refinement();
+    conforming_mapping(mesh, 1);
+  };
+  EXPECT_NO_THROW(map_with(24));
+  EXPECT_THROW(map_with(8), std::runtime_error);
+}
+
 // Oracle: deal.II's hanging-node constraints, which say where on the coarser cell's polynomial a node lies.
 TEST(MeshEstimate, FinerCellsLieOnTheFacesOfCoarserOnes)
 {
