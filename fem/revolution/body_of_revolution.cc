@@ -104,6 +104,16 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   return step;
 }
 
+Eigen::Matrix3d BodyOfRevolution::motions_for_residuals(const Eigen::SparseMatrix<double> &tangent,
+                                                        const LinearConditions &conditions) const
+{
+  const LineNewton newton(response, tangent, Eigen::MatrixXd::Zero(state.rows(), state.cols()));
+  Eigen::Matrix3d motions;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    motions.col(k) = newton.solve(conditions, Eigen::Vector3d::Unit(k)).motion;
+  return motions;
+}
+
 void BodyOfRevolution::update(double step_length)
 {
   state += step_length * increment;

@@ -38,6 +38,11 @@ public:
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
+
+  /// Table motions that lessen a unit of each of the residuals of @p conditions, as columns: the inverse of
+  /// what body and table of @p tangent, as in ContactForces, set against motions.
+  Eigen::Matrix3d motions_for_residuals(const Eigen::SparseMatrix<double> &tangent,
+                                        const LinearConditions &conditions) const;
   void reset() override;
   Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state.reshaped(); }
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;

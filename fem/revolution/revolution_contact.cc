@@ -256,6 +256,23 @@ ContactSolution RevolutionFoot::solve_softened(const LinearConditions &condition
                  large_stiffening);
 }
 
+bool RevolutionFoot::is_stable(const LinearConditions &conditions, const ContactSolution &solution)
+{
+  constexpr double safe_moment_ratio = 1.5;
+  const Zone &zone = *zones.back();
+  const ContactSurface &surface = zone.body.contact_surface();
+  const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;
+  if (conditions.motion_weights().isZero() ||
+      2 * moment.norm() < safe_moment_ratio * conditions.normal_force() * setup.profile.contact_radius)
+    return true;
+  ContactForces contact;
+  zone.law->evaluate(solution.normal_displacement, contact);
+  const LinearConditions without_weight(surface, conditions.weights(), conditions.target());
+  return zone.body.motions_for_residuals(contact.tangent, conditions).determinant() *
+           zone.body.motions_for_residuals(contact.tangent, without_weight).determinant() >
+         0;
+}
+
 ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand, const Slip &slip)
 {
   Zone &zone = *zones.back();
@@ -290,7 +307,10 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand, c
   for (const auto &way : ways)
     try
     {
-      return way();
+      const ContactSolution solution = way();
+      if (is_stable(conditions, solution))
+        return solution;
+      zone.body.set_forces(forces_before);
     }
     catch (const ContactFailure &failure)
     {

@@ -111,6 +111,10 @@ private:
   /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is.
   ContactSolution stiffen(const LinearConditions &conditions, double softness, ContactStart at,
                           double largest_step);
+  /// Whether the glass stays where @p solution has it: one that leans may have a second balance, beyond which
+  /// it tips. The two are told apart by the sign of the determinant of what is set against motions, which
+  /// vanishes where they meet and is that of a glass whose weight does not count at the first.
+  bool is_stable(const LinearConditions &conditions, const ContactSolution &solution);
   /// Whether the contact has come to a border of the zone that is none of the land.
   bool has_left_zone() const;
 
