@@ -42,7 +42,7 @@ std::string script_of(const Plot &plot)
 
 void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 {
-  fs::create_directories(folder / "figures");
+  fs::create_directory(folder / "figures"); // not the folder itself: an interruption may have taken it away
   write_text_file(folder / "figures/style.gnuplot", gnuplot_style);
   for (const Plot &plot : plots)
   {
