@@ -2,6 +2,7 @@
 
 #include "fem/contact/line_search.h"
 #include "fem/contact/rigid_foot.h"
+#include "fem/contact/visited_sets.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -63,7 +64,7 @@ public:
     double residual_before = std::numeric_limits<double>::infinity();
     double least_residual = std::numeric_limits<double>::infinity();
     unsigned int n_idle = 0;
-    std::vector<VisitedSet> visited;
+    VisitedSets visited(parts);
     for (;;)
     {
       const double present_residual = residual();
@@ -166,33 +167,11 @@ private:
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// An active set of a part of the surface, and the residual of the whole.
-  struct VisitedSet
+  /// Damped steps lower the energy, so they may pass through a set twice; whole steps that do so get nowhere.
+  void require_new_set(VisitedSets &visited, double present_residual) const
   {
-    ActiveSet set;
-    double residual;
-  };
-
-  void require_new_set(std::vector<VisitedSet> &visited, double present_residual) const
-  {
-    // The whole set came back where no part has another than then.
-    std::vector<double> differs;
-    for (const VisitedSet &visit : visited)
-      differs.push_back(visit.set != contact.active_set ? 1 : 0);
-    parts.sum_in_place(differs);
-    const auto same = std::find(differs.begin(), differs.end(), 0.);
-    if (same == differs.end())
-    {
-      visited.push_back({ contact.active_set, present_residual });
+    if (visited.gains_at(contact.active_set, present_residual) || last_step_length != 1)
       return;
-    }
-    double &residual_then = visited[static_cast<std::size_t>(same - differs.begin())].residual;
-    // Damped steps lower the energy, so they may pass through a set twice; full steps that do so get nowhere.
-    if (present_residual < 0.5 * residual_then || last_step_length != 1)
-    {
-      residual_then = present_residual;
-      return;
-    }
     std::ostringstream message;
     message << "after " << n_steps << " steps the same " << n_loaded()
             << " loaded places came back with a relative residual of " << present_residual << " (allowed "

@@ -174,7 +174,6 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
 }
 
 BlockInverse::~BlockInverse() = default;
-BlockInverse::BlockInverse(BlockInverse &&) noexcept = default;
 
 Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const
 {

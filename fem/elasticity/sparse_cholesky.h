@@ -50,7 +50,6 @@ public:
   /// Of matrices whose lower triangles have the pattern of @p pattern, in the rows and columns @p kept.
   BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept);
   ~BlockInverse();
-  BlockInverse(BlockInverse &&) noexcept;
 
   /// The inverse in the rows kept and in the columns of the first @p n_columns of them, shape [kept.size(),
   /// n_columns], of the matrix with @p entries, in the order of the pattern's. Throws std::runtime_error

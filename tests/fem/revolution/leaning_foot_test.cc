@@ -56,6 +56,42 @@ TEST(Tilt, AmplifiesTheMomentOfARigidAnnulus)
     }
 }
 
+// Reference: contacts under plain moments, which know nothing of the weight. A rim whose contact shrinks
+// leans by theta(M); a glass that leans is in balance where M - N z_CM theta(M) is the moment prescribed: at
+// two moments up to the largest, at none beyond.
+TEST(Tilt, IsThatOfTheFirstOfTwoBalances)
+{
+  struct Case
+  {
+    double height, between, second; // z_CM [m], and moment ratios between the two balances, at the second
+  };
+  RevolutionSetup setup = on_table(std::make_shared<WinklerInterface>(1e7));
+  setup = setup.resolved_for(weight);
+  RevolutionFoot plain(setup);
+  const double scale = weight * setup.profile.contact_radius / 2;
+  const auto under_moment = [&](double m) { return ContactDemand(weight, 0, -m * scale); };
+  for (const auto &[height, between, second] : { Case{ 0.05, 1.6, 1.9 }, Case{ 0.5, 1.2, 1.4 } })
+  {
+    const double tilt_moment = weight * height;
+    const auto prescribed_at = [&, &tilt = tilt_moment](double m)
+    { return m - tilt * std::abs(plain.solve(under_moment(m)).solution.motion(1)) / scale; };
+    const double prescribed = prescribed_at(second);
+    double below = prescribed, above = between;
+    ASSERT_LT(prescribed_at(below), prescribed);
+    ASSERT_GT(prescribed_at(above), prescribed);
+    while (above - below > 1e-8)
+    {
+      const double middle = (below + above) / 2;
+      (prescribed_at(middle) < prescribed ? below : above) = middle;
+    }
+    ContactDemand demand = under_moment(prescribed);
+    demand.tilt_moment = tilt_moment;
+    RevolutionFoot leaning(setup);
+    leaning.solve(under_moment(second)); // Newton's method starts at the second balance
+    EXPECT_NEAR(-leaning.solve(demand).load.moment_y / scale, below, 1e-7) << height;
+  }
+}
+
 /// Reference: the demand itself, from the motions that come with the solution; with lift-off too.
 TEST(Tilt, IsTheWeightTimesTheLean)
 {
