@@ -14,6 +14,8 @@ namespace
 
 /// Factors by which a cold start stiffens the interface at once: most contacts stand the first.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
+/// Factor by which the interface is softened for a start from a contact that is not near enough.
+constexpr double softening_of_start = 30;
 
 ContactControl contact_control()
 {
@@ -244,7 +246,7 @@ ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, c
 {
   ContactControl control = contact_control();
   control.whole_steps = true;
-  control.max_steps = 15;
+  control.max_steps = setup.imperfection.empty() ? 15 : 10;
   Zone &zone = *zones.back();
   return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &start);
 }
@@ -252,9 +254,9 @@ ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, c
 ContactSolution RevolutionFoot::solve_softened(const LinearConditions &conditions, const ContactStart &start)
 {
   const Eigen::VectorXd &gap = zones.back()->body.contact_surface().node_gap;
-  return stiffen(conditions, large_stiffening,
-                 { start.motion, -gap + large_stiffening * (gap + start.normal_displacement) },
-                 large_stiffening);
+  return stiffen(conditions, softening_of_start,
+                 { start.motion, -gap + softening_of_start * (gap + start.normal_displacement) },
+                 softening_of_start);
 }
 
 bool RevolutionFoot::is_stable(const LinearConditions &conditions, const ContactSolution &solution)
@@ -299,7 +301,9 @@ ContactSolution RevolutionFoot::solve_from_before(const ContactDemand &demand, c
   std::vector<std::function<ContactSolution()>> ways;
   if (predicted)
     ways.push_back([&] { return solve_near(conditions, *predicted); });
-  const bool may_be_near = !(crests_have_moved && setup.table.interface->is_hard());
+  // On hard crests a second start that is no nearer than the first fails like that one.
+  const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
+  const bool may_be_near = !(on_hard_crests && (crests_have_moved || predicted));
   for (const bool softened : { false, true })
     for (std::size_t i = 0; i < starts.size(); ++i)
       if (softened || may_be_near)

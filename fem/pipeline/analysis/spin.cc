@@ -157,14 +157,20 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   if (!load.phases())
     return result;
   // Of the mean in the long run; finer than the loads are known would be in vain.
-  const double accuracy = std::max(1e-9, 0.1 * load.phases()->error());
+  const PhaseLoads &phases = *load.phases();
+  const double accuracy = std::max(1e-9, 0.1 * phases.mean_error());
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
   result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
-  const double torque_error = load.phases()->error() * motion.friction_coefficient * motion.normal_force() *
-                              load.report().rings.radius();
+  // The mean's own error, and that between phases as far as ripple makes the glass stay longer at some.
+  const double turning = std::abs(mean.mean - motion.orbit_rate());
+  const double longer = phases.phases().glass.size() == 1 ? 0
+                        : mean.ripple < turning           ? mean.ripple / turning
+                                                          : 1;
+  const double torque_error = (phases.mean_error() + longer * phases.error()) * motion.friction_coefficient *
+                              motion.normal_force() * load.report().rings.radius();
   result.uncertainty = mean.uncertainty;
   if (!result.spin.held)
     result.uncertainty += torque_error / std::abs(result.spin.torque_slope);

@@ -20,7 +20,11 @@ namespace
 /// second: each doubling doubles the work, and the band of error contains the difference.
 constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
 constexpr unsigned int many_phases = 32;
-constexpr double largest_allowed = 3e-2;  ///< the band of error contains it
+/// Above, more phases are taken even where they do not halve the error.
+constexpr double good_enough = 3e-2;
+/// Of the mean over the phases, which the band of error contains, and between them, where ripple alone
+/// depends on it.
+constexpr double largest_of_mean = 3e-2, largest_between = 0.3;
 constexpr unsigned int most_phases = 128; ///< of one angle
 constexpr unsigned int most_steps = 16;   ///< on an interval of spins
 
@@ -70,6 +74,20 @@ struct AngleError
   bool falls = false;  ///< whether twice the phases have halved it
 };
 
+/// How far the mean over all phases is from that over half of them, of either angle.
+double error_of_mean(const LoadAtPhase &load, const PhaseGrids &grids)
+{
+  const LeaningLoad mean = PhaseLoads(load, grids, 0).mean(0);
+  double error = 0;
+  for (PeriodicGrid PhaseGrids::*angle : { &PhaseGrids::glass, &PhaseGrids::table })
+  {
+    PhaseGrids halved = grids;
+    halved.*angle = (grids.*angle).halved();
+    error += torque_difference(PhaseLoads(load, halved, 0).mean(0), mean);
+  }
+  return error;
+}
+
 /// Largest difference at a few phases, none of which is near a node for ever finer grids.
 double error_of_check(const LoadAtPhase &load, const PhaseGrids &grids)
 {
@@ -107,7 +125,10 @@ ring::Orientation PhaseGrids::phase(unsigned int i) const
 
 PhaseGrids PhaseGrids::halved() const
 {
-  return { glass.halved(), table.halved(), periods, error, turning };
+  PhaseGrids halved = *this;
+  halved.glass = glass.halved();
+  halved.table = table.halved();
+  return halved;
 }
 
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
@@ -132,7 +153,7 @@ Eigen::VectorXd PhaseGrids::weights(const ring::Orientation &phase) const
 
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
 {
-  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods, 0, false };
+  PhaseGrids grids = { first_grid(periods.glass), first_grid(periods.table), periods };
   const auto can_refine = [&](const PeriodicGrid &grid)
   { return grid.size() > 1 && grid.size() < most_phases && 2 * grids.size() <= most_samples; };
   while (true)
@@ -151,17 +172,19 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, uns
     grids.error = std::max({ glass.estimate, table.estimate, error_of_check(load, grids) });
     const bool glass_is_worse = glass.estimate > table.estimate;
     PeriodicGrid &worse = glass_is_worse ? grids.glass : grids.table;
-    const bool pays = grids.error > largest_allowed || (glass_is_worse ? glass : table).falls;
+    const bool pays = grids.error > good_enough || (glass_is_worse ? glass : table).falls;
     if (grids.error <= (grids.size() < many_phases ? tolerance : tolerance_of_many) || !pays ||
         !can_refine(worse))
       break;
     worse = worse.refined();
   }
-  if (!(grids.error <= largest_allowed))
+  grids.mean_error = error_of_mean(load, grids);
+  if (!(grids.error <= largest_between) || !(grids.mean_error <= largest_of_mean))
     throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
                              std::to_string(grids.size()) + " phases its torque is off by " +
-                             to_short_text(grids.error) +
-                             " mu N R; give more Contact/Azimuth lines, or a smaller waviness.");
+                             to_short_text(grids.error) + " mu N R, in the mean by " +
+                             to_short_text(grids.mean_error) +
+                             "; give more Contact/Azimuth lines, or a smaller waviness.");
   return grids;
 }
 
@@ -171,8 +194,9 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double s
     , grids(grids)
     , spin_unit(spin_unit)
     , extremes(extremes)
-    , at_rest(sample(0, grids))
+    , at_rest(sample({ 0 }, grids).front())
     , largest_error(grids.error)
+    , largest_mean_error(grids.mean_error)
 {
 }
 
@@ -212,21 +236,25 @@ void PhaseLoads::turn(Eigen::VectorXd &column, double angle) const
   }
 }
 
-Eigen::MatrixXd PhaseLoads::sample(double omega, const PhaseGrids &on) const
+std::vector<Eigen::MatrixXd> PhaseLoads::sample(const std::vector<double> &omegas, const PhaseGrids &on) const
 {
-  Eigen::MatrixXd columns;
+  std::vector<Eigen::MatrixXd> columns(omegas.size());
   const unsigned int n_table = on.table.size();
   for (unsigned int step = 0; step < on.size(); ++step)
   {
     // To and fro in the table's angle: each contact starts from that of the phase before.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
-    const LeaningLoad exact = load(omega, on.phase(i));
-    n_rings = exact.rings.rings().size();
-    Eigen::VectorXd column = column_of(exact);
-    turn(column, -on.turning_angle(on.phase(i)));
-    columns.conservativeResize(column.size(), on.size());
-    columns.col(i) = column;
+    // All spins of a phase in a row: each is near the one before.
+    for (std::size_t k = 0; k < omegas.size(); ++k)
+    {
+      const LeaningLoad exact = load(omegas[k], on.phase(i));
+      n_rings = exact.rings.rings().size();
+      Eigen::VectorXd column = column_of(exact);
+      turn(column, -on.turning_angle(on.phase(i)));
+      columns[k].conservativeResize(column.size(), on.size());
+      columns[k].col(i) = column;
+    }
   }
   return columns;
 }
@@ -266,20 +294,31 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   Samples samples = { find_spins(interval), {} };
   for (const PhaseGrids &on : { grids.halved(), grids })
   {
-    Eigen::MatrixXd weights(on.size(), grids.size());
-    for (unsigned int i = 0; i < grids.size(); ++i)
-      weights.col(i) = on.weights(grids.phase(i));
-    const Eigen::MatrixXd rest = sample(0, on);
-    samples.columns.clear();
-    for (unsigned int k = 0; k < samples.spins.size(); ++k)
-      samples.columns.push_back(at_rest + (sample(samples.spins.node(k), on) - rest) * weights);
+    samples.columns = spread(samples.spins.nodes(), on);
     const double error = error_of(samples);
-    if (error > std::max(tolerance_of_many, grids.error) && on.size() < grids.size())
+    if (error > std::max(grids.enough_of_spin, grids.error) && on.size() < grids.size())
       continue;
     largest_error = std::max(largest_error, error);
+    const unsigned int middle = samples.spins.size() / 2;
+    const Eigen::MatrixXd of_fewer = spread({ samples.spins.node(middle) }, on.halved()).front();
+    largest_mean_error =
+      std::max(largest_mean_error,
+               grids.mean_error + torque_difference(mean_of(of_fewer), mean_of(samples.columns[middle])));
     break;
   }
   return intervals.emplace(interval, std::move(samples)).first->second;
+}
+
+std::vector<Eigen::MatrixXd> PhaseLoads::spread(const std::vector<double> &omegas, const PhaseGrids &on) const
+{
+  Eigen::MatrixXd weights(on.size(), grids.size());
+  for (unsigned int i = 0; i < grids.size(); ++i)
+    weights.col(i) = on.weights(grids.phase(i));
+  const Eigen::MatrixXd rest = sample({ 0 }, on).front();
+  std::vector<Eigen::MatrixXd> columns = sample(omegas, on);
+  for (Eigen::MatrixXd &column : columns)
+    column = at_rest + (column - rest) * weights;
+  return columns;
 }
 
 double PhaseLoads::error_of(const Samples &samples) const
@@ -300,22 +339,25 @@ double PhaseLoads::error_of(const Samples &samples) const
 
 Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
 {
-  Eigen::MatrixXd sum = at_rest;
-  if (spin_unit != 0 && omega != 0)
-  {
-    const Samples &samples = samples_around(omega);
-    const Eigen::VectorXd weights = samples.spins.weights(omega);
-    sum.setZero();
-    for (unsigned int k = 0; k < samples.spins.size(); ++k)
-      sum += weights(k) * samples.columns[k];
-  }
+  if (spin_unit == 0 || omega == 0)
+    return at_rest;
+  const Samples &samples = samples_around(omega);
+  const Eigen::VectorXd weights = samples.spins.weights(omega);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(at_rest.rows(), at_rest.cols());
+  for (unsigned int k = 0; k < samples.spins.size(); ++k)
+    sum += weights(k) * samples.columns[k];
+  return sum;
+}
+
+Eigen::MatrixXd PhaseLoads::in_slip_frame(Eigen::MatrixXd columns) const
+{
   for (unsigned int i = 0; i < grids.size(); ++i)
   {
-    Eigen::VectorXd column = sum.col(i);
+    Eigen::VectorXd column = columns.col(i);
     turn(column, grids.turning_angle(grids.phase(i)));
-    sum.col(i) = column;
+    columns.col(i) = column;
   }
-  return sum;
+  return columns;
 }
 
 LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
@@ -338,7 +380,12 @@ LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
 
 LeaningLoad PhaseLoads::mean(double omega) const
 {
-  const Eigen::MatrixXd loads = at_spin(omega);
+  return mean_of(at_spin(omega));
+}
+
+LeaningLoad PhaseLoads::mean_of(const Eigen::MatrixXd &columns) const
+{
+  const Eigen::MatrixXd loads = in_slip_frame(columns);
   Eigen::VectorXd mean_column = loads.rowwise().mean();
   // Of what turns with the crests there is a mean only up to the interpolant's highest frequency, which
   // counts half; the mean of the samples would take beats for one.
@@ -365,7 +412,7 @@ LeaningLoad PhaseLoads::mean(double omega) const
 
 std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
 {
-  const Eigen::MatrixXd loads = at_spin(omega);
+  const Eigen::MatrixXd loads = in_slip_frame(at_spin(omega));
   std::vector<ring::RingStack> all;
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
     all.push_back(load_of(loads.col(i)).rings);

@@ -22,8 +22,11 @@ struct PhaseGrids
 {
   PeriodicGrid glass;
   PeriodicGrid table;
-  PhasePeriods periods; ///< with which the load repeats itself
-  double error = 0;     ///< of the load at rest between them, torque_difference()
+  PhasePeriods periods;  ///< with which the load repeats itself
+  double error = 0;      ///< of the load at rest between them, torque_difference()
+  double mean_error = 0; ///< of the mean of the load at rest
+  /// Error of what the spin adds to the load that half of the phases may leave.
+  double enough_of_spin = 1e-5;
 
   /// Whether the samples are taken without what turns with the crests (PhaseLoads).
   bool turning = false;
@@ -50,8 +53,9 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 /// to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples together, with turning samples or
 /// not, whichever is better. The error is that of half and of a quarter of the phases, measured at the others
 /// and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends, too, where
-/// twice the phases have not halved it: what is left is due to the azimuth lines. Throws std::runtime_error,
-/// with a sentence, where the error stays above that.
+/// twice the phases have not halved it: what is left is due to the azimuth lines. That of the mean is what
+/// half of the phases, of either angle, change in it. Throws std::runtime_error, with a sentence, where the
+/// error stays above 0.3 or that of the mean above 3e-2.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
 /// The worst of all sampled phases, at rest.
@@ -88,6 +92,8 @@ public:
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
   /// Largest torque_difference() from the load found halfway between samples.
   double error() const { return largest_error; }
+  /// Largest torque_difference() of mean() from what half of the phases say.
+  double mean_error() const { return largest_mean_error; }
   const PhasePeriods &periods() const { return grids.periods; }
   const PhaseExtremes &at_rest_extremes() const { return extremes; }
 
@@ -106,14 +112,18 @@ private:
   unsigned int crest_harmonic(Eigen::Index n) const;
   /// Multiplies the load harmonics of @p column with exp(i k w angle).
   void turn(Eigen::VectorXd &column, double angle) const;
-  /// A column per phase of @p on.
-  Eigen::MatrixXd sample(double omega, const PhaseGrids &on) const;
+  /// Per spin a column per phase of @p on.
+  std::vector<Eigen::MatrixXd> sample(const std::vector<double> &omegas, const PhaseGrids &on) const;
   SpinInterval find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
   /// Largest torque_difference() of @p samples from the load at phases that half the grid leaves out.
   double error_of(const Samples &samples) const;
-  /// A column per phase, in the slip frame.
+  /// Samples of the spins on the phases @p on, brought to all phases: what the spin adds is interpolated.
+  std::vector<Eigen::MatrixXd> spread(const std::vector<double> &omegas, const PhaseGrids &on) const;
+  /// A column per phase, without what turns.
   Eigen::MatrixXd at_spin(double omega) const;
+  Eigen::MatrixXd in_slip_frame(Eigen::MatrixXd columns) const;
+  LeaningLoad mean_of(const Eigen::MatrixXd &columns) const;
 
   const LoadAtPhase load;
   const PhaseGrids grids;
@@ -122,7 +132,7 @@ private:
   mutable std::size_t n_rings = 1; ///< of every sample
   const Eigen::MatrixXd at_rest;
   mutable std::map<long, Samples> intervals;
-  mutable double largest_error;
+  mutable double largest_error, largest_mean_error;
 };
 
 } // namespace stemware::pipeline

@@ -36,6 +36,14 @@ Eigen::VectorXd SpinInterval::weights(double omega) const
   return values / values.sum();
 }
 
+std::vector<double> SpinInterval::nodes() const
+{
+  std::vector<double> spins;
+  for (unsigned int i = 0; i < size(); ++i)
+    spins.push_back(node(i));
+  return spins;
+}
+
 std::vector<double> SpinInterval::between() const
 {
   std::vector<double> spins;

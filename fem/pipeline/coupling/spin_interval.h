@@ -17,6 +17,7 @@ public:
 
   unsigned int size() const { return n_steps + 1; }
   double node(unsigned int i) const { return at(i); }
+  std::vector<double> nodes() const;
   /// Weights of the nodes' values in the interpolant at @p omega. Shape [size()].
   Eigen::VectorXd weights(double omega) const;
 
