@@ -190,7 +190,7 @@ TEST(Ranks, PiecesOfThePictureHaveItsCellsOnce)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
-    const PressedFoot foot(communicator, { 24, 2, 1, 1 }, 2);
+    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // with nodes that hang on others
     return files_of(foot.body->fields(foot.solution.motion, foot.law->nodal_pressure(foot.solution)),
                     communicator);
   };
