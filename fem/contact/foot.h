@@ -65,7 +65,7 @@ struct FootCapabilities
 /// A file of a result, still in memory.
 struct FieldFile
 {
-  std::string name; ///< "contact.vtu"
+  std::string name; ///< "contact.vtu"; on several ranks "contact_0.vtu" ... and "contact.pvtu"
   std::string text;
 };
 

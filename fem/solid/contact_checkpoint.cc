@@ -47,7 +47,7 @@ bool is_first_rank()
 
 std::string header_of(const std::string &problem)
 {
-  return "stemware checkpoint 1\nranks " + std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
+  return "stemware checkpoint 2\nranks " + std::to_string(Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) +
          "\n" + problem + "\n";
 }
 

@@ -17,15 +17,16 @@ class ContactCheckpoint
 {
 public:
   /// @p folder is made where it does not exist. @p problem is all that the solve depends on: files of another
-  /// problem, or of another number of ranks, are no checkpoint of this one. Throws std::invalid_argument when
-  /// the folder cannot be made.
+  /// problem, of another number of ranks, or of a program that saves something else, are no checkpoint of
+  /// this one. Throws std::invalid_argument when the folder cannot be made.
   ContactCheckpoint(const std::filesystem::path &folder, const std::string &problem);
 
   /// Replaces what was saved before. Throws std::runtime_error when it cannot be written.
   void save(const SolidBody &body, const ContactStart &start);
 
   /// Gives @p body the state that was saved of it, and where its solve goes on; nothing, and the body as it
-  /// is, where none was or it was of another mesh.
+  /// is, where none was or it was of another mesh. Throws std::runtime_error on all ranks where the file of
+  /// one of them is missing or not as long as it was.
   std::optional<ContactStart> restore(SolidBody &body);
 
   /// Removes the files: the solve has ended.
@@ -35,7 +36,7 @@ private:
   std::filesystem::path state_file(unsigned long number, unsigned int rank) const;
 
   const std::filesystem::path folder;
-  const std::string header; ///< problem and number of ranks
+  const std::string header; ///< what is saved, number of ranks and problem
   unsigned long number = 0; ///< of the last state
 };
 

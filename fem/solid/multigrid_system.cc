@@ -28,6 +28,10 @@ constexpr double unbalanced_share = 2e-10;
 /// iterations.
 constexpr double least_reduction = 1e-3;
 
+/// A Newton step that would come this close to the last target is solved as far as that: a few iterations
+/// more are less than another step.
+constexpr double nearly_last = 30;
+
 /// How well W has to solve its equations where it only helps to precondition, and where the conditions on the
 /// forces are closed with it.
 constexpr double loose_border = 0.02;
@@ -302,7 +306,9 @@ double MultigridSystem::target_residual(double residual, double force)
   // As exact as the step before was good: what a Newton step cannot keep is not worth solving for.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
-  return std::max(std::min(least_reduction, ratio * ratio) * residual, unbalanced_share * force);
+  const double target = std::min(least_reduction, ratio * ratio) * residual;
+  const double last_target = unbalanced_share * force;
+  return target < nearly_last * last_target ? last_target : target;
 }
 
 NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangent,

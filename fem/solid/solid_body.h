@@ -7,7 +7,7 @@
 #include <functional>
 #include <iosfwd>
 #include <memory>
-#include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -43,6 +43,7 @@ struct SolidOptions
 };
 
 class SolidSystem;
+struct FieldFile;
 
 /// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks.
 class SolidBody : public ElasticBody
@@ -77,10 +78,11 @@ public:
   /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
   double contact_cell_size() const;
 
-  /// The fields as one VTU file, on the first rank; empty on the others: displacement [m] in the slip frame
-  /// with the table at rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact
-  /// pressure [Pa] of @p nodal_pressure.
-  std::string vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
+  /// The fields in files that this rank has to write: displacement [m] in the slip frame with the table at
+  /// rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of
+  /// @p nodal_pressure. On one rank contact.vtu; on several contact_<rank>.vtu with the cells of that rank,
+  /// of each that has some, and on the first contact.pvtu, which names them.
+  std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
   /// SolidOptions::linear_tolerance from now on; without effect on other linear solvers.
   void set_linear_tolerance(double tolerance);

@@ -281,10 +281,7 @@ std::vector<FieldFile> SolidFoot::fields(const ContactState &state)
 {
   const ContactSolution solution = in_mesh_axes(state);
   require_latest(body, solution);
-  std::string text = body.vtu_file(solution.motion, law->nodal_pressure(solution));
-  if (text.empty()) // not on the first rank
-    return {};
-  return { { "contact.vtu", std::move(text) } };
+  return body.fields(solution.motion, law->nodal_pressure(solution));
 }
 
 } // namespace stemware::fem

@@ -1,4 +1,5 @@
 // Fields of a solid foot for ParaView.
+#include "fem/contact/foot.h"
 #include "fem/solid/solid_system.h"
 
 #include <deal.II/base/mpi.h>
@@ -91,30 +92,54 @@ private:
   const Eigen::Vector3d motion;
 };
 
-/// One file of all ranks' cells, on the first rank. A rank without cells has no piece of its own, which
-/// ParaView could not read.
-std::string gathered_vtu(const DataOut<3> &data_out, const DataOutBase::VtkFlags &flags,
-                         MPI_Comm communicator)
+std::string vtu_text(const DataOut<3> &data_out)
 {
-  std::ostringstream header, footer, mine;
-  DataOutBase::write_vtu_header(header, flags);
-  DataOutBase::write_vtu_footer(footer);
-  data_out.write_vtu(mine);
-  const std::string file = mine.str();
-  const std::size_t begin = header.str().size();
-  const std::string piece = file.substr(begin, file.size() - begin - footer.str().size());
-  const bool has_cells = piece.find("NumberOfCells=\"0\"") == std::string::npos;
-  const std::vector<std::string> pieces =
-    Utilities::MPI::gather(communicator, has_cells ? piece : std::string());
-  std::string whole;
-  for (const std::string &one : pieces)
-    whole += one;
-  return pieces.empty() ? "" : header.str() + whole + footer.str();
+  std::ostringstream text;
+  data_out.write_vtu(text);
+  return text.str();
+}
+
+std::string name_of_piece(unsigned int rank)
+{
+  return "contact_" + std::to_string(rank) + ".vtu";
+}
+
+/// @p record without the comment in which deal.II puts the time: equal runs give equal files.
+std::string without_comment(std::string record)
+{
+  const std::string begin = "<!--", end = "-->\n";
+  const std::size_t first = record.find(begin);
+  if (first != std::string::npos)
+    record.erase(first, record.find(end, first) + end.size() - first);
+  return record;
+}
+
+/// What this rank has to write of a picture that several ranks have parts of. A rank without cells writes no
+/// piece, which ParaView could not read.
+std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, bool has_cells,
+                                       const MPI_Comm &communicator)
+{
+  std::vector<FieldFile> files;
+  if (has_cells)
+    files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), vtu_text(data_out) });
+  const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, has_cells);
+  std::vector<std::string> pieces;
+  for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // none but on the first
+    if (have_cells[rank])
+      pieces.push_back(name_of_piece(rank));
+  if (!pieces.empty())
+  {
+    std::ostringstream record;
+    data_out.write_pvtu_record(record, pieces);
+    files.push_back({ "contact.pvtu", without_comment(record.str()) });
+  }
+  return files;
 }
 
 } // namespace
 
-std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const
+std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
+                                         const Eigen::VectorXd &nodal_pressure) const
 {
   const DoFHandler<3> &dof_handler = system->dofs();
   const LinearAlgebra::distributed::Vector<double> displacement = system->displacement_for_output();
@@ -138,7 +163,13 @@ std::string SolidBody::vtu_file(const Eigen::Vector3d &motion, const Eigen::Vect
   data_out.add_data_vector(dof_handler, displacement, stress);
   data_out.add_data_vector(dof_handler, pressure, contact_pressure);
   data_out.build_patches(system->mapping(), dof_handler.get_fe().degree, DataOut<3>::curved_inner_cells);
-  return gathered_vtu(data_out, flags, dof_handler.get_communicator());
+  const MPI_Comm &communicator = dof_handler.get_communicator();
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return { { "contact.vtu", vtu_text(data_out) } };
+  bool has_cells = false;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    has_cells = has_cells || cell->is_locally_owned();
+  return pieces_on_ranks(data_out, has_cells, communicator);
 }
 
 } // namespace stemware::fem

@@ -3,14 +3,16 @@
 //   multigrid_benchmark [name=value]...
 //
 // cells=48,2,2 (round the rim, across the land, through the foot, of the coarsest mesh), refinements=2,
-// degree=2, crown=0.003 (0: a flat land of 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a
-// hard one), edge=0 (halvings of the land's inner side), modulus=1e11, moment=1.3, tolerance=1e-8 (of the
-// linear solve).
+// land=0 (further halvings of the land), edge=0 (of its inner side), degree=2, crown=0.003 (0: a flat land of
+// 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a hard one), modulus=1e11, moment=1.3,
+// tolerance=1e-8 (of the linear solve), compare=no|yes (with the body of revolution).
+#include "fem/contact/hard_interface.h"
 #include "fem/contact/load_harmonics.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/matrix_free/elastic_operator.h"
+#include "fem/revolution/revolution_foot.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 #include "tests/benchmark/solid_benchmark.h"
@@ -32,6 +34,7 @@ struct Case
   double softening = 1; ///< see start_from_coarser_mesh()
   Resultants load;
   double tolerance = 1e-8; ///< of the linear solve that is timed
+  bool compares = false;
 };
 
 Case read_case(int argc, char **argv)
@@ -47,7 +50,8 @@ Case read_case(int argc, char **argv)
                              { "table", "winkler" },
                              { "modulus", "1e11" },
                              { "moment", "1.3" },
-                             { "tolerance", "1e-8" } });
+                             { "tolerance", "1e-8" },
+                             { "compare", "no" } });
   Case study;
   const std::vector<unsigned int> cells = values.counts("cells");
   study.resolution = { cells.at(0),          cells.at(1),         cells.at(2), values.count("refinements"),
@@ -66,8 +70,30 @@ Case read_case(int argc, char **argv)
     study.interface = std::make_shared<WinklerInterface>(values.number("modulus"));
   const double weight = 0.3 * 9.81;
   study.tolerance = values.number("tolerance");
+  study.compares = values.text("compare") == "yes";
   study.load = { weight, 0, -values.number("moment") * weight * study.profile.contact_radius / 2 };
   return study;
+}
+
+/// Largest difference of a_2 ... a_8 over a_0 to a body of revolution, whose mesh, degree, harmonics and
+/// lines are finer than usual.
+double distance_from_revolution(const Case &study, const LoadHarmonics &load)
+{
+  RevolutionSetup setup;
+  setup.profile = study.profile;
+  setup.table.interface = study.softening == 1 ? study.interface : std::make_shared<HardInterface>();
+  setup.meridian.degree = 3;
+  setup.meridian.n_harmonics = 24;
+  setup.resolution.refinements = 1;
+  setup.n_lines = 512;
+  ContactDemand demand = study.load;
+  demand.n_harmonics = 8;
+  const LoadHarmonics expected =
+    RevolutionFoot(setup.resolved_for(study.load.normal_force)).solve(demand).load;
+  double largest = 0;
+  for (unsigned int n = 2; n <= 8; ++n)
+    largest = std::max(largest, std::abs(load.a[0][n] - expected.a[0][n]) / expected.a[0][0]);
+  return largest;
 }
 
 template <typename Number>
@@ -146,6 +172,9 @@ void run(const Case &study)
   const SolidLevel level(alias, study.options.degree, study.options.degree);
   say("operator: {:.1f} million unknowns/s in double, ", n / operator_seconds<double>(level, glass) / 1e6);
   say("{:.1f} in float\n", n / operator_seconds<float>(level, glass) / 1e6);
+  if (study.compares)
+    say("largest difference to the body of revolution, n = 2 ... 8: {:.1e}\n",
+        distance_from_revolution(study, load));
 }
 
 } // namespace

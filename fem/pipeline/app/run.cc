@@ -49,8 +49,8 @@ void run(const StudyOptions &options)
 
   // 3. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
-  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : Results(), folder,
-          stopwatch);
+  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : own_fields(report),
+          folder, stopwatch);
 }
 
 } // namespace
@@ -86,7 +86,9 @@ are replaced.
   torque.dat         tau_z, T_x, T_y against the spin
   spin_up.dat        the spin against time
   truncation.dat     the answer after 1, 2, 3, 4, 6, 8 ... harmonics
-  contact_history.dat, fields/contact.vtu, timings.json)");
+  contact_history.dat, timings.json
+  fields/contact.vtu displacement, stress and pressure for ParaView; under mpirun contact.pvtu and
+                     a contact_0.vtu, contact_1.vtu ... of each rank)");
   verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 

@@ -29,8 +29,9 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
-  // The fields are those of the state solved last.
-  report.fields = foot.body().fields(foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest);
+  // The fields are those of the state solved last. A foot that every rank has is written by the first.
+  if (is_first_rank() || foot.body().capabilities().is_collective)
+    report.fields = foot.body().fields(foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest);
   if (is_first_rank())
     report.section = foot_section(study);
   return report;

@@ -40,7 +40,7 @@ struct FootReport
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
   fem::PressureMap footprint;                    ///< at rest
-  std::vector<fem::FieldFile> fields = {};       ///< of the state at rest; this rank's
+  std::vector<fem::FieldFile> fields = {};       ///< of the state at rest; those that this rank writes
   std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
 };
 

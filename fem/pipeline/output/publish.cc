@@ -60,6 +60,8 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
 void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
              ResultsFolder &folder, Stopwatch &stopwatch)
 {
+  // The folder is whole before it gets its name.
+  on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   on_first_rank(
     [&]
     {

@@ -1,9 +1,11 @@
 #include "fem/pipeline/output/results.h"
 
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <fmt/format.h>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -41,15 +43,25 @@ ReportSection file_section(const std::vector<ResultFile> &files)
   return section;
 }
 
+void write_fields(const std::vector<fem::FieldFile> &fields, const std::filesystem::path &folder)
+{
+  if (fields.empty())
+    return;
+  std::error_code error;
+  std::filesystem::create_directory(folder / "fields", error); // another rank may have been faster
+  if (error)
+    throw OutputFailure(fmt::format(FMT_STRING("The folder fields of the results cannot be made ({}); choose "
+                                               "a folder that all ranks can write to with --output."),
+                                    error.message()));
+  for (const fem::FieldFile &field : fields)
+    write_text_file(folder / "fields" / field.name, field.text);
+}
+
 void write_results(const Results &results, const std::filesystem::path &folder, Stopwatch &stopwatch)
 {
   for (const ResultFile &file : results.files)
     if (!std::holds_alternative<std::monostate>(file.content))
       write_text_file(folder / file.name, text_of(file));
-  if (!results.fields.empty())
-    std::filesystem::create_directory(folder / "fields");
-  for (const fem::FieldFile &field : results.fields)
-    write_text_file(folder / "fields" / field.name, field.text);
   stopwatch.finish("tables");
   write_report(results.report, folder);
   stopwatch.finish("report");

@@ -47,15 +47,18 @@ struct Results
   Report report;
   std::vector<ResultFile> files;
   std::vector<ConsoleBlock> console;
-  std::vector<fem::FieldFile> fields = {}; ///< for fields/
+  std::vector<fem::FieldFile> fields = {}; ///< for fields/, those that this rank writes
   Findings findings;                       ///< for summary.json and --json
 };
 
 /// The "Files" at the end of a report: those of @p files that have a description.
 ReportSection file_section(const std::vector<ResultFile> &files);
 
-/// Writes the files with content and the fields, then report.html and its plots, into @p folder. Ends the
-/// stages "tables" and "report" of @p stopwatch. Throws OutputFailure. One rank only.
+/// Writes @p fields into fields/ of @p folder, which all ranks see. Throws OutputFailure.
+void write_fields(const std::vector<fem::FieldFile> &fields, const std::filesystem::path &folder);
+
+/// Writes the files with content, then report.html and its plots, into @p folder. Ends the stages "tables"
+/// and "report" of @p stopwatch. Throws OutputFailure. One rank only.
 void write_results(const Results &results, const std::filesystem::path &folder, Stopwatch &stopwatch);
 
 /// The blocks, an empty line before each and after the last.

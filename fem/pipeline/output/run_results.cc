@@ -363,9 +363,9 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
                       footprint_text(foot->footprint) });
     files.push_back(
       { "contact_history.dat", "Newton steps of the contact", history_table(foot->at_rest.history) });
-    const auto is_whole = [](const fem::FieldFile &file) { return file.name == "contact.vtu"; };
-    if (std::any_of(foot->fields.begin(), foot->fields.end(), is_whole))
-      files.push_back({ "fields/contact.vtu", "displacement, stress and contact pressure for ParaView" });
+    for (const fem::FieldFile &file : foot->fields)
+      if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+        files.push_back({ "fields/" + file.name, "displacement, stress and contact pressure for ParaView" });
   }
   files.push_back({ "timings.json", "how long it took" });
   return files;
@@ -415,6 +415,13 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   steps.rows = named_steps(spin.budget.rows);
   results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };
   results.findings = findings_of(study, report, spin, bands, goal);
+  results.fields = own_fields(report).fields;
+  return results;
+}
+
+Results own_fields(const ContactReport &report)
+{
+  Results results;
   if (report.foot)
     results.fields = report.foot->fields;
   return results;

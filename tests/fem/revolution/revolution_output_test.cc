@@ -4,7 +4,7 @@
 #include "fem/revolution/revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/revolution/revolution_case.h"
-#include "tests/fem/revolution/vtu_file.h"
+#include "tests/fem/vtu_file.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -17,6 +17,7 @@ namespace
 
 using namespace stemware::revolution_tests;
 using stemware::fem_tests::FootCase;
+using stemware::fem_tests::VtuFile;
 
 VtuFile picture_of(RevolutionFoot &foot, const ContactState &state)
 {
@@ -165,7 +166,8 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   FootCase solid(profile, { 24, 4, 2 });
   const auto mat = make_law(WinklerInterface(1e10), solid.body->contact_surface());
   solid.solve(*mat, load);
-  const VtuFile expected(solid.body->vtu_file(solid.solution.motion, mat->nodal_pressure(solid.solution)));
+  const VtuFile expected(
+    solid.body->fields(solid.solution.motion, mat->nodal_pressure(solid.solution)).front().text);
 
   // Nodes that both pictures have, in micrometres. On the land, half a millimetre away from its corners, the
   // stresses of both are smooth.

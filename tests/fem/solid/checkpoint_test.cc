@@ -10,7 +10,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <sstream>
 #include <unistd.h>
+#include <vector>
 
 using namespace stemware::fem_tests;
 namespace fs = std::filesystem;
@@ -95,21 +98,50 @@ TEST(Checkpoint, IsOfItsOwnProblemOnly)
   EXPECT_EQ(crowned_foot(folder.name).solve(load_at(1.2), { -10, {} }).history.front().number, 1u);
 }
 
-TEST(Checkpoint, DamagedOrImpossibleIsSaid)
+TEST(Checkpoint, OfAnotherVersionIsNotUsed)
 {
   const CheckpointFolder folder;
   solve_and_stop(folder.name, 2);
-  MPI_Barrier(MPI_COMM_WORLD);
-  for (const auto &item : fs::directory_iterator(folder.name))
-    if (item.path().filename().string().substr(0, 5) == "state")
-    {
-      std::error_code ignored;
-      fs::resize_file(item.path(), 100, ignored);
-    }
-  MPI_Barrier(MPI_COMM_WORLD);
-  SolidFoot foot = crowned_foot(folder.name);
-  EXPECT_THROW(foot.solve(load_at(1.3), { -10, {} }), std::runtime_error);
+  // What is said of the state is that of an older program, what is in it is not.
+  const fs::path latest = fs::path(folder.name) / "latest";
+  std::ostringstream content;
+  content << std::ifstream(latest).rdbuf();
+  const std::string present = "stemware checkpoint 2\n", text = content.str();
+  ASSERT_EQ(text.substr(0, present.size()), present);
+  std::ofstream(latest) << "stemware checkpoint 1\n" << text.substr(present.size());
+  EXPECT_EQ(crowned_foot(folder.name).solve(load_at(1.3), { -10, {} }).history.front().number, 1u);
+}
 
+TEST(Checkpoint, CutShortLongerOrWithoutItsStateIsSaid)
+{
+  const auto cut_to_100 = [](const fs::path &file) { fs::resize_file(file, 100); };
+  const auto cut_by_1 = [](const fs::path &file) { fs::resize_file(file, fs::file_size(file) - 1); };
+  const auto longer_by_1 = [](const fs::path &file) { fs::resize_file(file, fs::file_size(file) + 1); };
+  const auto removed = [](const fs::path &file) { fs::remove(file); };
+  for (const std::function<void(const fs::path &)> &damage :
+       std::vector<std::function<void(const fs::path &)>>{ cut_to_100, cut_by_1, longer_by_1, removed })
+  {
+    const CheckpointFolder folder;
+    solve_and_stop(folder.name, 1);
+    for (const auto &item : fs::directory_iterator(folder.name))
+      if (item.path().filename() != "latest")
+        damage(item.path());
+    SolidFoot foot = crowned_foot(folder.name);
+    try
+    {
+      foot.solve(load_at(1.3), { -10, {} });
+      ADD_FAILURE() << "a damaged checkpoint was used";
+    }
+    catch (const std::runtime_error &error)
+    {
+      EXPECT_EQ(error.what(), "The checkpoint in " + folder.name + " is damaged; remove it to begin anew.");
+    }
+  }
+}
+
+TEST(Checkpoint, IsRefusedWhereThereIsNone)
+{
+  const CheckpointFolder folder;
   SolidSetup direct;
   direct.checkpoint_folder = folder.name;
   direct.table.interface = std::make_shared<HardInterface>();

@@ -293,6 +293,40 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   expect_same_harmonics(alone, read_summary(scratch / "together"), 1e-9);
   // Printed once, not once per rank.
   EXPECT_EQ(ended.out.find("Results"), ended.out.rfind("Results"));
+  // Each rank has written the fields of its own cells, and the report names the file that names them all.
+  const std::vector<std::string> pieces = { "contact_0.vtu", "contact_1.vtu" };
+  EXPECT_EQ(names_in(scratch / "together/fields"),
+            (std::vector<std::string>{ "contact.pvtu", pieces[0], pieces[1] }));
+  const auto n_cells = [&](const std::string &file)
+  {
+    const std::string text = read_text(scratch / file), count = "NumberOfCells=\"";
+    return std::stoi(text.substr(text.find(count) + count.size()));
+  };
+  for (const std::string &piece : pieces)
+    EXPECT_GT(n_cells("together/fields/" + piece), 0);
+  EXPECT_EQ(n_cells("together/fields/" + pieces[0]) + n_cells("together/fields/" + pieces[1]),
+            n_cells("alone/fields/contact.vtu"));
+  const std::string report = read_text(scratch / "together/report.html");
+  EXPECT_NE(report.find("fields/contact.pvtu"), std::string::npos);
+  EXPECT_EQ(report.find("fields/contact.vtu"), std::string::npos);
+}
+
+TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
+{
+  const ScratchFolder scratch;
+  scratch.write("coarse.prm", coarse_study());
+  // Only its fields are written by the second rank.
+  const std::string command = std::string(STEMWARE_PROGRAM) + " run coarse.prm";
+  const Ended ended =
+    RunningProgram({ STEMWARE_MPIEXEC, "--mca", "btl", "self,tcp", "-n", "1", "/bin/sh", "-c",
+                     "exec " + command, ":", "-n", "1", "/bin/sh", "-c", "ulimit -f 4; exec " + command },
+                   scratch.path())
+      .end();
+  EXPECT_EQ(ended.exit_code, 3) << ended.err;
+  const std::string sentence = "stemware: The file contact_1.vtu of the results cannot be written";
+  EXPECT_NE(ended.err.find(sentence), std::string::npos) << ended.err;
+  EXPECT_EQ(ended.err.find(sentence), ended.err.rfind(sentence)) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
 }
 
 TEST(ContactRun, NeedsNoSsh)

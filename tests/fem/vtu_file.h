@@ -8,7 +8,7 @@
 #include <vector>
 #include <zlib.h>
 
-namespace stemware::revolution_tests
+namespace stemware::fem_tests
 {
 
 /// The arrays of a VTU file of one piece: as much of the format as deal.II writes (zlib-compressed base64).
@@ -102,4 +102,4 @@ private:
   std::map<std::string, std::vector<double>> numbers;
 };
 
-} // namespace stemware::revolution_tests
+} // namespace stemware::fem_tests
