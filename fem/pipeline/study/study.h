@@ -16,7 +16,6 @@
 
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -113,9 +112,6 @@ enum class Goal
   a2,    ///< a_2 / a_0 at rest
   torque ///< at half the terminal spin
 };
-
-/// The goals by the words of Contact/Goal.
-std::vector<std::pair<std::string, Goal>> goal_words();
 
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection
