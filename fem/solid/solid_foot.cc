@@ -83,7 +83,7 @@ std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const 
     return setup.table.interface;
   const double nu = setup.material.poisson_ratio;
   const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
-  return std::make_shared<WinklerInterface>(hardness * setup.material.young_modulus /
+  return std::make_shared<WinklerInterface>(setup.hardness * hardness * setup.material.young_modulus /
                                             ((1 - nu * nu) * width));
 }
 
