@@ -3,7 +3,10 @@
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/study/study_size.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -118,8 +121,34 @@ std::optional<Study> on_coarser_mesh(const Study &study)
   return coarse;
 }
 
-std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &foot)
+/// Half-width of the contact [m].
+double half_width(const LoadReport &load)
 {
+  return (load.outer_radius - load.inner_radius) / 2;
+}
+
+/// How much more an interface yields that has the indentation of the glass which cells of size @p cell do not
+/// know: of a band of half-width b < cell under a line load p, 2 (1 - nu^2) / (pi E) p ln(cell / b), beside
+/// its own p / (2 b k) (the logarithm of a line contact: Johnson, Contact Mechanics, 1985, section 4.2).
+double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
+{
+  const double b = half_width(load), nu = study.glass.material.poisson_ratio;
+  const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
+  const double indentation = 2 * (1 - nu * nu) /
+                             (boost::math::double_constants::pi * study.glass.material.young_modulus) *
+                             std::log(cell / b);
+  return 1 + indentation * 2 * b * study.table.make().interface->stiffness_at(pressure);
+}
+
+std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &foot,
+                                         const LoadReport &at_rest)
+{
+  const double cell = foot.body().description().contact_cell_size;
+  // A flat land touches with its edges, at which a generated mesh has smaller cells.
+  const bool is_round = !given.contact.mesh_file.empty() || given.glass.profile.crown_radius > 0;
+  const bool is_narrow = is_round && half_width(at_rest) < cell;
+  if (is_narrow && given.table.is_hard())
+    return {};
   Study study = given;
   study.contact.checkpoint_folder.clear();
   const auto is_affordable = [](const Study &finer)
@@ -140,22 +169,29 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
     changes.push_back({ "degree", usual_factor, quadratic, "" });
   if (changes.empty())
     return {};
-  if (has_spring_for_hard_table(study))
-  {
-    const bool coarse_has_one = coarse && has_spring_for_hard_table(*coarse);
-    changes.push_back(
-      { "interface", 2, changed(coarse_has_one ? *coarse : study, harden), coarse_has_one ? "mesh" : "" });
-  }
+  const Study &cheapest = coarse ? *coarse : study;
+  const std::string as_cheapest = coarse ? "mesh" : "";
+  // Each halving adds as much to a narrow contact's indentation as the one before.
+  if (is_narrow)
+    changes.push_back({ "mesh", usual_factor,
+                        changed(cheapest, [&](ContactSection &contact)
+                                { contact.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
+                        as_cheapest, false, true });
+  if (has_spring_for_hard_table(cheapest))
+    changes.push_back({ "interface", 2, changed(cheapest, harden), as_cheapest });
+  else if (has_spring_for_hard_table(study))
+    changes.push_back({ "interface", 2, changed(study, harden), "" });
   add_gathering(study, foot, changes);
   return changes;
 }
 
 } // namespace
 
-std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, bool is_full)
+std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
+                                     bool is_full)
 {
   return abilities(study.contact.body).is_of_revolution ? changes_of_revolution(study, foot, is_full)
-                                                        : changes_of_solid(study, foot);
+                                                        : changes_of_solid(study, foot, at_rest);
 }
 
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
 
@@ -22,8 +23,10 @@ struct BandChange
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings
-/// chosen. @p is_full: the whole rim carries load. Empty where no other mesh would tell: that of linear
-/// elements from a file, when quadratic ones would exceed Contact/Memory limit.
-std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, bool is_full);
+/// chosen, @p at_rest its load at rest. @p is_full: the whole rim carries load. Empty where no other mesh
+/// would tell: for a solid foot whose contact on a hard table is narrower than its cells, and for one of
+/// linear elements from a file when quadratic ones would exceed Contact/Memory limit.
+std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
+                                     bool is_full);
 
 } // namespace stemware::pipeline

@@ -183,7 +183,8 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 {
   const Probe probe = probe_of(study, *foot, all.terminal->omega, first);
   const Findings own = look(study, foot, probe);
-  const std::vector<BandChange> changes = band_changes(study, *foot, carries_all_round(all, own.at_rest));
+  const std::vector<BandChange> changes =
+    band_changes(study, *foot, own.at_rest, carries_all_round(all, own.at_rest));
   if (changes.empty())
     return {};
   const auto quantities = [&](const Findings &found)
