@@ -37,8 +37,9 @@ void harden(ContactSection &contact)
   contact.hardness *= 10;
 }
 
-/// Of rings and their harmonics, which a foot of either kind has.
-void add_gathering(const Study &study, const ElasticFoot &foot, std::vector<BandChange> &changes)
+/// Other rings and harmonics under the same foot.
+void add_gathering(const Study &study, const ElasticFoot &foot, unsigned int rings,
+                   std::vector<BandChange> &changes)
 {
   const auto add = [&](const std::string &part, const Setting &change) {
     changes.push_back({ part, usual_factor, changed(study, change), "", true });
@@ -46,14 +47,11 @@ void add_gathering(const Study &study, const ElasticFoot &foot, std::vector<Band
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
   add("load_harmonics", [=](ContactSection &contact)
       { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
-  add("rings",
-      [](ContactSection &contact)
-      {
-        constexpr unsigned int enough = 5, most = 12;
-        const unsigned int n = contact.rings;
-        contact.rings = n == 1 ? enough : n <= most ? 2 * n : n / 2;
-      });
+  add("rings", [=](ContactSection &contact) { contact.rings = rings; });
 }
+
+/// As many as are enough everywhere but next to slip ratio 1.
+constexpr unsigned int usual_rings = 5;
 
 std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)
 {
@@ -89,7 +87,9 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
                         changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }), "" });
   if (study.table.is_hard())
     changes.push_back({ "interface", 1.5, changed(study, harden), "" });
-  add_gathering(study, foot, changes);
+  constexpr unsigned int most = 12;
+  const unsigned int n = study.contact.rings;
+  add_gathering(study, foot, n == 1 ? usual_rings : n <= most ? 2 * n : n / 2, changes);
   return changes;
 }
 
@@ -181,7 +181,10 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
     changes.push_back({ "interface", 2, changed(cheapest, harden), as_cheapest });
   else if (has_spring_for_hard_table(study))
     changes.push_back({ "interface", 2, changed(study, harden), "" });
-  add_gathering(study, foot, changes);
+  // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
+  // those of the rings extrapolated, more rings would show rounding.
+  const unsigned int n = study.contact.rings;
+  add_gathering(study, foot, n <= 2 ? usual_rings : n - 1, changes);
   return changes;
 }
 

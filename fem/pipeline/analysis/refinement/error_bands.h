@@ -27,7 +27,7 @@ namespace stemware::pipeline
 ///   lines           four times the azimuth lines; nothing where the whole rim carries; not of a solid foot
 ///   interface       a ten times stiffer spring in the place of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
-///   rings           twice the rings, five instead of one
+///   rings           twice the rings, five instead of one; under a solid foot one less
 ///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///
