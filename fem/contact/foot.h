@@ -48,6 +48,7 @@ struct FootDescription
   unsigned int n_unknowns = 0;         ///< of the finite-element system, or displacement harmonics
   unsigned int n_contact_nodes = 0;
   std::optional<MeshReport> mesh_report; ///< of a mesh file
+  double contact_cell_size = 0; ///< of a three-dimensional mesh: smallest extent of a contact cell [m]
 };
 
 /// What a foot can do, to be asked instead of its kind.

@@ -80,10 +80,10 @@ std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const 
     throw std::invalid_argument("A solid foot cannot stand on an elastic substrate; take a rigid one, or the "
                                 "foot as a body of revolution.");
   if (!is_spring(setup, body))
-    return setup.table.interface;
+    return setup.hardness < 1 ? setup.table.interface->softened(1 / setup.hardness) : setup.table.interface;
   const double nu = setup.material.poisson_ratio;
   const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
-  return std::make_shared<WinklerInterface>(hardness * setup.material.young_modulus /
+  return std::make_shared<WinklerInterface>(setup.hardness * hardness * setup.material.young_modulus /
                                             ((1 - nu * nu) * width));
 }
 
@@ -137,6 +137,7 @@ FootDescription SolidFoot::description() const
   description.n_unknowns = body.n_unknowns();
   description.n_contact_nodes = n_contact_nodes;
   description.mesh_report = mesh.report;
+  description.contact_cell_size = body.contact_cell_size();
   return description;
 }
 

@@ -48,6 +48,7 @@ struct SolidSetup
   /// mu at |v_rel| / v where it depends on the slip; empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
+  double hardness = 1; ///< of a hard interface's spring over the usual; below 1 of any interface over its own
   /// Folder for the state of the solve at work (ContactCheckpoint); empty: none is kept.
   std::string checkpoint_folder;
   std::string problem; ///< text that no other setup and mesh share, for the checkpoint

@@ -42,7 +42,7 @@ void compare(const StudyOptions &options)
 
   // 2. Every moment balance on every load.
   fem::ComplianceCache cache;
-  const Study study = meshed_for_goal(given, cache, progress);
+  const Study study = mesh_for_goal(given, cache, progress).study;
   const Comparison comparison =
     compare_models(study, announced_foot(study, cache, progress), cache, progress);
 

@@ -41,7 +41,7 @@ void converge(const ConvergeOptions &options)
 
   // 2. The study itself, then all other levels.
   fem::ComplianceCache cache;
-  const Study study = meshed_for_goal(given, cache, progress);
+  const Study study = mesh_for_goal(given, cache, progress).study;
   if (study.contact.goal != Goal::none)
   {
     // Meshes of other cells have other cells to halve.

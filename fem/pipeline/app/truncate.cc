@@ -39,7 +39,7 @@ void truncate(const TruncateOptions &options)
 
   // 2. The load of all harmonics, and the glass on fewer and fewer of them.
   fem::ComplianceCache cache;
-  const Study study = meshed_for_goal(given, cache, progress);
+  const Study study = mesh_for_goal(given, cache, progress).study;
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);

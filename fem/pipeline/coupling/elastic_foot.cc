@@ -23,6 +23,14 @@ void ElasticFoot::set_rings(std::vector<double> new_radii, unsigned int n_harmon
   highest = std::min(n_harmonics, foot->n_resolved_harmonics());
 }
 
+ElasticFoot ElasticFoot::without_rings() const
+{
+  ElasticFoot same = *this;
+  same.set_rings({}, foot->n_resolved_harmonics());
+  same.placed = false;
+  return same;
+}
+
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip,
                                      Progress &progress) const
 {

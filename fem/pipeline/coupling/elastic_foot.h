@@ -29,6 +29,8 @@ public:
   unsigned int n_harmonics() const { return highest; }
   void set_rings(std::vector<double> new_radii, unsigned int n_harmonics);
   bool has_rings() const { return placed; }
+  /// This foot before set_rings(): the same body, whose loads are to be gathered on other rings.
+  ElasticFoot without_rings() const;
 
   /// The contact that carries @p demand at @p slip, on the rings of ring_radii(), from the solution before;
   /// Newton's steps go to @p progress. Throws fem::ContactFailure.

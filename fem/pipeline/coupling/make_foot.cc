@@ -88,6 +88,7 @@ fem::SolidSetup solid_setup(const Study &study)
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
   setup.options.linear_solver = study.contact.linear_solver;
+  setup.hardness = study.contact.hardness;
   if (study.model.friction_in_foot)
     set_friction(study, setup);
   setup.checkpoint_folder = study.contact.checkpoint_folder;
@@ -126,6 +127,17 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
 bool has_focused_mesh(const Study &study)
 {
   return abilities(study.contact.body).is_of_revolution && revolution_setup(study).resolution.has_focus();
+}
+
+bool has_spring_for_hard_table(const Study &study)
+{
+  const ContactSection &contact = study.contact;
+  if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
+    return study.table.is_hard();
+  const bool has_halved_edge =
+    contact.mesh_file.empty() && fem::edge_halvings_for(study.glass.profile, true, contact.linear_solver) > 0;
+  return contact.linear_solver != fem::LinearSolver::direct &&
+         (contact.refinements > 0 || has_halved_edge || !contact.halved.empty());
 }
 
 std::vector<fem::SectionPolygon> foot_section(const Study &study)

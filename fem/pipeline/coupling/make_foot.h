@@ -25,4 +25,8 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study);
 /// Whether the meridional mesh of @p study has smaller cells where the contact is expected.
 bool has_focused_mesh(const Study &study);
 
+/// Whether the foot of @p study feels a hard table by a stiff spring, ContactSection::hardness; a solid foot
+/// on a mesh without a hierarchy has nodal multipliers.
+bool has_spring_for_hard_table(const Study &study);
+
 } // namespace stemware::pipeline

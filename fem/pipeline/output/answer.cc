@@ -104,12 +104,9 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
 /// Why a contact's spin stands without a band.
 std::string no_band_sentence(const Study &study)
 {
-  if (!study.load.is_from_contact())
-    return "";
-  return study.contact.body == BodyKind::revolution
-           ? "It has no band: one of the contacts that would tell, coarser, finer or stiffer, did not "
-             "converge."
-           : "It has no band here: stemware converge refines a solid body.";
+  return study.load.is_from_contact() ? "It has no band: one of the contacts that would tell, coarser, finer "
+                                        "or stiffer, could not be had."
+                                      : "";
 }
 
 /// What no band contains, with its sizes.

@@ -4,6 +4,7 @@
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/driven_spin.h"
+#include "fem/pipeline/output/goal_results.h"
 #include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
@@ -117,22 +118,6 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
            { "interpolation_error", json_number(coupling->interpolation_error) } };
 }
 
-/// Of a study whose foot has a mesh for its goal.
-Json goal_summary(const GoalOutcome &goal, const ContactReport &report)
-{
-  std::string name;
-  for (const auto &[word, value] : goal_words())
-    if (value == goal.goal)
-      name = word;
-  return { { "name", name },
-           { "value", goal.value },
-           { "estimated_error", json_number(goal.estimated_error) },
-           { "tolerance", goal.tolerance },
-           { "meshes", goal.n_meshes },
-           { "cells", goal.n_cells },
-           { "unknowns", report.foot.value().foot.n_unknowns } };
-}
-
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
@@ -154,7 +139,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   if (!bands.empty())
     findings.summary["error_bands"] = band_summary(bands);
   if (goal)
-    findings.summary["goal"] = goal_summary(*goal, report);
+    findings.summary["goal"] = goal_summary(study, *goal, report.foot.value(), bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
                            { "omega_terminal", spin.all().omega_terminal().value() },
                            { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
@@ -372,7 +357,8 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
 }
 
 Report report_of(const Study &study, const ContactReport &contact, const SpinStudy &spin,
-                 const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files)
+                 const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files,
+                 const std::optional<GoalOutcome> &goal)
 {
   Report report = { title(study),
                     run_answer(study, spin, bands),
@@ -392,6 +378,8 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
     report.sections.push_back(contact_section(study, *contact.foot));
   if (!bands.empty())
     report.sections.push_back(error_band_section(bands));
+  if (!bands.empty() && goal)
+    report.sections.back().text += goal_sentence(study, *goal, bands);
   add_closing_sections(report, study, files);
   return report;
 }
@@ -406,7 +394,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
     complete.band = band_of(bands, "omega_terminal");
   Results results;
   results.files = files_of(study, report, spin);
-  results.report = report_of(study, report, spin, bands, results.files);
+  results.report = report_of(study, report, spin, bands, results.files, goal);
   const std::vector<std::string> remarks = {
     lift_off_remark(report.load), narrow_contact_remark(study, report.foot),
     layer_remark(study, report.half_width), waviness_remark(study, spin.phases), terminal_spins_remark(spin)

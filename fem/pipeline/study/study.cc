@@ -73,12 +73,4 @@ std::string friction_note(const Study &study)
          (is_hard ? "; on this hard table that would decide the second harmonic" : "");
 }
 
-std::vector<std::pair<std::string, Goal>> goal_words()
-{
-  return { { "none", Goal::none },
-           { "terminal spin", Goal::terminal_spin },
-           { "a2", Goal::a2 },
-           { "torque", Goal::torque } };
-}
-
 } // namespace stemware::pipeline

@@ -16,7 +16,6 @@
 
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -114,9 +113,6 @@ enum class Goal
   torque ///< at half the terminal spin
 };
 
-/// The goals by the words of Contact/Goal.
-std::vector<std::pair<std::string, Goal>> goal_words();
-
 /// Subsection Contact: the elastic body and its discretisation.
 struct ContactSection
 {
@@ -134,7 +130,8 @@ struct ContactSection
   unsigned int rings = 5;           ///< that take the pressure over
   double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
   unsigned int halvings_beyond_focus = 0; ///< of cells, see fem::RevolutionSetup; likewise
-  double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; not an entry
+  double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; below 1 under a
+                       ///< solid foot of any interface over its own; not an entry
   unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;

@@ -221,7 +221,11 @@ void add_contact(EntryList &list, ContactSection &contact)
     { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
     "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction does not act "
     "back on the pressure");
-  list.choice("Goal", contact.goal, goal_words(),
+  list.choice("Goal", contact.goal,
+              { { "none", Goal::none },
+                { "terminal spin", Goal::terminal_spin },
+                { "a2", Goal::a2 },
+                { "torque", Goal::torque } },
               "What the cells that matter are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",
               "Error left of the goal, over its value");

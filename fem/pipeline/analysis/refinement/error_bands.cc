@@ -1,16 +1,19 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
+#include "fem/pipeline/analysis/refinement/band_changes.h"
+#include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
-#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <map>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -66,20 +69,20 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   return found;
 }
 
-/// The marks of glass and table at equally spaced phases; one where nothing is out of flat.
-std::vector<ring::Orientation> phases_of(const Study &study)
+/// The marks of glass and table at equally spaced phases; one where nothing is out of flat. Fewer of a foot
+/// that is no body of revolution: each takes contacts on all of its meshes.
+std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
 {
-  constexpr unsigned int n_phases = 8;
   const ring::Orientation start = moment_balance(study).orientation;
-  if (!study.has_waviness())
+  const double of_mesh = foot.body().capabilities().period_of_glass;
+  if (!study.has_waviness() && of_mesh == 0)
     return { start };
+  const unsigned int n_phases = of_mesh > 0 ? 4 : 8;
+  const double turn = (of_mesh > 0 ? of_mesh : boost::math::double_constants::two_pi) / n_phases;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-  {
     // Steps that visit the phases of glass and table in all combinations of even and odd.
-    const double turn = boost::math::double_constants::two_pi / n_phases;
     phases.push_back({ start.glass + turn * i, start.table + turn * (3 * i % n_phases) });
-  }
   return phases;
 }
 
@@ -89,7 +92,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
 {
   const ring::Motion &motion = study.motion.orbit;
   QuantityNoise noise;
-  noise.n_azimuths = study.contact.azimuth_lines;
+  noise.n_azimuths = n_contact_azimuths(study);
   std::vector<QuantityOfInterest> quantities = load_quantities(found.at_rest, noise);
   const double torque_noise = noise.relative * motion.friction_at_rest() * found.at_rest.normal_force *
                               study.glass.profile.contact_radius;
@@ -116,133 +119,97 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   return quantities;
 }
 
-/// A change of one numerical parameter, and how much of what it changes goes into the band.
-struct Change
-{
-  std::string part;
-  double factor;
-  Study study;
-  std::optional<std::size_t>
-    from = {}; ///< earlier change that it is compared with; nothing: the study itself
-};
-
-std::vector<Change> changes_of(const Study &study, const ElasticFoot &foot, bool is_full)
-{
-  constexpr double safety = 1.25;
-  std::vector<Change> changes;
-  const auto changed = [](Study copy, const std::function<void(ContactSection &)> &change)
-  {
-    change(copy.contact);
-    return copy;
-  };
-  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
-  // Meshes for a goal: the one before.
-  const Study coarse = changed(study,
-                               [](ContactSection &contact)
-                               {
-                                 if (contact.halved.empty())
-                                   contact.fineness /= 2;
-                                 else
-                                   contact.halved.pop_back();
-                               });
-  changes.push_back({ "mesh", safety, coarse });
-  if (study.contact.degree < 4)
-  {
-    const auto higher = [](ContactSection &contact) { ++contact.degree; };
-    if (study.table.is_hard())
-      changes.push_back({ "degree", safety, changed(coarse, higher), 0 });
-    else
-      changes.push_back({ "degree", safety, changed(study, higher) });
-  }
-  const Study fewer =
-    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
-  std::optional<std::size_t> of_fewer;
-  if (study.contact.harmonics > 1)
-  {
-    of_fewer = changes.size();
-    changes.push_back({ "harmonics", 0.5, fewer });
-  }
-  // At re-entrant corners the error falls with the first order: the halved cells show half of it. What cells
-  // that far from the contact change fades with the harmonic, so that half of them will do.
-  if (study.contact.halved.empty() && has_focused_mesh(study))
-    changes.push_back({ "mesh", 2,
-                        changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
-                        of_fewer });
-  if (!is_full)
-    changes.push_back(
-      { "lines", safety, changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }) });
-  if (study.table.is_hard())
-    changes.push_back(
-      { "interface", 1.5, changed(study, [](ContactSection &contact) { contact.hardness *= 10; }) });
-  const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
-  changes.push_back(
-    { "load_harmonics", safety,
-      changed(study, [=](ContactSection &contact)
-              { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : n / 2; }) });
-  changes.push_back({ "rings", safety,
-                      changed(study,
-                              [](ContactSection &contact)
-                              {
-                                constexpr unsigned int enough = 5, most = 12;
-                                const unsigned int n = contact.rings;
-                                contact.rings = n == 1 ? enough : n <= most ? 2 * n : n / 2;
-                              }) });
-  return changes;
-}
-
 bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
 {
   return at_rest.contact_fraction >= 1 && at_rest.minimum > 0.02 * at_rest.rings.a(0) &&
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
 }
 
+Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const std::optional<double> &first)
+{
+  const double step = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius / 512;
+  Probe probe;
+  probe.spins = { 0, omega / 2, omega - step, omega, omega + step, 1.5 * omega };
+  probe.has_first = first.has_value();
+  probe.first = first.value_or(0);
+  probe.phases = phases_of(study, foot);
+  return probe;
+}
+
+/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes.
+std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot &foot,
+                                     fem::ComplianceCache &cache)
+{
+  if (change.on_same_foot)
+    return std::make_shared<ElasticFoot>(foot.without_rings());
+  const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
+  changed->set_rings(foot.ring_radii(), foot.n_harmonics());
+  return changed;
+}
+
+/// By how much a change moves the terminal spin at most, judged by the torques at half, at all and at one and
+/// a half times it: what it does to different harmonics may cancel at one spin, hardly at all three [rad/s].
+double largest_move(const std::vector<QuantityOfInterest> &before,
+                    const std::vector<QuantityOfInterest> &after, double yaw_inertia)
+{
+  const auto change_of = [&](const char *key)
+  { return std::abs(quantity_of(after, key).value - quantity_of(before, key).value); };
+  const double per_torque = quantity_of(before, "time_constant").value / yaw_inertia;
+  return std::max({ change_of("omega_terminal"), per_torque * change_of("tau_at_spin_1"),
+                    per_torque * change_of("tau_at_spin_2") });
+}
+
+/// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
+/// leaves without a value has no band.
+void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
+              const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
+{
+  for (BandedQuantity &banded : bands)
+  {
+    const std::string &key = banded.quantity.key;
+    const double move = change.at_several_spins && key == "omega_terminal"
+                          ? largest_move(before, after, change.study.motion.orbit.yaw_inertia)
+                          : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
+    banded.parts[change.part] += change.factor * move;
+    banded.band += change.factor * move;
+  }
+  bands.erase(std::remove_if(bands.begin(), bands.end(),
+                             [](const BandedQuantity &banded) { return !std::isfinite(banded.band); }),
+              bands.end());
+}
+
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                     const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
 {
-  if (!foot || !abilities(study.contact.body).is_of_revolution || !all.terminal)
-    return {};
-  const double omega = all.terminal->omega;
-  const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
-  Probe probe;
-  probe.spins = { 0, omega / 2, omega - scale / 512, omega, omega + scale / 512, 1.5 * omega };
-  probe.has_first = first.has_value();
-  probe.first = first.value_or(0);
-  probe.phases = phases_of(study);
+  const Probe probe = probe_of(study, *foot, all.terminal->omega, first);
   const Findings own = look(study, foot, probe);
-
+  const std::vector<BandChange> changes =
+    band_changes(study, *foot, own.at_rest, carries_all_round(all, own.at_rest));
+  if (changes.empty())
+    return {};
+  const auto quantities = [&](const Findings &found)
+  { return quantities_from(found, probe, own, all, study); };
+  const std::vector<QuantityOfInterest> unchanged = quantities(own);
   ErrorBands bands;
-  for (const QuantityOfInterest &quantity : quantities_from(own, probe, own, all, study))
+  for (const QuantityOfInterest &quantity : unchanged)
     if (std::isfinite(quantity.value))
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
-  const std::vector<Change> changes = changes_of(study, *foot, carries_all_round(all, own.at_rest));
-  std::vector<Findings> by_change;
-  for (const Change &change : changes)
+
+  std::map<std::string, std::vector<QuantityOfInterest>> by_part; // of the first change of each part
+  for (std::size_t i = 0; i < changes.size(); ++i)
   {
-    const std::shared_ptr<ElasticFoot> changed_foot =
-      study_foot(change.study, cache, silent_progress(), foot.get());
-    if (change.part != "rings" && change.part != "load_harmonics")
-      changed_foot->set_rings(foot->ring_radii(), foot->n_harmonics());
-    by_change.push_back(look(change.study, changed_foot, probe));
-    const auto to = quantities_from(by_change.back(), probe, own, all, study);
-    const auto from = quantities_from(change.from ? by_change[*change.from] : own, probe, own, all, study);
-    for (BandedQuantity &banded : bands)
-    {
-      const std::string &key = banded.quantity.key;
-      const double part = change.factor * std::abs(quantity_of(to, key).value - quantity_of(from, key).value);
-      if (!std::isfinite(part))
-        continue;
-      banded.parts[change.part] += part;
-      banded.band += part;
-    }
-    progress.pieces_done("error bands", by_change.size(), changes.size());
+    const BandChange &change = changes[i];
+    const auto after = quantities(look(change.study, foot_of(change, *foot, cache), probe));
+    add_part(change, change.from.empty() ? unchanged : by_part.at(change.from), after, bands);
+    by_part.emplace(change.part, after);
+    progress.pieces_done("error bands", i + 1, changes.size());
   }
-  if (all.spin_uncertainty > 0)
-    for (BandedQuantity &banded : bands)
-      if (banded.quantity.key == "omega_terminal")
-      {
-        banded.parts["interpolation"] = all.spin_uncertainty;
-        banded.band += all.spin_uncertainty;
-      }
+  for (BandedQuantity &banded : bands)
+    if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
+    {
+      banded.parts["interpolation"] = all.spin_uncertainty;
+      banded.band += all.spin_uncertainty;
+    }
   return bands;
 }
 
@@ -251,13 +218,24 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
 {
+  if (!foot || !all.terminal)
+    return {};
+  const auto without = [&](const std::runtime_error &failure) -> ErrorBands
+  {
+    progress.note("No band", failure.what());
+    return {};
+  };
   try
   {
     return bands_of(study, foot, all, first, cache, progress);
   }
-  catch (const fem::ContactFailure &)
+  catch (const fem::ContactFailure &failure)
   {
-    return {};
+    return without(failure);
+  }
+  catch (const BadInput &failure) // a mesh that cannot be made coarser or finer
+  {
+    return without(failure);
   }
 }
 

@@ -15,28 +15,31 @@
 namespace stemware::pipeline
 {
 
-/// The error bands of a study of a body of revolution, from few further contacts: each numerical parameter is
-/// changed once, by itself, and what that changes is the part of the band that carries its name
+/// The error bands of a study, from few further contacts: each numerical parameter is changed once, by
+/// itself, and what that changes is the part of the band that carries its name
 /// (docs/method/error_bands.md):
 ///
 ///   mesh            cells twice as large, in the contact where they are smaller there; then also those
-///                   beyond half as large
-///   degree          elements of one degree more (on hard tables both on cells twice as large)
-///   harmonics       half the elastic harmonics
-///   lines           four times the azimuth lines; nothing where the whole rim carries
+///                   beyond half as large; of a solid foot half as large where no larger ones can be had
+///   degree          elements of one degree more (on hard tables both on cells twice as large); of a solid
+///                   foot where they are linear
+///   harmonics       half the elastic harmonics; not of a solid foot
+///   lines           four times the azimuth lines; nothing where the whole rim carries; not of a solid foot
 ///   interface       a ten times stiffer spring in the place of a hard interface
-///   load_harmonics  twice the harmonics of the load, half where the lines resolve no more
-///   rings           twice the rings, five instead of one
-///   interpolation   loads between sampled phases of a waviness
+///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
+///   rings           twice the rings, five instead of one; under a solid foot one less
+///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///
 /// The band is their sum. Followed are the load at rest, the torque at rest, at half and at one and a half
 /// times the terminal spin, terminal spin and time constant, and what the harmonics beyond the first do to
-/// the terminal spin. Of an out-of-flat rim or table the torques are means over eight phases.
+/// the terminal spin. Of an out-of-flat rim or table the torques are means over eight phases, of a foot whose
+/// load depends on where the moment points over four.
 ///
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
-/// that does not come from a contact, for a solid body, which `converge` refines, and where one of the
-/// changed contacts does not converge: next to tipping a band cannot be had.
+/// that does not come from a contact, and where one of the changed contacts cannot be had, which @p progress
+/// is told: next to tipping there is no band. A quantity that a change leaves without a value has none.
+/// Collective where the body is.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache,
                           Progress &progress = silent_progress());

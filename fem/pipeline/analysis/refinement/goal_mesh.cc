@@ -83,8 +83,7 @@ MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache, Progr
       progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
                                                    "goal {:.1e} of its value"),
                                         n_cells, n_meshes, std::abs(found.error.correction / found.value)));
-      return { std::move(meshed), GoalOutcome{ study.contact.goal, found.value, found.error.correction,
-                                               study.contact.goal_tolerance, n_meshes, n_cells } };
+      return { std::move(meshed), GoalOutcome{ found.value, found.error.correction, n_meshes, n_cells } };
     }
     if (n_meshes == most_meshes)
       throw std::runtime_error(fmt::format(

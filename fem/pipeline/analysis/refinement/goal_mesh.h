@@ -13,11 +13,8 @@ namespace stemware::pipeline
 /// What the mesh that was made for a goal leaves of its error.
 struct GoalOutcome
 {
-  Goal goal = Goal::none;
-  double value = 0; ///< of the number: rad/s, 1 or N m
-  double estimated_error =
-    0;                  ///< what the mesh's error takes from it, as estimated: added, it corrects the value
-  double tolerance = 0; ///< Contact/Goal tolerance, over the value
+  double value = 0;           ///< of the number: rad/s, 1 or N m
+  double estimated_error = 0; ///< what the mesh takes from it, as estimated: added, it corrects the value
   std::size_t n_meshes = 0;
   std::size_t n_cells = 0; ///< of the last one
 };
@@ -40,15 +37,8 @@ struct MeshForGoal
 MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache,
                           Progress &progress = silent_progress());
 
-/// The study of mesh_for_goal().
-inline Study meshed_for_goal(const Study &study, fem::ComplianceCache &cache,
-                             Progress &progress = silent_progress())
-{
-  return mesh_for_goal(study, cache, progress).study;
-}
-
 /// The last three meshes for the goal of @p study, of which its own is the last, and two further ones: what
-/// stands in the place of the axis of meshes. Throws as meshed_for_goal().
+/// stands in the place of the axis of meshes. Throws as mesh_for_goal().
 RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

@@ -81,6 +81,22 @@ const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &qua
   return *found;
 }
 
+std::string key_of(Goal goal)
+{
+  switch (goal)
+  {
+  case Goal::none:
+    return "";
+  case Goal::terminal_spin:
+    return "omega_terminal";
+  case Goal::a2:
+    return "a2";
+  case Goal::torque:
+    return "tau_at_spin_1";
+  }
+  throw std::logic_error("a goal without a quantity");
+}
+
 std::optional<double> band_of(const ErrorBands &quantities, const std::string &key)
 {
   for (const BandedQuantity &banded : quantities)

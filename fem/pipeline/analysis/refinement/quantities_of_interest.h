@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/study/study.h"
 #include "ring_model/motion.h"
 
 #include <map>
@@ -69,6 +70,9 @@ constexpr unsigned int n_harmonics_of_interest = 8;
 /// The quantity with that key; throws std::out_of_range when there is none.
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
+
+/// Key of the quantity that is the goal of a mesh; empty for none.
+std::string key_of(Goal goal);
 
 /// The half-width of the error band of the quantity with that key; nothing where there is no such quantity.
 std::optional<double> band_of(const ErrorBands &quantities, const std::string &key);

@@ -206,12 +206,10 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
     return quantities;
   const double omega = quantity_of(quantities, "omega_terminal").value;
   for (QuantityOfInterest &quantity : quantities)
-    if (const Goal goal = quantity.key == "omega_terminal" ? Goal::terminal_spin
-                          : quantity.key == "a2"           ? Goal::a2
-                                                           : Goal::none;
-        goal != Goal::none)
-      if (const auto found = goal_error(study, *foot, load, omega, goal))
-        quantity.mesh_correction = found->error.correction;
+    for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
+      if (quantity.key == key_of(goal))
+        if (const auto found = goal_error(study, *foot, load, omega, goal))
+          quantity.mesh_correction = found->error.correction;
   return quantities;
 }
 

@@ -141,7 +141,7 @@ std::size_t quantity_index(const std::string &name)
 
 CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
 {
-  const Study study = meshed_for_goal(given, cache);
+  const Study study = mesh_for_goal(given, cache).study;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const BalancedLoad load = find_load(study, foot);
   ValueList list;

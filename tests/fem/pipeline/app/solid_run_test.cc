@@ -101,14 +101,15 @@ TEST(SolidRun, EveryVerbTakesAGoal)
 
 TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
 {
-  const auto goal_on = [](const std::vector<std::string> &launcher)
+  const auto summary_on = [](const std::vector<std::string> &launcher)
   {
     const ScratchFolder scratch;
     const Ended ended = run_with_goal(scratch, { "run" }, launcher);
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    return read_summary(scratch / "results")["goal"];
+    return read_summary(scratch / "results");
   };
-  const auto alone = goal_on({}), together = goal_on({ STEMWARE_MPIEXEC, "-n", "2" });
+  const auto one = summary_on({}), two = summary_on({ STEMWARE_MPIEXEC, "-n", "2" });
+  const auto &alone = one["goal"], &together = two["goal"];
   EXPECT_EQ(alone["name"], "torque");
   EXPECT_EQ(alone["meshes"], 1);
   EXPECT_EQ(alone["tolerance"], 1);
@@ -117,6 +118,10 @@ TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
   EXPECT_EQ(together["unknowns"], alone["unknowns"]);
   EXPECT_NEAR(together["value"].get<double>() / alone["value"].get<double>(), 1, 1e-8);
   EXPECT_NEAR(together["estimated_error"].get<double>() / alone["estimated_error"].get<double>(), 1, 1e-3);
+  const auto band_of = [](const nlohmann::json &summary)
+  { return summary["error_bands"]["omega_terminal"]["band"].get<double>(); };
+  EXPECT_GT(band_of(one), 0);
+  EXPECT_NEAR(band_of(two) / band_of(one), 1, 1e-4);
 }
 
 TEST(SolidRun, GoesOnFromItsCheckpointWhenItWasKilled)

@@ -79,7 +79,7 @@ TEST(RunAnswer, WithoutBandsAndEffects)
   EXPECT_EQ(
     wrapped(plain.answer()),
     R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.25000 rad/s. It has no band:
-one of the contacts that would tell, coarser, finer or stiffer, did not converge. In the paper's
+one of the contacts that would tell, coarser, finer or stiffer, could not be had. In the paper's
 model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the first do not
 change that. The largest other step from the paper's model to this one is "moment balance":
 -0.5 rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");

@@ -74,9 +74,9 @@ TEST(GoalMesh, EstimatesAreTheErrorsOfSpinSecondHarmonicAndTorque)
 {
   fem::ComplianceCache cache;
   const double least = relative_error(Goal::a2);
-  const Study coarse = meshed_for_goal(lifting_step(Goal::a2, 0.4 * least), cache);
+  const Study coarse = mesh_for_goal(lifting_step(Goal::a2, 0.4 * least), cache).study;
   const double half_of = answer_of(coarse).spin;
-  const Answer truth = answer_of(meshed_for_goal(lifting_step(Goal::a2, 0.02 * least), cache), half_of);
+  const Answer truth = answer_of(mesh_for_goal(lifting_step(Goal::a2, 0.02 * least), cache).study, half_of);
   const Answer own = answer_of(coarse, half_of);
   const ring::Motion &motion = coarse.motion.orbit;
   const double radius = coarse.glass.profile.contact_radius;
@@ -100,7 +100,7 @@ TEST(GoalMesh, EffectivityOnTheLastThreeMeshes)
   {
     fem::ComplianceCache cache;
     const double tolerance = 0.15 * relative_error(goal);
-    const Study study = meshed_for_goal(lifting_step(goal, tolerance), cache);
+    const Study study = mesh_for_goal(lifting_step(goal, tolerance), cache).study;
     ASSERT_GE(study.contact.halved.size(), 2u);
     const RefinementAxis axis = goal_axis(study, cache);
     ASSERT_EQ(axis.levels.size(), 5u);
@@ -121,7 +121,7 @@ TEST(GoalMesh, EffectivityOnTheLastThreeMeshes)
 TEST(GoalMesh, LeavesAStudyWithoutAGoalAlone)
 {
   fem::ComplianceCache cache;
-  EXPECT_TRUE(meshed_for_goal(lifting_step(Goal::none, 1e-9), cache).contact.halved.empty());
+  EXPECT_TRUE(mesh_for_goal(lifting_step(Goal::none, 1e-9), cache).study.contact.halved.empty());
   EXPECT_EQ(cache.n_computed(), 0u);
 }
 

@@ -195,7 +195,7 @@ TEST(ErrorBands, HoldWhatCornersFarFromTheContactAdd)
   finer.contact.goal = Goal::terminal_spin;
   finer.contact.goal_tolerance = 4e-6;
   fem::ComplianceCache cache;
-  finer = meshed_for_goal(finer, cache, silent_progress());
+  finer = mesh_for_goal(finer, cache).study;
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);

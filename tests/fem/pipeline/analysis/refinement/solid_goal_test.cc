@@ -85,7 +85,7 @@ TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
     study.contact.halved.clear();
     study.contact.goal_tolerance = std::abs(0.4 * first / value);
     fem::ComplianceCache cache;
-    EXPECT_EQ(meshed_for_goal(study, cache).contact.halved.size(), 1u);
+    EXPECT_EQ(mesh_for_goal(study, cache).study.contact.halved.size(), 1u);
   }
 }
 

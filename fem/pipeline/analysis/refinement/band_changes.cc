@@ -1,0 +1,200 @@
+#include "fem/pipeline/analysis/refinement/band_changes.h"
+
+#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/study/study_size.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// On what converges faster than any order, or with the first order and more.
+constexpr double usual_factor = 1.25;
+
+using Setting = std::function<void(ContactSection &)>;
+
+Study changed(Study copy, const Setting &change)
+{
+  change(copy.contact);
+  return copy;
+}
+
+void raise_degree(ContactSection &contact)
+{
+  ++contact.degree;
+}
+
+void harden(ContactSection &contact)
+{
+  contact.hardness *= 10;
+}
+
+/// Other rings and harmonics under the same foot.
+void add_gathering(const Study &study, const ElasticFoot &foot, unsigned int rings,
+                   std::vector<BandChange> &changes)
+{
+  const auto add = [&](const std::string &part, const Setting &change) {
+    changes.push_back({ part, usual_factor, changed(study, change), "", true });
+  };
+  const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
+  add("load_harmonics", [=](ContactSection &contact)
+      { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
+  add("rings", [=](ContactSection &contact) { contact.rings = rings; });
+}
+
+/// As many as are enough everywhere but next to slip ratio 1.
+constexpr unsigned int usual_rings = 5;
+
+std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)
+{
+  std::vector<BandChange> changes;
+  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
+  // Meshes for a goal: the one before.
+  const Study coarse = changed(study,
+                               [](ContactSection &contact)
+                               {
+                                 if (contact.halved.empty())
+                                   contact.fineness /= 2;
+                                 else
+                                   contact.halved.pop_back();
+                               });
+  changes.push_back({ "mesh", usual_factor, coarse, "" });
+  if (study.contact.degree < 4 && study.table.is_hard())
+    changes.push_back({ "degree", usual_factor, changed(coarse, raise_degree), "mesh" });
+  else if (study.contact.degree < 4)
+    changes.push_back({ "degree", usual_factor, changed(study, raise_degree), "" });
+  const Study fewer =
+    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
+  const bool has_fewer = study.contact.harmonics > 1;
+  if (has_fewer)
+    changes.push_back({ "harmonics", 0.5, fewer, "" });
+  // At re-entrant corners the error falls with the first order: the halved cells show half of it. What cells
+  // that far from the contact change fades with the harmonic, so that half of them will do.
+  if (study.contact.halved.empty() && has_focused_mesh(study))
+    changes.push_back({ "mesh", 2,
+                        changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
+                        has_fewer ? "harmonics" : "" });
+  if (!is_full)
+    changes.push_back({ "lines", usual_factor,
+                        changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }), "" });
+  if (study.table.is_hard())
+    changes.push_back({ "interface", 1.5, changed(study, harden), "" });
+  constexpr unsigned int most = 12;
+  const unsigned int n = study.contact.rings;
+  add_gathering(study, foot, n == 1 ? usual_rings : n <= most ? 2 * n : n / 2, changes);
+  return changes;
+}
+
+// ---- solid
+
+/// The solid foot of @p study on cells twice as large; nothing where its mesh has none.
+std::optional<Study> on_coarser_mesh(const Study &study)
+{
+  Study coarse = study;
+  ContactSection &contact = coarse.contact;
+  fem::FootResolution &cells = contact.resolution;
+  const bool counts_halve =
+    cells.azimuthal_cells % 8 == 0 && cells.radial_cells % 4 == 0 && cells.foot_layers % 2 == 0;
+  if (!contact.halved.empty())
+    contact.halved.pop_back();
+  else if (contact.refinements > 0)
+    --contact.refinements;
+  else if (contact.mesh_file.empty() && counts_halve && cells.azimuthal_cells >= 16)
+  {
+    cells.azimuthal_cells /= 2;
+    cells.radial_cells /= 2;
+    cells.foot_layers /= 2;
+  }
+  else
+    return std::nullopt;
+  // A factorisation of a small mesh would take as long as multigrid on one of eight times the cells.
+  if (contact.linear_solver == fem::LinearSolver::automatic)
+    contact.linear_solver = fem::LinearSolver::multigrid;
+  return coarse;
+}
+
+/// Half-width of the contact [m].
+double half_width(const LoadReport &load)
+{
+  return (load.outer_radius - load.inner_radius) / 2;
+}
+
+/// How much more an interface yields that has the indentation of the glass which cells of size @p cell do not
+/// know: of a band of half-width b < cell under a line load p, 2 (1 - nu^2) / (pi E) p ln(cell / b), beside
+/// its own p / (2 b k) (the logarithm of a line contact: Johnson, Contact Mechanics, 1985, section 4.2).
+double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
+{
+  const double b = half_width(load), nu = study.glass.material.poisson_ratio;
+  const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
+  const double indentation = 2 * (1 - nu * nu) /
+                             (boost::math::double_constants::pi * study.glass.material.young_modulus) *
+                             std::log(cell / b);
+  return 1 + indentation * 2 * b * study.table.make().interface->stiffness_at(pressure);
+}
+
+std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &foot,
+                                         const LoadReport &at_rest)
+{
+  const double cell = foot.body().description().contact_cell_size;
+  // A flat land touches with its edges, at which a generated mesh has smaller cells.
+  const bool is_round = !given.contact.mesh_file.empty() || given.glass.profile.crown_radius > 0;
+  const bool is_narrow = is_round && half_width(at_rest) < cell;
+  if (is_narrow && given.table.is_hard())
+    return {};
+  Study study = given;
+  study.contact.checkpoint_folder.clear();
+  const auto is_affordable = [](const Study &finer)
+  { return size_of(finer).memory <= finer.contact.memory_limit; };
+  std::vector<BandChange> changes;
+  const std::optional<Study> coarse = on_coarser_mesh(study);
+  const Study finer = changed(study, [](ContactSection &contact) { ++contact.refinements; }),
+              quadratic = changed(study, raise_degree);
+  // An error of first order is what halving the cells has taken from it, and twice what halving them will.
+  if (coarse)
+    changes.push_back({ "mesh", 1.5, *coarse, "", false, true });
+  else if (study.contact.degree == 2 && is_affordable(finer))
+    changes.push_back({ "mesh", 2.5, finer, "", false, true });
+  else if (study.contact.degree == 2)
+    changes.push_back(
+      { "degree", 1, changed(study, [](ContactSection &contact) { contact.degree = 1; }), "" });
+  if (study.contact.degree == 1 && is_affordable(quadratic))
+    changes.push_back({ "degree", usual_factor, quadratic, "" });
+  if (changes.empty())
+    return {};
+  const Study &cheapest = coarse ? *coarse : study;
+  const std::string as_cheapest = coarse ? "mesh" : "";
+  // Each halving adds as much to a narrow contact's indentation as the one before.
+  if (is_narrow)
+    changes.push_back({ "mesh", usual_factor,
+                        changed(cheapest, [&](ContactSection &contact)
+                                { contact.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
+                        as_cheapest, false, true });
+  if (has_spring_for_hard_table(cheapest))
+    changes.push_back({ "interface", 2, changed(cheapest, harden), as_cheapest });
+  else if (has_spring_for_hard_table(study))
+    changes.push_back({ "interface", 2, changed(study, harden), "" });
+  // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
+  // those of the rings extrapolated, more rings would show rounding.
+  const unsigned int n = study.contact.rings;
+  add_gathering(study, foot, n <= 2 ? usual_rings : n - 1, changes);
+  return changes;
+}
+
+} // namespace
+
+std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
+                                     bool is_full)
+{
+  return abilities(study.contact.body).is_of_revolution ? changes_of_revolution(study, foot, is_full)
+                                                        : changes_of_solid(study, foot, at_rest);
+}
+
+} // namespace stemware::pipeline

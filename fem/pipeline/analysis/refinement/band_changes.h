@@ -1,0 +1,32 @@
+#pragma once
+
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/study/study.h"
+
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A change of one numerical parameter, and how much of what it changes goes into an error band.
+struct BandChange
+{
+  std::string part;  ///< of the band, as in BandedQuantity::parts; several changes may go into one
+  double factor = 1; ///< on what is changed
+  Study study;       ///< with the change
+  std::string from;  ///< part whose first change it is compared with, an earlier one; empty: the study itself
+  bool on_same_foot = false; ///< the foot stays, and its load is gathered otherwise
+  /// The terminal spin is judged by the torques at several spins.
+  bool at_several_spins = false;
+};
+
+/// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings
+/// chosen, @p at_rest its load at rest. @p is_full: the whole rim carries load. Empty where no other mesh
+/// would tell: for a solid foot whose contact on a hard table is narrower than its cells, and for one of
+/// linear elements from a file when quadratic ones would exceed Contact/Memory limit.
+std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
+                                     bool is_full);
+
+} // namespace stemware::pipeline

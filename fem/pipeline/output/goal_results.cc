@@ -1,0 +1,52 @@
+#include "fem/pipeline/output/goal_results.h"
+
+#include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/study/study_entries.h"
+
+#include <fmt/format.h>
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// The part of the band of the study's goal that is the mesh's.
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
+{
+  for (const BandedQuantity &banded : bands)
+    if (banded.quantity.key == key_of(study.contact.goal))
+      if (const auto part = banded.parts.find("mesh"); part != banded.parts.end())
+        return part->second;
+  return std::nullopt;
+}
+
+} // namespace
+
+nlohmann::ordered_json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport &foot,
+                                    const ErrorBands &bands)
+{
+  const nlohmann::ordered_json entries = study_as_json(study)["Contact"];
+  return { { "name", entries["Goal"] },
+           { "value", goal.value },
+           { "estimated_error", json_number(goal.estimated_error) },
+           { "band_of_mesh", json_number(band_of_mesh(study, bands)) },
+           { "tolerance", entries["Goal tolerance"] },
+           { "meshes", goal.n_meshes },
+           { "cells", goal.n_cells },
+           { "unknowns", foot.foot.n_unknowns } };
+}
+
+std::string goal_sentence(const Study &study, const GoalOutcome &goal, const ErrorBands &bands)
+{
+  const std::optional<double> part = band_of_mesh(study, bands);
+  if (!part)
+    return "";
+  return fmt::format(
+    FMT_STRING(" The mesh was made for the {}: {:.1e} is estimated to be missing to its value, and the band "
+               "has {:.1e} for the mesh, from what another mesh changes."),
+    study_as_json(study)["Contact"]["Goal"].get<std::string>(), goal.estimated_error, *part);
+}
+
+} // namespace stemware::pipeline
