@@ -188,10 +188,34 @@ TEST(PhaseLoads, HaveTheMeanOfPlainQuadrature)
   }
 }
 
-TEST(PhaseLoads, SayThatAJumpIsNotResolved)
+namespace
 {
-  const auto jump = [](double, const ring::Orientation &phase) {
-    return ring::RingStack({ 1., 0.1 }, { 0., std::sin(2 * phase.glass) > 0.1 ? 0.5 : 0. }, 0.03);
+
+/// First harmonic of the ring over its mean, on the side that friction turns: @p jump at half of the phases.
+LoadAtPhase jumping_load(double jump)
+{
+  return [jump](double, const ring::Orientation &phase) {
+    return ring::RingStack({ 1., 0.1 }, { 0., std::sin(2 * phase.glass) > 0.1 ? jump : 0. }, 0.03);
   };
-  EXPECT_THROW(find_phases(jump, { two_pi / 2, 0 }, 128), std::runtime_error);
+}
+
+} // namespace
+
+// Between two phases a jump may lie anywhere; its mean is known to a share of their distance. Reference: the
+// share of the phases with sin > 0.1.
+TEST(PhaseLoads, KnowTheMeanOfAJump)
+{
+  const double jump = 0.1, share = 0.5 - std::asin(0.1) / M_PI;
+  const PhaseGrids grids = find_phases(jumping_load(jump), { two_pi / 2, 0 }, 128);
+  const PhaseLoads loads(jumping_load(jump), grids, 0);
+  EXPECT_GT(loads.error(), 0.2 * jump);
+  const ring::RingStack truth({ 1., 0.1 }, { 0., share * jump }, 0.03);
+  const double off = torque_difference(loads.mean(0), truth);
+  EXPECT_LE(off, loads.mean_error());
+  EXPECT_LT(loads.mean_error(), 0.05 * jump);
+}
+
+TEST(PhaseLoads, SayThatALargeJumpIsNotResolved)
+{
+  EXPECT_THROW(find_phases(jumping_load(2.), { two_pi / 2, 0 }, 128), std::runtime_error);
 }
