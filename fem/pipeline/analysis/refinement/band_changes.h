@@ -18,7 +18,7 @@ struct BandChange
   Study study;       ///< with the change
   std::string from;  ///< part whose first change it is compared with, an earlier one; empty: the study itself
   bool on_same_foot = false; ///< the foot stays, and its load is gathered otherwise
-  /// The terminal spin is judged by the torques at several spins.
+  /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
 };
 

@@ -147,16 +147,20 @@ std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot
   return changed;
 }
 
-/// By how much a change moves the terminal spin at most, judged by the torques at half, at all and at one and
-/// a half times it: what it does to different harmonics may cancel at one spin, hardly at all three [rad/s].
-double largest_move(const std::vector<QuantityOfInterest> &before,
-                    const std::vector<QuantityOfInterest> &after, double yaw_inertia)
+/// By how much a change moves the quantity @p key: terminal spin and torques at a spin are judged together,
+/// by the largest change of torque at half, at all and at one and a half times the terminal spin. What a mesh
+/// does to different harmonics may cancel at one spin, hardly at all three.
+double move_at_several_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+                             const std::vector<QuantityOfInterest> &after, double yaw_inertia)
 {
-  const auto change_of = [&](const char *key)
-  { return std::abs(quantity_of(after, key).value - quantity_of(before, key).value); };
-  const double per_torque = quantity_of(before, "time_constant").value / yaw_inertia;
-  return std::max({ change_of("omega_terminal"), per_torque * change_of("tau_at_spin_1"),
-                    per_torque * change_of("tau_at_spin_2") });
+  const auto change_of = [&](const std::string &name)
+  { return std::abs(quantity_of(after, name).value - quantity_of(before, name).value); };
+  const double slope = yaw_inertia / quantity_of(before, "time_constant").value;
+  const double torque =
+    std::max({ slope * change_of("omega_terminal"), change_of("tau_at_spin_1"), change_of("tau_at_spin_2") });
+  if (key == "omega_terminal")
+    return torque / slope;
+  return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : change_of(key);
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
@@ -167,8 +171,8 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
   for (BandedQuantity &banded : bands)
   {
     const std::string &key = banded.quantity.key;
-    const double move = change.at_several_spins && key == "omega_terminal"
-                          ? largest_move(before, after, change.study.motion.orbit.yaw_inertia)
+    const double move = change.at_several_spins
+                          ? move_at_several_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
     banded.parts[change.part] += change.factor * move;
     banded.band += change.factor * move;
