@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -17,7 +18,7 @@ namespace
 {
 
 /// Sampling goes on until the difference is below the first; once that has taken many phases, below the
-/// second: each doubling doubles the work, and the band of error contains the difference.
+/// second: each doubling doubles the work.
 constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
 constexpr unsigned int many_phases = 32;
 /// Above, more phases are taken even where they do not halve the error.
@@ -45,7 +46,7 @@ double error_of_halved(const LoadAtPhase &load, const PhaseGrids &grids, bool in
   PhaseGrids halved = grids;
   PeriodicGrid &angle = in_glass ? halved.glass : halved.table;
   angle = angle.halved();
-  const PhaseLoads loads(load, halved, 0);
+  const PhaseLoads loads(load, halved);
   double error = 0;
   for (unsigned int i = 0; i < grids.size(); ++i)
     if ((in_glass ? i / grids.table.size() : i % grids.table.size()) % 2 == 1)
@@ -77,13 +78,13 @@ struct AngleError
 /// How far the mean over all phases is from that over half of them, of either angle.
 double error_of_mean(const LoadAtPhase &load, const PhaseGrids &grids)
 {
-  const LeaningLoad mean = PhaseLoads(load, grids, 0).mean(0);
+  const LeaningLoad mean = PhaseLoads(load, grids).mean(0);
   double error = 0;
   for (PeriodicGrid PhaseGrids::*angle : { &PhaseGrids::glass, &PhaseGrids::table })
   {
     PhaseGrids halved = grids;
     halved.*angle = (grids.*angle).halved();
-    error += torque_difference(PhaseLoads(load, halved, 0).mean(0), mean);
+    error += torque_difference(PhaseLoads(load, halved).mean(0), mean);
   }
   return error;
 }
@@ -91,7 +92,7 @@ double error_of_mean(const LoadAtPhase &load, const PhaseGrids &grids)
 /// Largest difference at a few phases, none of which is near a node for ever finer grids.
 double error_of_check(const LoadAtPhase &load, const PhaseGrids &grids)
 {
-  const PhaseLoads loads(load, grids, 0);
+  const PhaseLoads loads(load, grids);
   double error = 0;
   for (const double turns : { 0.618034, 0.236068, 0.854102 })
   {
@@ -99,6 +100,16 @@ double error_of_check(const LoadAtPhase &load, const PhaseGrids &grids)
     error = std::max(error, torque_difference(loads.at(0, phase), load(0, phase)));
   }
   return error;
+}
+
+void require_resolved(unsigned int n_phases, double error, double mean_error)
+{
+  if (error <= largest_between && mean_error <= largest_of_mean)
+    return;
+  throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
+                           std::to_string(n_phases) + " phases its torque is off by " + to_short_text(error) +
+                           " mu N R, in the mean by " + to_short_text(mean_error) +
+                           "; give more Contact/Azimuth lines, or a smaller waviness.");
 }
 
 } // namespace
@@ -179,20 +190,15 @@ PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, uns
     worse = worse.refined();
   }
   grids.mean_error = error_of_mean(load, grids);
-  if (!(grids.error <= largest_between) || !(grids.mean_error <= largest_of_mean))
-    throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
-                             std::to_string(grids.size()) + " phases its torque is off by " +
-                             to_short_text(grids.error) + " mu N R, in the mean by " +
-                             to_short_text(grids.mean_error) +
-                             "; give more Contact/Azimuth lines, or a smaller waviness.");
+  require_resolved(grids.size(), grids.error, grids.mean_error);
   return grids;
 }
 
-PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, double spin_unit,
+PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhaseGrids &grids, const SpinSampling &spins_asked,
                        const PhaseExtremes &extremes)
     : load(std::move(load_given))
     , grids(grids)
-    , spin_unit(spin_unit)
+    , spins_asked(spins_asked)
     , extremes(extremes)
     , at_rest(sample({ 0 }, grids).front())
     , largest_error(grids.error)
@@ -259,12 +265,12 @@ std::vector<Eigen::MatrixXd> PhaseLoads::sample(const std::vector<double> &omega
   return columns;
 }
 
-SpinInterval PhaseLoads::find_spins(long interval) const
+std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
 {
   // How the load depends on the spin is much the same at every phase: one decides on the spins.
   const auto at_one_phase = [&](double omega) { return column_of(load(omega, grids.phase(0))); };
-  const double lower = static_cast<double>(interval) * spin_unit;
-  SpinInterval spins(lower, lower + spin_unit, 4);
+  const double lower = static_cast<double>(interval) * spins_asked.unit;
+  SpinInterval spins(lower, lower + spins_asked.unit, 4);
   while (true)
   {
     double error = 0;
@@ -276,34 +282,36 @@ SpinInterval PhaseLoads::find_spins(long interval) const
         interpolated += weights(k) * at_one_phase(spins.node(k));
       error = std::max(error, torque_difference(load_of(interpolated), load_of(exact)));
     }
-    if (error <= std::max(tolerance, grids.error / 10) || 2 * (spins.size() - 1) > most_steps)
-    {
-      largest_error = std::max(largest_error, error);
-      return spins;
-    }
+    const double enough =
+      std::max({ tolerance, std::min(grids.error, tolerance_of_many) / 10, grids.mean_error });
+    if (error <= enough || 2 * (spins.size() - 1) > most_steps)
+      return { spins, error };
     spins = spins.refined();
   }
 }
 
 const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
 {
-  const auto interval = static_cast<long>(std::floor(omega / spin_unit));
+  const auto interval = static_cast<long>(std::floor(omega / spins_asked.unit));
   const auto known = intervals.find(interval);
   if (known != intervals.end())
     return known->second;
-  Samples samples = { find_spins(interval), {} };
+  const auto [spins, error_between_spins] = find_spins(interval);
+  Samples samples = { spins, {} };
+  const unsigned int middle = spins.size() / 2;
   for (const PhaseGrids &on : { grids.halved(), grids })
   {
-    samples.columns = spread(samples.spins.nodes(), on);
+    samples.columns = spread(spins.nodes(), on);
     const double error = error_of(samples);
-    if (error > std::max(grids.enough_of_spin, grids.error) && on.size() < grids.size())
+    const LeaningLoad of_fewer = mean_of(spread({ spins.node(middle) }, on.halved()).front());
+    const double of_mean = torque_difference(of_fewer, mean_of(samples.columns[middle]));
+    if (on.size() < grids.size() &&
+        (error > std::max(spins_asked.enough, grids.error) || of_mean > largest_of_mean / 2))
       continue;
-    largest_error = std::max(largest_error, error);
-    const unsigned int middle = samples.spins.size() / 2;
-    const Eigen::MatrixXd of_fewer = spread({ samples.spins.node(middle) }, on.halved()).front();
-    largest_mean_error =
-      std::max(largest_mean_error,
-               grids.mean_error + torque_difference(mean_of(of_fewer), mean_of(samples.columns[middle])));
+    // Between spins the load is off by as much at every phase.
+    largest_error = std::max({ largest_error, error, error_between_spins });
+    largest_mean_error = std::max(largest_mean_error, grids.mean_error + of_mean + error_between_spins);
+    require_resolved(on.size(), largest_error, largest_mean_error);
     break;
   }
   return intervals.emplace(interval, std::move(samples)).first->second;
@@ -339,7 +347,7 @@ double PhaseLoads::error_of(const Samples &samples) const
 
 Eigen::MatrixXd PhaseLoads::at_spin(double omega) const
 {
-  if (spin_unit == 0 || omega == 0)
+  if (spins_asked.unit == 0 || omega == 0)
     return at_rest;
   const Samples &samples = samples_around(omega);
   const Eigen::VectorXd weights = samples.spins.weights(omega);
@@ -364,7 +372,7 @@ LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
 {
   const Eigen::VectorXd of_phase = grids.weights(phase);
   Eigen::VectorXd column;
-  if (spin_unit == 0 || omega == 0)
+  if (spins_asked.unit == 0 || omega == 0)
     column = at_rest * of_phase;
   else
   {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -25,8 +26,6 @@ struct PhaseGrids
   PhasePeriods periods;  ///< with which the load repeats itself
   double error = 0;      ///< of the load at rest between them, torque_difference()
   double mean_error = 0; ///< of the mean of the load at rest
-  /// Error of what the spin adds to the load that half of the phases may leave.
-  double enough_of_spin = 1e-5;
 
   /// Whether the samples are taken without what turns with the crests (PhaseLoads).
   bool turning = false;
@@ -58,6 +57,14 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 /// error stays above 0.3 or that of the mean above 3e-2.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
+/// How a load is sampled that depends on the spin.
+struct SpinSampling
+{
+  double unit = 0; ///< length of the intervals of spins, which begin at 0 [rad/s]; 0: no dependence
+  double enough =
+    1e-5; ///< error of what the spin adds, torque_difference(), that half of the phases may leave
+};
+
 /// The worst of all sampled phases, at rest.
 struct PhaseExtremes
 {
@@ -76,10 +83,11 @@ struct PhaseExtremes
 class PhaseLoads
 {
 public:
-  /// @p spin_unit is the length of the intervals of spins, which begin at 0 [rad/s]; 0 for a load that does
-  /// not depend on the spin. @p load is kept.
-  PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, double spin_unit, const PhaseExtremes &extremes = {});
+  /// @p load is kept.
+  PhaseLoads(LoadAtPhase load, const PhaseGrids &grids, const SpinSampling &spins = {},
+             const PhaseExtremes &extremes = {});
 
+  /// Throws std::runtime_error, as find_phases(), where the samples round @p omega leave as large an error.
   LeaningLoad at(double omega, const ring::Orientation &phase) const;
 
   /// Mean over all phases. It carries the mean moment.
@@ -92,7 +100,8 @@ public:
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
   /// Largest torque_difference() from the load found halfway between samples.
   double error() const { return largest_error; }
-  /// Largest torque_difference() of mean() from what half of the phases say.
+  /// That of mean(): what half of the phases say otherwise, at rest and of what the spin adds, and what
+  /// interpolation between spins leaves.
   double mean_error() const { return largest_mean_error; }
   const PhasePeriods &periods() const { return grids.periods; }
   const PhaseExtremes &at_rest_extremes() const { return extremes; }
@@ -114,7 +123,8 @@ private:
   void turn(Eigen::VectorXd &column, double angle) const;
   /// Per spin a column per phase of @p on.
   std::vector<Eigen::MatrixXd> sample(const std::vector<double> &omegas, const PhaseGrids &on) const;
-  SpinInterval find_spins(long interval) const;
+  /// With the error between them, torque_difference().
+  std::pair<SpinInterval, double> find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
   /// Largest torque_difference() of @p samples from the load at phases that half the grid leaves out.
   double error_of(const Samples &samples) const;
@@ -127,7 +137,7 @@ private:
 
   const LoadAtPhase load;
   const PhaseGrids grids;
-  const double spin_unit;
+  const SpinSampling spins_asked;
   const PhaseExtremes extremes;
   mutable std::size_t n_rings = 1; ///< of every sample
   const Eigen::MatrixXd at_rest;

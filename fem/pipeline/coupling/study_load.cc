@@ -167,15 +167,16 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do.
   const bool follows = follows_spin(study), is_hard = study.table.is_hard();
-  PhaseGrids grids = find_phases(exact, periods_of(study, *foot), follows || is_hard ? 64 : 256);
-  if (is_hard)
-    grids.enough_of_spin = 3e-2;
+  const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), follows || is_hard ? 64 : 256);
 
-  // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
-  const double spin_unit =
-    follows ? study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4) : 0;
-  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spin_unit, loads->extremes(report));
+  SpinSampling spins;
+  // Friction is not smooth where the rim is as fast as the glass: there intervals meet.
+  if (follows)
+    spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
+  if (is_hard)
+    spins.enough = 3e-2;
+  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spins, loads->extremes(report));
 
   BalancedLoad::Parts parts =
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress)
