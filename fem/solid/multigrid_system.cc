@@ -1,10 +1,10 @@
 #include "fem/solid/multigrid_system.h"
 
 #include "fem/solid/binary_stream.h"
+#include "fem/solid/conjugate_gradients.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/solver_cg.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -62,30 +62,6 @@ struct CyclePreconditioner
     hierarchy.v_cycle(level, dst, src);
   }
 };
-
-/// Conjugate gradients to a residual of @p target; returns the number of iterations. Throws
-/// std::runtime_error when they do not converge.
-template <typename Operator, typename Preconditioner>
-unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
-                                 const MeshHierarchy::Vector &rhs, double target,
-                                 MeshHierarchy::Vector &solution)
-{
-  SolverControl control(max_cycles, target, false, false);
-  SolverCG<MeshHierarchy::Vector> solver(control);
-  try
-  {
-    solver.solve(matrix, solution, rhs, preconditioner);
-  }
-  catch (const SolverControl::NoConvergence &failure)
-  {
-    std::ostringstream message;
-    message << "conjugate gradients with geometric multigrid left a residual of " << failure.last_residual
-            << " N after " << failure.last_step << " iterations (wanted " << target
-            << " N); use a coarsest mesh with less distorted cells.";
-    throw std::runtime_error(message.str());
-  }
-  return control.last_step();
-}
 
 } // namespace
 
@@ -238,7 +214,7 @@ MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::SparseMatr
   elastic->initialize_dof_vector(solution);
   contact.nodes().scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
   conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
-                      reduction * rhs.l2_norm(), solution);
+                      reduction * rhs.l2_norm(), max_cycles, solution);
   return solution;
 }
 
@@ -277,7 +253,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
     if (residual.l2_norm() > target)
     {
       correction = 0;
-      conjugate_gradients(tangent, cycle, residual, target, correction);
+      conjugate_gradients(tangent, cycle, residual, target, max_cycles, correction);
       column += correction;
       eliminated_border[i].copy_locally_owned_data_from(column);
       tangent.vmult(image, column);
@@ -333,7 +309,8 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
     Vector rhs = residual;
     nodes.scatter_add(-border.columns * (border.inverse_corner * missing), rhs);
     if (rhs.l2_norm() > target)
-      solution.n_iterations = conjugate_gradients(matrix, preconditioner, rhs, target, solution.body);
+      solution.n_iterations =
+        conjugate_gradients(matrix, preconditioner, rhs, target, max_cycles, solution.body);
     solution.displacement = nodes.gather(solution.body);
     solution.motion = border.inverse_corner *
                       (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
