@@ -20,18 +20,26 @@ namespace
 
 constexpr const char *latest = "latest";
 
-/// Whole or not at all: under another name first.
-void write_file(const fs::path &path, const std::string &content)
+/// Whole or not at all: under another name first. Returns whether it is there.
+bool write_file(const fs::path &path, const std::string &content)
 {
   const fs::path unfinished = path.string() + ".unfinished";
   {
     std::ofstream file(unfinished, std::ios::binary);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     if (!file.flush())
-      throw std::runtime_error("The checkpoint " + path.string() +
-                               " cannot be written; make room, or leave Contact/Checkpoint folder empty.");
+      return false;
   }
-  fs::rename(unfinished, path);
+  std::error_code error;
+  fs::rename(unfinished, path, error);
+  return !error;
+}
+
+/// Throws std::runtime_error with @p message on all ranks unless @p holds on all of them.
+void require_everywhere(bool holds, const std::string &message)
+{
+  if (Utilities::MPI::min(holds ? 1 : 0, MPI_COMM_WORLD) == 0)
+    throw std::runtime_error(message);
 }
 
 std::string read_file(const fs::path &path)
@@ -79,12 +87,13 @@ void ContactCheckpoint::save(const SolidBody &body, const ContactStart &start)
   write_binary(state, start.normal_displacement.data(),
                static_cast<std::size_t>(start.normal_displacement.size()));
   body.write_state(state);
-  write_file(state_file(number + 1, rank), state.str());
-  MPI_Barrier(MPI_COMM_WORLD); // the states of all ranks are there before the first says so
-  if (rank == 0)
-    write_file(folder / latest,
-               header + std::to_string(number + 1) + "\n" + std::to_string(body.n_unknowns()));
-  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string failure = "The checkpoint in " + folder.string() +
+                              " cannot be written; make room, or leave Contact/Checkpoint folder empty.";
+  // The states of all ranks are there before the first says so.
+  require_everywhere(write_file(state_file(number + 1, rank), state.str()), failure);
+  require_everywhere(rank != 0 || write_file(folder / latest, header + std::to_string(number + 1) + "\n" +
+                                                                std::to_string(body.n_unknowns())),
+                     failure);
   std::error_code ignored;
   fs::remove(state_file(number, rank), ignored);
   ++number;
@@ -116,9 +125,8 @@ std::optional<ContactStart> ContactCheckpoint::restore(SolidBody &body)
   body.read_state(state);
   const bool is_whole =
     state && counts[0] == body.n_unknowns() && state.peek() == std::istringstream::traits_type::eof();
-  if (Utilities::MPI::min(is_whole ? 1 : 0, MPI_COMM_WORLD) == 0)
-    throw std::runtime_error("The checkpoint in " + folder.string() +
-                             " is damaged; remove it to begin anew.");
+  require_everywhere(is_whole,
+                     "The checkpoint in " + folder.string() + " is damaged; remove it to begin anew.");
   return start;
 }
 

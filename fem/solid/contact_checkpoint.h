@@ -21,7 +21,8 @@ public:
   /// this one. Throws std::invalid_argument when the folder cannot be made.
   ContactCheckpoint(const std::filesystem::path &folder, const std::string &problem);
 
-  /// Replaces what was saved before. Throws std::runtime_error when it cannot be written.
+  /// Replaces what was saved before. Throws std::runtime_error on all ranks when one of them cannot write;
+  /// what was saved before stays.
   void save(const SolidBody &body, const ContactStart &start);
 
   /// Gives @p body the state that was saved of it, and where its solve goes on; nothing, and the body as it
