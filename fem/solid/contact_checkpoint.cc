@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -108,6 +109,8 @@ std::optional<ContactStart> ContactCheckpoint::restore(SolidBody &body)
     const std::string content = read_file(folder / latest);
     if (content.compare(0, header.size(), header) == 0)
       std::istringstream(content.substr(header.size())) >> found[0] >> found[1];
+    if (found[0] == 0)
+      clear();
   }
   MPI_Bcast(found, 2, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
   if (found[0] == 0 || found[1] != body.n_unknowns())
@@ -132,12 +135,19 @@ std::optional<ContactStart> ContactCheckpoint::restore(SolidBody &body)
 
 void ContactCheckpoint::remove()
 {
-  std::error_code ignored;
   if (is_first_rank())
-    fs::remove(folder / latest, ignored);
-  MPI_Barrier(MPI_COMM_WORLD); // no state disappears that is still named
-  fs::remove(state_file(number, Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)), ignored);
+    clear();
   MPI_Barrier(MPI_COMM_WORLD); // nothing is left when it returns
+}
+
+void ContactCheckpoint::clear() const
+{
+  static const std::regex of_checkpoints("(latest|state_[0-9]+\\.[0-9]+)(\\.unfinished)?");
+  std::error_code error, ignored;
+  fs::remove(folder / latest, ignored); // no state disappears that is still named
+  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
+    if (std::regex_match(file->path().filename().string(), of_checkpoints))
+      fs::remove(file->path(), ignored);
 }
 
 } // namespace stemware::fem
