@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,18 +21,26 @@ namespace
 
 constexpr const char *latest = "latest";
 
-/// Whole or not at all: under another name first.
-void write_file(const fs::path &path, const std::string &content)
+/// Whole or not at all: under another name first. Returns whether it is there.
+bool write_file(const fs::path &path, const std::string &content)
 {
   const fs::path unfinished = path.string() + ".unfinished";
   {
     std::ofstream file(unfinished, std::ios::binary);
     file.write(content.data(), static_cast<std::streamsize>(content.size()));
     if (!file.flush())
-      throw std::runtime_error("The checkpoint " + path.string() +
-                               " cannot be written; make room, or leave Contact/Checkpoint folder empty.");
+      return false;
   }
-  fs::rename(unfinished, path);
+  std::error_code error;
+  fs::rename(unfinished, path, error);
+  return !error;
+}
+
+/// Throws std::runtime_error with @p message on all ranks unless @p holds on all of them.
+void require_everywhere(bool holds, const std::string &message)
+{
+  if (Utilities::MPI::min(holds ? 1 : 0, MPI_COMM_WORLD) == 0)
+    throw std::runtime_error(message);
 }
 
 std::string read_file(const fs::path &path)
@@ -79,12 +88,13 @@ void ContactCheckpoint::save(const SolidBody &body, const ContactStart &start)
   write_binary(state, start.normal_displacement.data(),
                static_cast<std::size_t>(start.normal_displacement.size()));
   body.write_state(state);
-  write_file(state_file(number + 1, rank), state.str());
-  MPI_Barrier(MPI_COMM_WORLD); // the states of all ranks are there before the first says so
-  if (rank == 0)
-    write_file(folder / latest,
-               header + std::to_string(number + 1) + "\n" + std::to_string(body.n_unknowns()));
-  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string failure = "The checkpoint in " + folder.string() +
+                              " cannot be written; make room, or leave Contact/Checkpoint folder empty.";
+  // The states of all ranks are there before the first says so.
+  require_everywhere(write_file(state_file(number + 1, rank), state.str()), failure);
+  require_everywhere(rank != 0 || write_file(folder / latest, header + std::to_string(number + 1) + "\n" +
+                                                                std::to_string(body.n_unknowns())),
+                     failure);
   std::error_code ignored;
   fs::remove(state_file(number, rank), ignored);
   ++number;
@@ -99,6 +109,8 @@ std::optional<ContactStart> ContactCheckpoint::restore(SolidBody &body)
     const std::string content = read_file(folder / latest);
     if (content.compare(0, header.size(), header) == 0)
       std::istringstream(content.substr(header.size())) >> found[0] >> found[1];
+    if (found[0] == 0)
+      clear();
   }
   MPI_Bcast(found, 2, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
   if (found[0] == 0 || found[1] != body.n_unknowns())
@@ -116,20 +128,26 @@ std::optional<ContactStart> ContactCheckpoint::restore(SolidBody &body)
   body.read_state(state);
   const bool is_whole =
     state && counts[0] == body.n_unknowns() && state.peek() == std::istringstream::traits_type::eof();
-  if (Utilities::MPI::min(is_whole ? 1 : 0, MPI_COMM_WORLD) == 0)
-    throw std::runtime_error("The checkpoint in " + folder.string() +
-                             " is damaged; remove it to begin anew.");
+  require_everywhere(is_whole,
+                     "The checkpoint in " + folder.string() + " is damaged; remove it to begin anew.");
   return start;
 }
 
 void ContactCheckpoint::remove()
 {
-  std::error_code ignored;
   if (is_first_rank())
-    fs::remove(folder / latest, ignored);
-  MPI_Barrier(MPI_COMM_WORLD); // no state disappears that is still named
-  fs::remove(state_file(number, Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)), ignored);
+    clear();
   MPI_Barrier(MPI_COMM_WORLD); // nothing is left when it returns
+}
+
+void ContactCheckpoint::clear() const
+{
+  static const std::regex of_checkpoints("(latest|state_[0-9]+\\.[0-9]+)(\\.unfinished)?");
+  std::error_code error, ignored;
+  fs::remove(folder / latest, ignored); // no state disappears that is still named
+  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error))
+    if (std::regex_match(file->path().filename().string(), of_checkpoints))
+      fs::remove(file->path(), ignored);
 }
 
 } // namespace stemware::fem

@@ -21,18 +21,22 @@ public:
   /// this one. Throws std::invalid_argument when the folder cannot be made.
   ContactCheckpoint(const std::filesystem::path &folder, const std::string &problem);
 
-  /// Replaces what was saved before. Throws std::runtime_error when it cannot be written.
+  /// Replaces what was saved before. Throws std::runtime_error on all ranks when one of them cannot write;
+  /// what was saved before stays.
   void save(const SolidBody &body, const ContactStart &start);
 
   /// Gives @p body the state that was saved of it, and where its solve goes on; nothing, and the body as it
-  /// is, where none was or it was of another mesh. Throws std::runtime_error on all ranks where the file of
-  /// one of them is missing or not as long as it was.
+  /// is, where none was or it was of another mesh. Removes what is no checkpoint of this problem. Throws
+  /// std::runtime_error on all ranks where the file of one of them is missing or not as long as it was.
   std::optional<ContactStart> restore(SolidBody &body);
 
   /// Removes the files: the solve has ended.
   void remove();
 
 private:
+  /// Removes the files of every problem and rank; of the first rank alone.
+  void clear() const;
+
   std::filesystem::path state_file(unsigned long number, unsigned int rank) const;
 
   const std::filesystem::path folder;

@@ -70,8 +70,8 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
       control.checkpoint = [&](const ContactStart &at) { checkpoint->save(*coarse, at); };
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
-      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
-                    coarse_control(softening), start ? &*start : nullptr);
+      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius, control,
+                    start ? &*start : nullptr);
     body.start_from(*coarse);
     const ContactSurface &surface = body.contact_surface();
     const ContactStart next =

@@ -87,8 +87,8 @@ are replaced.
   spin_up.dat        the spin against time
   truncation.dat     the answer after 1, 2, 3, 4, 6, 8 ... harmonics
   contact_history.dat, timings.json
-  fields/contact.vtu displacement, stress and pressure for ParaView; under mpirun contact.pvtu and
-                     a contact_0.vtu, contact_1.vtu ... of each rank)");
+  fields/contact.vtu displacement, stress and pressure for ParaView; of a solid body under mpirun
+                     contact.pvtu and a contact_0.vtu, contact_1.vtu ... of each rank)");
   verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 

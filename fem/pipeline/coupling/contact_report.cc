@@ -29,9 +29,11 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
   report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
-  // The fields are those of the state solved last. A foot that every rank has is written by the first.
+  // The fields are those of the state solved last; every rank solves, so that every rank knows of a failure.
+  const fem::ContactState last = foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest;
+  // A foot that every rank has is written by the first.
   if (is_first_rank() || foot.body().capabilities().is_collective)
-    report.fields = foot.body().fields(foot.n_solutions() > 1 ? solved_again(foot, at_rest) : at_rest);
+    report.fields = foot.body().fields(last);
   if (is_first_rank())
     report.section = foot_section(study);
   return report;

@@ -11,8 +11,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
+#include <set>
 #include <sstream>
+#include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 using namespace stemware::fem_tests;
@@ -39,14 +43,15 @@ struct CheckpointFolder
   std::string name;
 };
 
-SolidFoot crowned_foot(const std::string &folder, const std::string &problem = "crowned")
+SolidFoot crowned_foot(const std::string &folder, const std::string &problem = "crowned",
+                       const FootResolution &resolution = { 24, 2, 1, 1 })
 {
   SolidSetup setup;
   setup.table.interface = std::make_shared<WinklerInterface>(1e11);
   setup.friction_coefficient = 0.2;
   setup.checkpoint_folder = folder;
   setup.problem = problem;
-  return SolidFoot(generate_solid_mesh(setup.profile, { 24, 2, 1, 1 }), setup);
+  return SolidFoot(generate_solid_mesh(setup.profile, resolution), setup);
 }
 
 struct Stopped
@@ -65,6 +70,43 @@ void solve_and_stop(const std::string &folder, unsigned int n_steps)
                           }),
                Stopped);
 }
+
+/// Of few cells, halved @p refinements times.
+SolidFoot small_foot(unsigned int refinements, const std::string &folder = "")
+{
+  return crowned_foot(folder, "small", { 12, 2, 1, refinements });
+}
+
+/// What the checkpoint in @p folder says of itself: number of the state, unknowns of its mesh.
+std::pair<unsigned long, unsigned long> latest_state(const std::string &folder)
+{
+  std::ifstream file(fs::path(folder) / "latest");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);)
+    lines.push_back(line);
+  return { std::stoul(lines.at(lines.size() - 2)), std::stoul(lines.back()) };
+}
+
+/// Lets the last rank fail to save state @p number in @p folder, while it lives; the other ranks can.
+struct Obstacle
+{
+  Obstacle(const std::string &folder, unsigned int number)
+      : place(fs::path(folder) /
+              ("state_" + std::to_string(number) + "." +
+               std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1)))
+  {
+    fs::create_directories(place / "in the way");
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  ~Obstacle()
+  {
+    std::error_code ignored;
+    MPI_Barrier(MPI_COMM_WORLD);
+    fs::remove_all(place, ignored);
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  fs::path place;
+};
 
 } // namespace
 
@@ -88,14 +130,49 @@ TEST(Checkpoint, AStoppedSolveGoesOnToTheSameDigits)
   }
 }
 
+TEST(Checkpoint, ASolveWhoseStatesOneRankCannotSaveStopsOnAllAndGoesOn)
+{
+  const CheckpointFolder folder;
+  const ContactState whole = small_foot(2).solve(load_at(1.3), { -10, {} });
+  std::set<unsigned long> meshes; // of the states that were saved, by their unknowns
+  std::optional<ContactState> state;
+  for (unsigned int number = 2; !state && number < 50; number += 3)
+  {
+    const Obstacle obstacle(folder.name, number);
+    try
+    {
+      state = small_foot(2, folder.name).solve(load_at(1.3), { -10, {} });
+    }
+    catch (const std::runtime_error &error)
+    {
+      ASSERT_EQ(error.what(), "The checkpoint in " + folder.name +
+                                " cannot be written; make room, or leave Contact/Checkpoint folder empty.");
+      const auto [saved, n_unknowns] = latest_state(folder.name);
+      ASSERT_EQ(saved, number - 1);
+      meshes.insert(n_unknowns);
+    }
+  }
+  ASSERT_TRUE(state);
+  for (const unsigned int refinements : { 0u, 1u, 2u }) // stopped on every mesh
+    EXPECT_TRUE(meshes.count(small_foot(refinements).description().n_unknowns)) << refinements;
+  EXPECT_EQ(state->solution.n_iterations, whole.solution.n_iterations);
+  for (unsigned int n = 0; n <= 8; ++n)
+  {
+    EXPECT_EQ(state->load.a[0][n], whole.load.a[0][n]) << n;
+    EXPECT_EQ(state->load.b[0][n], whole.load.b[0][n]) << n;
+  }
+}
+
 TEST(Checkpoint, IsOfItsOwnProblemOnly)
 {
   const CheckpointFolder folder;
   solve_and_stop(folder.name, 2);
   EXPECT_FALSE(fs::is_empty(folder.name));
   EXPECT_EQ(crowned_foot(folder.name, "another").solve(load_at(1.3), { -10, {} }).history.front().number, 1u);
+  EXPECT_TRUE(fs::is_empty(folder.name));
   solve_and_stop(folder.name, 2);
   EXPECT_EQ(crowned_foot(folder.name).solve(load_at(1.2), { -10, {} }).history.front().number, 1u);
+  EXPECT_TRUE(fs::is_empty(folder.name));
 }
 
 TEST(Checkpoint, OfAnotherVersionIsNotUsed)
@@ -109,7 +186,12 @@ TEST(Checkpoint, OfAnotherVersionIsNotUsed)
   const std::string present = "stemware checkpoint 2\n", text = content.str();
   ASSERT_EQ(text.substr(0, present.size()), present);
   std::ofstream(latest) << "stemware checkpoint 1\n" << text.substr(present.size());
+  // Left by a longer solve, and by one that was killed while it wrote; a file of another program.
+  for (const char *name : { "state_1000.0", "state_1001.1.unfinished", "state_of_the_table.txt" })
+    std::ofstream(fs::path(folder.name) / name) << "old";
   EXPECT_EQ(crowned_foot(folder.name).solve(load_at(1.3), { -10, {} }).history.front().number, 1u);
+  EXPECT_TRUE(fs::remove(fs::path(folder.name) / "state_of_the_table.txt"));
+  EXPECT_TRUE(fs::is_empty(folder.name));
 }
 
 TEST(Checkpoint, CutShortLongerOrWithoutItsStateIsSaid)
