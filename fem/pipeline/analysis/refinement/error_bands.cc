@@ -141,7 +141,12 @@ std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot
                                      fem::ComplianceCache &cache)
 {
   if (change.on_same_foot)
-    return std::make_shared<ElasticFoot>(foot.without_rings());
+  {
+    const auto same = std::make_shared<ElasticFoot>(foot.without_rings());
+    if (!change.radii.empty())
+      same->set_rings(change.radii, foot.n_harmonics());
+    return same;
+  }
   const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
   changed->set_rings(foot.ring_radii(), foot.n_harmonics());
   return changed;

@@ -218,6 +218,34 @@ TEST(ErrorBands, OfOneRingHoldManyRings)
   EXPECT_LT(error, spin.band);
 }
 
+TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
+{
+  Study study;
+  study.table.foundation_modulus = 1e9; // a wide contact
+  study.load.coupling = LoadCoupling::one_way;
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const double inner = 0.0285, outer = 0.0315; // [m]
+  const auto on_rings = [&](unsigned int n_rings)
+  {
+    foot->set_rings(chebyshev_radii(inner, outer, n_rings), 24);
+    return find_load(study, foot);
+  };
+  const BalancedLoad twice = on_rings(6), own = on_rings(3);
+  const SpinRow row = spin_row(own, Levels::question_of(study));
+  const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
+  const auto torque = [&](const BalancedLoad &load)
+  { return yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
+  const double changed = std::abs(torque(twice) - torque(own));
+  for (const BandedQuantity &banded : bands)
+    if (banded.quantity.key == "tau_at_spin_2")
+    {
+      EXPECT_GT(changed, 100 * banded.quantity.rounding);
+      EXPECT_NEAR(banded.parts.at("rings"), 1.25 * changed, 1e-2 * changed);
+    }
+  ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
+}
+
 TEST(ErrorBands, SayWhichLevelFailed)
 {
   Study study;
