@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace stemware::pipeline
 {
 namespace
@@ -244,6 +246,30 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
       EXPECT_NEAR(banded.parts.at("rings"), 1.25 * changed, 1e-2 * changed);
     }
   ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
+}
+
+TEST(ErrorBands, JudgeTheSpinByTheLargestMoveOfTorque)
+{
+  // With a slope of 2 N m s the moves of torque are 0.2, 0.3 and 0.1 N m.
+  const auto quantities = [](double omega, double torque_1, double torque_2)
+  {
+    return std::vector<QuantityOfInterest>{ { "omega_terminal", "", "rad/s", omega },
+                                            { "tau_at_spin_1", "", "N m", torque_1 },
+                                            { "tau_at_spin_2", "", "N m", torque_2 },
+                                            { "tau_at_rest", "", "N m", torque_1 },
+                                            { "time_constant", "", "s", 0.5 } };
+  };
+  const std::vector<QuantityOfInterest> before = quantities(-3, 1, -1), after = quantities(-3.1, 1.3, -0.9);
+  EXPECT_NEAR(move_at_several_spins("omega_terminal", before, after, 1), 0.15, 1e-12);
+  EXPECT_NEAR(move_at_several_spins("tau_at_spin_2", before, after, 1), 0.3, 1e-12);
+  EXPECT_NEAR(move_at_several_spins("time_constant", before, after, 1), 0, 1e-12);
+  // Without one of the three nobody knows the largest.
+  const double none = std::nan("");
+  for (const auto &lost :
+       { quantities(none, 1.3, -0.9), quantities(-3.1, none, -0.9), quantities(-3.1, 1.3, none) })
+    for (const char *key : { "omega_terminal", "tau_at_spin_1", "tau_at_spin_2" })
+      EXPECT_TRUE(std::isnan(move_at_several_spins(key, before, lost, 1))) << key;
+  EXPECT_NEAR(move_at_several_spins("tau_at_rest", before, quantities(-3.1, 1.3, none), 1), 0.3, 1e-12);
 }
 
 TEST(ErrorBands, SayWhichLevelFailed)
