@@ -136,7 +136,8 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes.
+/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes. Throws
+/// BadInput where its mesh cannot be made or its stiffness factorised, on all ranks alike.
 std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot &foot,
                                      fem::ComplianceCache &cache)
 {
@@ -147,9 +148,16 @@ std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot
       same->set_rings(change.radii, foot.n_harmonics());
     return same;
   }
-  const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
-  changed->set_rings(foot.ring_radii(), foot.n_harmonics());
-  return changed;
+  try
+  {
+    const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
+    changed->set_rings(foot.ring_radii(), foot.n_harmonics());
+    return changed;
+  }
+  catch (const std::runtime_error &failure)
+  {
+    throw BadInput(failure.what());
+  }
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
