@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_foot.h"
@@ -134,10 +135,8 @@ bool has_spring_for_hard_table(const Study &study)
   const ContactSection &contact = study.contact;
   if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
     return study.table.is_hard();
-  const bool has_halved_edge =
-    contact.mesh_file.empty() && fem::edge_halvings_for(study.glass.profile, true, contact.linear_solver) > 0;
   return contact.linear_solver != fem::LinearSolver::direct &&
-         (contact.refinements > 0 || has_halved_edge || !contact.halved.empty());
+         (contact.refinements > 0 || has_halved_edge(study) || !contact.halved.empty());
 }
 
 std::vector<fem::SectionPolygon> foot_section(const Study &study)

@@ -76,17 +76,15 @@ void add_solid_body(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
   size.cells = coarse_cells(contact) * std::pow(8., contact.refinements);
-  const bool has_halved_edge =
-    contact.mesh_file.empty() &&
-    fem::edge_halvings_for(study.glass.profile, study.table.is_hard(), contact.linear_solver) > 0;
-  if (has_halved_edge)
+  const bool edge_is_halved = has_halved_edge(study);
+  if (edge_is_halved)
     size.cells *= 3.5; // measured on a few meshes
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_at_scale.md).
   constexpr double factorised = 25e3, iterated = 500;
   const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
                          (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
-                          !has_halved_edge && size.unknowns < fem::largest_direct_system);
+                          !edge_is_halved && size.unknowns < fem::largest_direct_system);
   size.memory += size.unknowns * (is_direct ? factorised : iterated);
 }
 
@@ -114,6 +112,13 @@ StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
 }
 
 } // namespace
+
+bool has_halved_edge(const Study &study)
+{
+  const ContactSection &contact = study.contact;
+  return contact.mesh_file.empty() &&
+         fem::edge_halvings_for(study.glass.profile, study.table.is_hard(), contact.linear_solver) > 0;
+}
 
 StudySize size_of(const Study &study)
 {

@@ -15,6 +15,9 @@ struct StudySize
   double steps = 0;    ///< of the spin-up
 };
 
+/// Whether the mesh that is generated for a solid foot has halved cells at its land's inner side.
+bool has_halved_edge(const Study &study);
+
 StudySize size_of(const Study &study);
 
 /// Throws BadInput, with the entry that asks for most, where the estimate is above Contact/Memory limit or

@@ -37,21 +37,37 @@ void harden(ContactSection &contact)
   contact.hardness *= 10;
 }
 
-/// Other rings and harmonics under the same foot.
-void add_gathering(const Study &study, const ElasticFoot &foot, unsigned int rings,
-                   std::vector<BandChange> &changes)
-{
-  const auto add = [&](const std::string &part, const Setting &change) {
-    changes.push_back({ part, usual_factor, changed(study, change), "", true });
-  };
-  const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
-  add("load_harmonics", [=](ContactSection &contact)
-      { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
-  add("rings", [=](ContactSection &contact) { contact.rings = rings; });
-}
-
 /// As many as are enough everywhere but next to slip ratio 1.
 constexpr unsigned int usual_rings = 5;
+
+/// @p n_rings radii on the band of @p radii, which are chebyshev_radii(), two at least.
+std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned int n_rings)
+{
+  const double middle = (radii.back() + radii.front()) / 2, reach = (radii.back() - radii.front()) / 2;
+  const double half =
+    reach / std::cos(boost::math::double_constants::half_pi / static_cast<double>(radii.size()));
+  return chebyshev_radii(middle - half, middle + half, n_rings);
+}
+
+/// Other rings and harmonics under the same foot. @p other_rings: how many rings in the place of so many,
+/// two at least; one ring becomes those of a study that asks for usual_rings.
+void add_gathering(const Study &study, const ElasticFoot &foot,
+                   const std::function<unsigned int(unsigned int)> &other_rings,
+                   std::vector<BandChange> &changes)
+{
+  const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
+  const Study other_harmonics =
+    changed(study, [=](ContactSection &contact)
+            { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
+  changes.push_back({ "load_harmonics", usual_factor, other_harmonics, "", true });
+  BandChange rings = { "rings", usual_factor, study, "", true };
+  const std::vector<double> &own = foot.ring_radii();
+  if (own.size() < 2)
+    rings.study.contact.rings = usual_rings;
+  else
+    rings.radii = radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size())));
+  changes.push_back(rings);
+}
 
 std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)
 {
@@ -88,8 +104,8 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
   if (study.table.is_hard())
     changes.push_back({ "interface", 1.5, changed(study, harden), "" });
   constexpr unsigned int most = 12;
-  const unsigned int n = study.contact.rings;
-  add_gathering(study, foot, n == 1 ? usual_rings : n <= most ? 2 * n : n / 2, changes);
+  add_gathering(
+    study, foot, [](unsigned int n) { return n <= most ? 2 * n : n / 2; }, changes);
   return changes;
 }
 
@@ -183,8 +199,8 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
     changes.push_back({ "interface", 2, changed(study, harden), "" });
   // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
   // those of the rings extrapolated, more rings would show rounding.
-  const unsigned int n = study.contact.rings;
-  add_gathering(study, foot, n <= 2 ? usual_rings : n - 1, changes);
+  add_gathering(
+    study, foot, [](unsigned int n) { return n == 2 ? usual_rings : n - 1; }, changes);
   return changes;
 }
 

@@ -20,6 +20,7 @@ struct BandChange
   bool on_same_foot = false; ///< the foot stays, and its load is gathered otherwise
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
+  std::vector<double> radii = {}; ///< of the rings of that foot [m]; empty: as the study chooses them
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings

@@ -136,31 +136,28 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes.
+/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes. Throws
+/// BadInput where its mesh cannot be made or its stiffness factorised, on all ranks alike.
 std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot &foot,
                                      fem::ComplianceCache &cache)
 {
   if (change.on_same_foot)
-    return std::make_shared<ElasticFoot>(foot.without_rings());
-  const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
-  changed->set_rings(foot.ring_radii(), foot.n_harmonics());
-  return changed;
-}
-
-/// By how much a change moves the quantity @p key: terminal spin and torques at a spin are judged together,
-/// by the largest change of torque at half, at all and at one and a half times the terminal spin. What a mesh
-/// does to different harmonics may cancel at one spin, hardly at all three.
-double move_at_several_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
-                             const std::vector<QuantityOfInterest> &after, double yaw_inertia)
-{
-  const auto change_of = [&](const std::string &name)
-  { return std::abs(quantity_of(after, name).value - quantity_of(before, name).value); };
-  const double slope = yaw_inertia / quantity_of(before, "time_constant").value;
-  const double torque =
-    std::max({ slope * change_of("omega_terminal"), change_of("tau_at_spin_1"), change_of("tau_at_spin_2") });
-  if (key == "omega_terminal")
-    return torque / slope;
-  return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : change_of(key);
+  {
+    const auto same = std::make_shared<ElasticFoot>(foot.without_rings());
+    if (!change.radii.empty())
+      same->set_rings(change.radii, foot.n_harmonics());
+    return same;
+  }
+  try
+  {
+    const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
+    changed->set_rings(foot.ring_radii(), foot.n_harmonics());
+    return changed;
+  }
+  catch (const std::runtime_error &failure)
+  {
+    throw BadInput(failure.what());
+  }
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it

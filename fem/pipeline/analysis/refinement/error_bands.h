@@ -27,7 +27,8 @@ namespace stemware::pipeline
 ///   lines           four times the azimuth lines; nothing where the whole rim carries; not of a solid foot
 ///   interface       a ten times stiffer spring in the place of a hard interface
 ///   load_harmonics  twice the harmonics of the load, half where the lines or cells resolve no more
-///   rings           twice the rings, five instead of one; under a solid foot one less
+///   rings           twice the rings that the foot has, half of more than twelve; under a solid foot one
+///                   less, five instead of two; instead of one those of Contact/Rings = 5
 ///   interpolation   loads between sampled phases
 ///   solver          tolerances
 ///

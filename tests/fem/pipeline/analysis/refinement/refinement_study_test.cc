@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace stemware::pipeline
 {
 namespace
@@ -216,6 +218,58 @@ TEST(ErrorBands, OfOneRingHoldManyRings)
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
   EXPECT_GT(error, 0.5 * spin.band); // the rings are what the band is made of
   EXPECT_LT(error, spin.band);
+}
+
+TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
+{
+  Study study;
+  study.table.foundation_modulus = 1e9; // a wide contact
+  study.load.coupling = LoadCoupling::one_way;
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const double inner = 0.0285, outer = 0.0315; // [m]
+  const auto on_rings = [&](unsigned int n_rings)
+  {
+    foot->set_rings(chebyshev_radii(inner, outer, n_rings), 24);
+    return find_load(study, foot);
+  };
+  const BalancedLoad twice = on_rings(4), own = on_rings(2);
+  const SpinRow row = spin_row(own, Levels::question_of(study));
+  const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
+  const auto torque = [&](const BalancedLoad &load)
+  { return yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
+  const double changed = std::abs(torque(twice) - torque(own));
+  for (const BandedQuantity &banded : bands)
+    if (banded.quantity.key == "tau_at_spin_2")
+    {
+      EXPECT_GT(changed, 10 * banded.quantity.rounding);
+      EXPECT_NEAR(banded.parts.at("rings"), 1.25 * changed, 1e-2 * changed);
+    }
+  ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
+}
+
+TEST(ErrorBands, JudgeTheSpinByTheLargestMoveOfTorque)
+{
+  // With a slope of 2 N m s the moves of torque are 0.2, 0.3 and 0.1 N m.
+  const auto quantities = [](double omega, double torque_1, double torque_2)
+  {
+    return std::vector<QuantityOfInterest>{ { "omega_terminal", "", "rad/s", omega },
+                                            { "tau_at_spin_1", "", "N m", torque_1 },
+                                            { "tau_at_spin_2", "", "N m", torque_2 },
+                                            { "tau_at_rest", "", "N m", torque_1 },
+                                            { "time_constant", "", "s", 0.5 } };
+  };
+  const std::vector<QuantityOfInterest> before = quantities(-3, 1, -1), after = quantities(-3.1, 1.3, -0.9);
+  EXPECT_NEAR(move_at_several_spins("omega_terminal", before, after, 1), 0.15, 1e-12);
+  EXPECT_NEAR(move_at_several_spins("tau_at_spin_2", before, after, 1), 0.3, 1e-12);
+  EXPECT_NEAR(move_at_several_spins("time_constant", before, after, 1), 0, 1e-12);
+  // Without one of the three nobody knows the largest.
+  const double none = std::nan("");
+  for (const auto &lost :
+       { quantities(none, 1.3, -0.9), quantities(-3.1, none, -0.9), quantities(-3.1, 1.3, none) })
+    for (const char *key : { "omega_terminal", "tau_at_spin_1", "tau_at_spin_2" })
+      EXPECT_TRUE(std::isnan(move_at_several_spins(key, before, lost, 1))) << key;
+  EXPECT_NEAR(move_at_several_spins("tau_at_rest", before, quantities(-3.1, 1.3, none), 1), 0.3, 1e-12);
 }
 
 TEST(ErrorBands, SayWhichLevelFailed)

@@ -1,5 +1,6 @@
 // The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
 // bands. With MPI.
+#include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -135,6 +137,25 @@ TEST(SolidBands, OfAContactThatIsNarrowerThanItsCells)
   for (const char *key : { "omega_terminal", "a2", "b3", "a4" })
     expect_within_both(solid, revolution, key, 30);
   expect_within_both(solid, revolution, "tau_at_spin_1");
+}
+
+TEST(SolidBands, TakeOneRingLessThanTheFootHas)
+{
+  const Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const double inner = 0.0295, outer = 0.0305; // [m]
+  for (const auto &[own, other] : { std::pair(2u, 5u), std::pair(5u, 4u), std::pair(10u, 9u) })
+  {
+    foot->set_rings(chebyshev_radii(inner, outer, own), 8);
+    const std::vector<BandChange> changes =
+      band_changes(study, *foot, find_load(study, foot).report(), false);
+    const std::vector<double> expected = chebyshev_radii(inner, outer, other);
+    ASSERT_EQ(changes.back().part, "rings");
+    ASSERT_EQ(changes.back().radii.size(), other);
+    for (unsigned int j = 0; j < other; ++j)
+      EXPECT_NEAR(changes.back().radii[j], expected[j], 1e-12);
+  }
 }
 
 TEST(SolidBands, OfAFlatLandOnAHardTable)
