@@ -158,7 +158,8 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
     return result;
   // Of the mean in the long run; finer than the loads are known would be in vain.
   const PhaseLoads &phases = *load.phases();
-  const double accuracy = std::max(1e-9, 0.1 * phases.mean_error());
+  constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
+  const double accuracy = std::clamp(0.1 * phases.error(), 1e-9, std::max(coarsest, phases.mean_error()));
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
