@@ -104,9 +104,12 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
 /// Why a contact's spin stands without a band.
 std::string no_band_sentence(const Study &study)
 {
-  return study.load.is_from_contact() ? "It has no band: one of the contacts that would tell, coarser, finer "
-                                        "or stiffer, could not be had."
-                                      : "";
+  if (!study.load.is_from_contact())
+    return "";
+  const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
+  return std::string("It has no band: one of the contacts that would tell, coarser, finer or stiffer, could "
+                     "not be had") +
+         (may_be_narrow ? ", or the contact is narrower than the mesh's cells." : ".");
 }
 
 /// What no band contains, with its sizes.

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/study/study_size.h"
+#include "fem/pipeline/support/failures.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -164,7 +165,7 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
   const bool is_round = !given.contact.mesh_file.empty() || given.glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && half_width(at_rest) < cell;
   if (is_narrow && given.table.is_hard())
-    return {};
+    throw BadInput("the contact is narrower than the mesh's cells");
   Study study = given;
   study.contact.checkpoint_folder.clear();
   const auto is_affordable = [](const Study &finer)
@@ -184,7 +185,7 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
   if (study.contact.degree == 1 && is_affordable(quadratic))
     changes.push_back({ "degree", usual_factor, quadratic, "" });
   if (changes.empty())
-    return {};
+    throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Study &cheapest = coarse ? *coarse : study;
   const std::string as_cheapest = coarse ? "mesh" : "";
   // Each halving adds as much to a narrow contact's indentation as the one before.

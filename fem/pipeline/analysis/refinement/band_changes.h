@@ -24,9 +24,9 @@ struct BandChange
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings
-/// chosen, @p at_rest its load at rest. @p is_full: the whole rim carries load. Empty where no other mesh
-/// would tell: for a solid foot whose contact on a hard table is narrower than its cells, and for one of
-/// linear elements from a file when quadratic ones would exceed Contact/Memory limit.
+/// chosen, @p at_rest its load at rest. @p is_full: the whole rim carries load. Throws BadInput, with what
+/// it is that no other mesh would tell: for a solid foot whose contact on a hard table is narrower than its
+/// cells, and for one of linear elements from a file when quadratic ones would exceed Contact/Memory limit.
 std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
                                      bool is_full);
 

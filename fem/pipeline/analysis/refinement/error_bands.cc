@@ -186,8 +186,6 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   const Findings own = look(study, foot, probe);
   const std::vector<BandChange> changes =
     band_changes(study, *foot, own.at_rest, carries_all_round(all, own.at_rest));
-  if (changes.empty())
-    return {};
   const auto quantities = [&](const Findings &found)
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
@@ -234,7 +232,7 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   {
     return without(failure);
   }
-  catch (const BadInput &failure) // a mesh that cannot be made coarser or finer
+  catch (const BadInput &failure) // a mesh that cannot be made coarser or finer, or would not tell
   {
     return without(failure);
   }

@@ -38,8 +38,9 @@ namespace stemware::pipeline
 /// load depends on where the moment points over four.
 ///
 /// @p all is the row of all harmonics, @p first that of the first alone, where there is one. Empty for a load
-/// that does not come from a contact, and where one of the changed contacts cannot be had, which @p progress
-/// is told: next to tipping there is no band. A quantity that a change leaves without a value has none.
+/// that does not come from a contact, and where one of the changed contacts cannot be had, as next to
+/// tipping, or no other mesh would tell, as of a solid foot whose contact with a hard table is narrower than
+/// its cells; @p progress is told why. A quantity that a change leaves without a value has none.
 /// Collective where the body is.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                           const std::optional<double> &first, fem::ComplianceCache &cache,

@@ -85,6 +85,17 @@ change that. The largest other step from the paper's model to this one is "momen
 -0.5 rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
 }
 
+TEST(RunAnswer, SaysThatASolidFootOnAHardTableMayTouchBetweenItsNodes)
+{
+  SpunStudy plain;
+  plain.bands.clear();
+  const std::string narrow = "could not be had, or the contact is narrower than the mesh's cells.";
+  plain.study.table.interface = TableInterface::hard;
+  EXPECT_EQ(plain.answer().find(narrow), std::string::npos);
+  plain.study.contact.body = BodyKind::solid;
+  EXPECT_NE(plain.answer().find(narrow), std::string::npos);
+}
+
 TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
 {
   SpunStudy spun;
