@@ -52,7 +52,6 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
   else if (load.contact())
     report.load_at_terminal = report.load;
   report.tilt = report.load_at_terminal.tilt;
-  report.half_width = (report.load.outer_radius - report.load.inner_radius) / 2;
   if (foot)
     report.foot = describe_foot(study, *foot, load);
   report.coupling = load.statistics();

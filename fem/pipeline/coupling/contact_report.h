@@ -31,6 +31,8 @@ struct LoadReport
   double minimum = 0; ///< least pointwise load [N/rad]
   std::vector<fem::AzimuthLoad>
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
+
+  double half_width() const { return (outer_radius - inner_radius) / 2; } ///< of the loaded band [m]
 };
 
 /// The finite-element side of a study.
@@ -59,7 +61,6 @@ struct ContactReport
   LoadReport load; ///< at rest
   LoadReport load_at_terminal;
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< q_1, q_2 at the terminal spin
-  double half_width = 0;                          ///< of the loaded band at rest [m]
   std::optional<FootReport> foot;                 ///< nothing where the load does not come from a contact
   std::optional<CouplingStatistics> coupling;     ///< nothing where the load is the same at every spin
 };

@@ -173,7 +173,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
   const double rounding = 1e-9 * spin_unit(study);
   ReportSection section = {
     "From the paper's model to this study's",
-    joined({ lift_off_remark(report.load), layer_remark(study, report.half_width),
+    joined({ lift_off_remark(report.load), layer_remark(study, report.load.half_width()),
              waviness_remark(study, spin.phases) }) +
       "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
       "The "
@@ -395,10 +395,11 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   Results results;
   results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files, goal);
-  const std::vector<std::string> remarks = {
-    lift_off_remark(report.load), narrow_contact_remark(study, report.foot),
-    layer_remark(study, report.half_width), waviness_remark(study, spin.phases), terminal_spins_remark(spin)
-  };
+  const std::vector<std::string> remarks = { lift_off_remark(report.load),
+                                             narrow_contact_remark(study, report.foot),
+                                             layer_remark(study, report.load.half_width()),
+                                             waviness_remark(study, spin.phases),
+                                             terminal_spins_remark(spin) };
   Budget steps = spin.budget;
   steps.rows = named_steps(spin.budget.rows);
   results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };

@@ -138,18 +138,12 @@ std::optional<Study> on_coarser_mesh(const Study &study)
   return coarse;
 }
 
-/// Half-width of the contact [m].
-double half_width(const LoadReport &load)
-{
-  return (load.outer_radius - load.inner_radius) / 2;
-}
-
 /// How much more an interface yields that has the indentation of the glass which cells of size @p cell do not
 /// know: of a band of half-width b < cell under a line load p, 2 (1 - nu^2) / (pi E) p ln(cell / b), beside
 /// its own p / (2 b k) (the logarithm of a line contact: Johnson, Contact Mechanics, 1985, section 4.2).
 double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
 {
-  const double b = half_width(load), nu = study.glass.material.poisson_ratio;
+  const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
   const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
   const double indentation = 2 * (1 - nu * nu) /
                              (boost::math::double_constants::pi * study.glass.material.young_modulus) *
@@ -163,7 +157,7 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
   const double cell = foot.body().description().contact_cell_size;
   // A flat land touches with its edges, at which a generated mesh has smaller cells.
   const bool is_round = !given.contact.mesh_file.empty() || given.glass.profile.crown_radius > 0;
-  const bool is_narrow = is_round && half_width(at_rest) < cell;
+  const bool is_narrow = is_round && at_rest.half_width() < cell;
   if (is_narrow && given.table.is_hard())
     throw BadInput("the contact is narrower than the mesh's cells");
   Study study = given;
