@@ -116,7 +116,7 @@ struct RunByHand
     study.table.waviness.push_back({});
     report.load_at_terminal = hand_made_load_report(next);
     report.tilt = { next(), next() };
-    report.half_width = next() / 1000;
+    report.load.outer_radius = report.load.inner_radius + 2 * next() / 1000;
     spin.budget = hand_made_budget(next);
     bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
     study.load.coupling = pipeline::LoadCoupling::one_way;
@@ -124,7 +124,7 @@ struct RunByHand
 
   pipeline::Study study;
   pipeline::ContactReport report = {
-    { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, 0, {}, {}
+    { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, {}, {}
   }; // replaced
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;
