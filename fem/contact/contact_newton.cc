@@ -201,12 +201,13 @@ private:
 
   void step()
   {
-    if (n_steps >= control.max_steps)
+    constexpr unsigned int n_first_steps = 6;
+    const bool is_hopeless = n_steps == n_first_steps && residual() > control.hopeless_residual;
+    if (n_steps >= control.max_steps || is_hopeless)
     {
       std::ostringstream message;
-      message << control.max_steps << " Newton steps left a relative residual of " << residual()
-              << " (allowed " << control.equilibrium_tolerance
-              << "; refine the land or reduce the load's moment).";
+      message << n_steps << " Newton steps left a relative residual of " << residual() << " (allowed "
+              << control.equilibrium_tolerance << "; refine the land or reduce the load's moment).";
       throw ContactFailure(ContactOutcome::too_many_steps, message.str());
     }
     if (n_steps == 0 || n_changed > 0) // other places than those found to support it

@@ -4,6 +4,7 @@
 #include "fem/contact/table_law.h"
 
 #include <functional>
+#include <limits>
 
 namespace stemware::fem
 {
@@ -40,6 +41,8 @@ struct ContactControl
   /// Final check of the conditions: |sum f - N| / N and the other two over N R.
   double resultant_tolerance = 1e-9;
   unsigned int max_steps = 100; ///< Newton steps in all
+  /// Residual after six steps above which a start counts as too far away; ends like too many steps.
+  double hopeless_residual = std::numeric_limits<double>::infinity();
   /// Whether every step is taken whole: what a start close to the solution asks for, and where there is no
   /// energy to descend.
   bool whole_steps = false;

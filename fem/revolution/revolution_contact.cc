@@ -214,7 +214,7 @@ ContactSolution RevolutionFoot::solve_cold(const LinearConditions &conditions, d
 }
 
 ContactSolution RevolutionFoot::stiffen(const LinearConditions &conditions, double softness, ContactStart at,
-                                        double largest_step)
+                                        double largest_step, double hopeless_residual)
 {
   const double radius = setup.profile.contact_radius;
   BodyOfRevolution &body = zones.back()->body;
@@ -223,6 +223,7 @@ ContactSolution RevolutionFoot::stiffen(const LinearConditions &conditions, doub
   ContactControl control = contact_control();
   control.tolerance = control.equilibrium_tolerance = 1e-3;
   control.max_steps = 30;
+  control.hopeless_residual = hopeless_residual;
   while (softness > 1)
   {
     const ContactSolution solution = solve_contact(body, *soft_law, conditions, radius, control, &at);
@@ -246,7 +247,9 @@ ContactSolution RevolutionFoot::solve_near(const LinearConditions &conditions, c
 {
   ContactControl control = contact_control();
   control.whole_steps = true;
-  control.max_steps = setup.imperfection.empty() ? 15 : 10;
+  control.max_steps = setup.imperfection.empty() ? 15 : 20;
+  if (!setup.imperfection.empty())
+    control.hopeless_residual = 0.3;
   Zone &zone = *zones.back();
   return solve_contact(zone.body, *zone.law, conditions, setup.profile.contact_radius, control, &start);
 }
@@ -256,7 +259,7 @@ ContactSolution RevolutionFoot::solve_softened(const LinearConditions &condition
   const Eigen::VectorXd &gap = zones.back()->body.contact_surface().node_gap;
   return stiffen(conditions, softening_of_start,
                  { start.motion, -gap + softening_of_start * (gap + start.normal_displacement) },
-                 softening_of_start);
+                 softening_of_start, 10);
 }
 
 bool RevolutionFoot::is_stable(const LinearConditions &conditions, const ContactSolution &solution)

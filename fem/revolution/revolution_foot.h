@@ -102,15 +102,17 @@ private:
                                              std::size_t n_least);
   /// @p one of @p other at the nodes of the zone in use.
   ContactStart on_own_nodes(const ContactStart &one, const RevolutionFoot &other) const;
-  /// solve_contact() from @p start, in few steps or not at all.
+  /// solve_contact() from @p start, given up soon where it is not near.
   ContactSolution solve_near(const LinearConditions &conditions, const ContactStart &start);
   /// From @p start on a softened interface.
   ContactSolution solve_softened(const LinearConditions &conditions, const ContactStart &start);
   /// @p largest_step: by how much the interface is stiffened at once.
   ContactSolution solve_cold(const LinearConditions &conditions, double largest_step);
-  /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is.
+  /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is;
+  /// @p hopeless_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &conditions, double softness, ContactStart at,
-                          double largest_step);
+                          double largest_step,
+                          double hopeless_residual = std::numeric_limits<double>::infinity());
   /// Whether the glass stays where @p solution has it: one that leans may have a second balance, beyond which
   /// it tips. The two are told apart by the sign of the determinant of what is set against motions, which
   /// vanishes where they meet and is that of a glass whose weight does not count at the first.

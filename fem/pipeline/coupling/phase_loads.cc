@@ -270,8 +270,8 @@ std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
   // How the load depends on the spin is much the same at every phase: one decides on the spins.
   const auto at_one_phase = [&](double omega) { return column_of(load(omega, grids.phase(0))); };
   const double lower = static_cast<double>(interval) * spins_asked.unit;
-  SpinInterval spins(lower, lower + spins_asked.unit, 4);
-  while (true)
+  SpinInterval spins(lower, lower + spins_asked.unit, 2);
+  for (double error_before = std::numeric_limits<double>::infinity();;)
   {
     double error = 0;
     for (const double omega : spins.between())
@@ -284,8 +284,10 @@ std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
     }
     const double enough =
       std::max({ tolerance, std::min(grids.error, tolerance_of_many) / 10, grids.mean_error });
-    if (error <= enough || 2 * (spins.size() - 1) > most_steps)
+    const bool pays = error > good_enough || error < error_before / 3;
+    if (error <= enough || !pays || 2 * (spins.size() - 1) > most_steps)
       return { spins, error };
+    error_before = error;
     spins = spins.refined();
   }
 }
