@@ -199,7 +199,10 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
   if (before)
     try
     {
-      return solve_contact(body, *law, conditions, radius, control, &*before);
+      const ContactSolution solution = solve_contact(body, *law, conditions, radius, control, &*before);
+      if (solution.steadiness > 0)
+        return solution;
+      before.reset();
     }
     catch (const ContactFailure &failure)
     {
@@ -222,6 +225,11 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
     solve_contact(body, *law, conditions, radius, control, start ? &*start : nullptr);
   if (checkpoint)
     checkpoint->remove();
+  if (!(solution.steadiness > 0))
+    throw ContactFailure(
+      ContactOutcome::tipping,
+      "the balance that was found is one from which the glass falls, since its weight "
+      "pushes it on as it leans. Lower the centre of mass or the hand, or reduce the speed.");
   return solution;
 }
 
