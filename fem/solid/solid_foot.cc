@@ -268,7 +268,11 @@ PressureMap SolidFoot::pressure_map(const ContactState &state)
 std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const ContactGoal &goal,
                                                bool with_cells)
 {
-  if (setup.table.interface->is_hard() && softening_of_coarser == 1)
+  const bool is_at_right_angle =
+    !mesh.report && setup.profile.shape == GlassShape::step && setup.profile.crown_radius == 0;
+  const bool is_narrow =
+    !is_at_right_angle && given.outer_radius - given.inner_radius < 2 * body.contact_cell_size();
+  if (setup.table.interface->is_hard() && (softening_of_coarser == 1 || is_narrow))
     return std::nullopt;
   const ContactState state = is_latest(body, in_mesh_axes(given)) ? given : solve(given.demand, given.slip);
   const double axis = axis_of(state.slip);

@@ -82,7 +82,9 @@ void add_solid_body(const Study &study, StudySize &size)
                                   static_cast<int>(contact.refinements + n_edge_halvings));
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_at_scale.md).
-  constexpr double factorised = 25e3, iterated = 500;
+  constexpr double factorised = 25e3;
+  // The meshes under one with a halved edge have many cells too.
+  const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_direct = contact.linear_solver == fem::LinearSolver::direct ||
                          (contact.linear_solver == fem::LinearSolver::automatic && contact.refinements == 0 &&
                           n_edge_halvings == 0 && size.unknowns < fem::largest_direct_system);
