@@ -122,6 +122,7 @@ public:
     result.force_residual = std::abs(left(0)) / conditions.normal_force();
     result.moment_residual = left.tail<2>().norm() / (conditions.normal_force() * radius);
     result.equilibrium_residual = equilibrium;
+    result.steadiness = steadiness;
     return result;
   }
 
@@ -338,6 +339,7 @@ private:
       n_different += set_before[i] != contact.active_set[i];
     n_changed = parts.sum(n_different);
     last_step_length = step_length;
+    steadiness = increment.steadiness;
     n_linear_iterations += increment.linear_iterations;
     if (control.checkpoint)
       control.checkpoint({ motion, normal_displacement, n_steps });
@@ -372,6 +374,7 @@ private:
   unsigned int n_changed = 0;
   unsigned int n_linear_iterations = 0;
   double last_step_length = 1;
+  double steadiness = 1; ///< of the last increment
 };
 
 void require_balance(const ContactSolution &solution, const ContactControl &control)

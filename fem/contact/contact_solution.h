@@ -52,6 +52,7 @@ struct ContactSolution
   double force_residual = 0;       ///< |sum f - N| / N
   double moment_residual = 0;      ///< |sum r x f - M_N| / (N R), or that of the conditions in its place
   double equilibrium_residual = 0; ///< |B'f - K u| / |B'f|
+  double steadiness = 1;           ///< NewtonIncrement::steadiness of the last step
 };
 
 } // namespace stemware::fem

@@ -363,21 +363,45 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
+/// Halves the cells with a vertex at a radius and height [m] of which @p is_near is true.
+void halve_where(const std::function<bool(double radius, double height)> &is_near,
+                 Triangulation<3> &triangulation)
+{
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (cell->is_locally_owned() &&
+          is_near(std::hypot(cell->vertex(v)[0], cell->vertex(v)[1]), cell->vertex(v)[2]))
+        cell->set_refine_flag();
+  triangulation.execute_coarsening_and_refinement();
+}
+
 /// Halves the cells with a vertex in the land, up to its height, between two radii.
 void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
 {
   const double tolerance = 1e-6 * profile.land_width;
-  const auto is_in_land = [&](const Point<3> &vertex)
-  {
-    const double radius = std::hypot(vertex[0], vertex[1]);
-    return vertex[2] < profile.land_height + tolerance && radius > inner - tolerance &&
-           radius < outer + tolerance;
-  };
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      if (cell->is_locally_owned() && is_in_land(cell->vertex(v)))
-        cell->set_refine_flag();
-  triangulation.execute_coarsening_and_refinement();
+  halve_where(
+    [&](double radius, double height)
+    {
+      return height < profile.land_height + tolerance && radius > inner - tolerance &&
+             radius < outer + tolerance;
+    },
+    triangulation);
+}
+
+/// FootResolution::edge_halvings of a land whose cells are @p cell wide [m]. In a step those of the land's
+/// side, with the corners at both its ends; where the underside goes on smoothly, each of the cells that lie
+/// no further from the edge than they are wide.
+void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
+                 Triangulation<3> &triangulation)
+{
+  const double inner = profile.land_inner_radius();
+  for (unsigned int i = 0; i < n_halvings; ++i, cell /= 2)
+    if (profile.shape == GlassShape::step)
+      refine_land(profile, inner, inner, triangulation);
+    else
+      halve_where([&](double radius, double height)
+                  { return std::hypot(radius - inner, height) < 1.001 * cell; },
+                  triangulation);
 }
 
 } // namespace
@@ -409,11 +433,12 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
   mark_boundaries(profile, triangulation);
   if (resolution.refinements > 0)
     triangulation.refine_global(resolution.refinements);
-  const double inner = profile.land_inner_radius(), outer = profile.land_outer_radius();
   for (unsigned int i = 0; i < resolution.land_refinements; ++i)
-    refine_land(profile, inner, outer, triangulation);
-  for (unsigned int i = 0; i < resolution.edge_halvings; ++i)
-    refine_land(profile, inner, inner, triangulation);
+    refine_land(profile, profile.land_inner_radius(), profile.land_outer_radius(), triangulation);
+  refine_edge(profile, resolution.edge_halvings,
+              std::ldexp(profile.land_width / resolution.radial_cells,
+                         -static_cast<int>(resolution.refinements + resolution.land_refinements)),
+              triangulation);
 }
 
 } // namespace stemware::fem

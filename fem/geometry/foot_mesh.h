@@ -20,7 +20,8 @@ struct FootResolution
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
   unsigned int land_refinements = 0; ///< further ones of the cells that touch the land, with hanging nodes
-  /// Further ones of the cells at the land's inner side, where a flat land on a hard table has most pressure.
+  /// Further ones of the cells at the land's inner side, where a flat land on a hard table has most pressure;
+  /// of a step that side, up to its re-entrant corner, else each time what lies within a cell's width of it.
   unsigned int edge_halvings = 0;
 
   /// Throws std::invalid_argument for counts that no mesh has.

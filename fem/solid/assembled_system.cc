@@ -117,6 +117,8 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   };
   const SurfaceParts &parts = zone.surface.parts;
   const ScaledMotions motions(zone.surface);
+  const Eigen::Matrix3d leaning =
+    motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
   BorderedSystem system{ tangent, {}, {}, {} };
   const Eigen::MatrixX3d stiffened = contact_tangent * motions.modes;
   system.border = scatter_columns(stiffened);
@@ -126,8 +128,7 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   {
     const Eigen::MatrixX3d weights = conditions.weights() * motions.scale.asDiagonal();
     system.condition_border = scatter_columns(contact_tangent * weights);
-    system.corner = parts.sum(weights.transpose() * stiffened) -
-                    motions.scale.asDiagonal() * conditions.motion_weights() * motions.scale.asDiagonal();
+    system.corner = parts.sum(weights.transpose() * stiffened) - leaning;
   }
   const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
   { return contact_tangent * (of.displacement + motions.modes * of.motion); };
@@ -161,6 +162,7 @@ NewtonIncrement AssembledSystem::solve(const Eigen::SparseMatrix<double> &contac
   increment = solution.body;
   NewtonIncrement step;
   step.linear_iterations = solution.n_iterations;
+  step.steadiness = steadiness_of(solver.schur_complement(), leaning);
   step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
   // The work of friction, which changes with the forces, belongs to the body's.

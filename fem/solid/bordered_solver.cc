@@ -162,7 +162,7 @@ void BorderedSolver::build_preconditioner(const BorderedSystem &system)
   preconditioner = std::make_unique<const Factorization>(system.matrix);
   // The Schur complement of an inexact elimination W, in the form (-W, 1)' M (-W, 1) that stays positive
   // definite.
-  Eigen::Matrix3d schur = system.corner;
+  Eigen::Matrix3d symmetric = system.corner;
   std::array<VectorType, 3> images;
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -173,9 +173,9 @@ void BorderedSolver::build_preconditioner(const BorderedSystem &system)
   }
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
-      schur(i, j) += eliminated_border[i] * images[j] - eliminated_border[i] * system.border[j] -
-                     system.border[i] * eliminated_border[j];
-  inverse_schur = ((schur + schur.transpose()) / 2).inverse();
+      symmetric(i, j) += eliminated_border[i] * images[j] - eliminated_border[i] * system.border[j] -
+                         system.border[i] * eliminated_border[j];
+  inverse_schur = ((symmetric + symmetric.transpose()) / 2).inverse();
 }
 
 unsigned int BorderedSolver::solve_symmetric(const BorderedSystem &system, const BorderedVector &rhs,
@@ -197,7 +197,7 @@ unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &sys
                                                        BorderedVector &solution, bool is_same)
 {
   // x = A^-1 (r - G q) with (C - H' A^-1 G) q = s - H' A^-1 r.
-  Eigen::Matrix3d schur = system.corner;
+  schur = system.corner;
   unsigned int n_iterations = 0;
   const auto eliminate = [&](const VectorType &column, VectorType &result)
   {

@@ -49,6 +49,9 @@ public:
   unsigned int solve(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
                      BorderedVector &solution, bool is_same = false);
 
+  /// C - H' A^-1 G of the unsymmetric system solved last.
+  const Eigen::Matrix3d &schur_complement() const { return schur; }
+
 private:
   void build_preconditioner(const BorderedSystem &system);
   unsigned int solve_symmetric(const BorderedSystem &system, const BorderedVector &rhs, double reduction,
@@ -65,6 +68,7 @@ private:
   Eigen::Matrix3d inverse_schur = Eigen::Matrix3d::Identity();
   /// A^-1 G of the unsymmetric system solved last.
   std::array<dealii::TrilinosWrappers::MPI::Vector, 3> columns;
+  Eigen::Matrix3d schur = Eigen::Matrix3d::Identity();
 };
 
 } // namespace stemware::fem

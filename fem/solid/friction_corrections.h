@@ -16,6 +16,7 @@ struct SolidIncrement
   Eigen::VectorXd displacement; ///< B du
   Eigen::Vector3d motion;       ///< of the table, scaled
   unsigned int n_iterations = 0;
+  double steadiness = 1; ///< NewtonIncrement::steadiness, friction in the body aside
 
   void add(double factor, const SolidIncrement &other)
   {

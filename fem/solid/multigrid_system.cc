@@ -343,6 +343,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   increment_forces -= contact_load(change);
   NewtonIncrement step;
   step.linear_iterations = solution.n_iterations;
+  step.steadiness = solution.steadiness;
   step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
   // The work of friction, which changes with the forces, belongs to the body's.
@@ -372,6 +373,7 @@ void MultigridSystem::close_conditions(const LinearConditions &conditions, const
   if (!factors.isInvertible())
     throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
   const Eigen::Vector3d further = factors.solve(left);
+  solution.steadiness = steadiness_of(matrix, leaning);
   solution.motion += further;
   solution.displacement += (response - motions.modes) * further;
   for (unsigned int i = 0; i < solution.body.locally_owned_size(); ++i)

@@ -74,8 +74,10 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) override;
   PressureMap pressure_map(const ContactState &state) override;
   std::vector<FieldFile> fields(const ContactState &state) override;
-  /// As estimate_mesh_error(); nothing for a hard table under a mesh without a hierarchy, whose nodal
-  /// multipliers have no counterpart on other elements. Presses the foot again unless @p state is its last.
+  /// As estimate_mesh_error(). Nothing for a hard table under a mesh without a hierarchy, whose nodal
+  /// multipliers have no counterpart on other elements, nor where its contact is narrower than two cells, of
+  /// which the finer elements see too little; they see enough at the right angle beside a step's flat land.
+  /// Presses the foot again unless @p state is its last.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) override;
 

@@ -9,6 +9,8 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <Eigen/LU>
+
 #include <iosfwd>
 
 namespace stemware::fem
@@ -69,5 +71,12 @@ struct ScaledMotions
   Eigen::Vector3d scale;  ///< of q0, q1, q2: 1, 1/m, 1/m
   Eigen::MatrixX3d modes; ///< Q, its columns scaled
 };
+
+/// NewtonIncrement::steadiness from what is set against motions, @p resistance, and the weight's part H of
+/// it, @p leaning.
+inline double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
+{
+  return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
+}
 
 } // namespace stemware::fem

@@ -1,5 +1,6 @@
-// Meshes of a solid foot that are made for one number, a_2 / a_0 of the load at rest, beside meshes all of
-// whose cells are halved: unknowns, error against a body of revolution, and the error that was estimated.
+// Meshes of a solid foot that are made for one number, a_2 / a_0 of the load at rest or the terminal spin,
+// beside meshes all of whose cells are halved: unknowns, error against a body of revolution, and the error
+// that was estimated.
 //
 //   goal_benchmark [name=value]...
 //
@@ -7,9 +8,16 @@
 // mesh), uniform=2 (most refinements of all cells), meshes=6 (adaptive ones), most=2000000 (unknowns),
 // share=0.8 (of the shares that the halved cells have), degree=2, crown=0.003 (0: a flat land of 2 mm),
 // shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0, exact= (in the place of the body
-// of revolution's, where it is known from before).
+// of revolution's, where it is known from before), goal=a2|spin.
+//
+// goal=spin: the terminal spin of a study with this foot, its moment from the moment balance with a hand
+// offset=1.6 times as far from the centre of mass as usual (moment= is not read); friction=0 is that which
+// deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
+#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/benchmark/solid_benchmark.h"
@@ -26,6 +34,8 @@ namespace
 
 struct Case
 {
+  bool of_spin = false;
+  stemware::pipeline::Study study; ///< of_spin
   SolidSetup solid;
   RevolutionSetup revolution;
   FootResolution resolution;
@@ -37,6 +47,28 @@ struct Case
   double share = 0.8;
   std::optional<double> exact;
 };
+
+/// A study of the terminal spin that @p values describe.
+stemware::pipeline::Study read_study(const NamedValues &values)
+{
+  stemware::pipeline::Study study;
+  study.glass.profile = profile_of(values);
+  if (values.text("table") == "hard")
+    study.table.interface = stemware::pipeline::TableInterface::hard;
+  study.table.foundation_modulus = values.number("modulus");
+  study.motion.orbit.force_offset *= values.number("offset");
+  const std::vector<unsigned int> cells = values.counts("cells");
+  study.contact.resolution = { cells.at(0), cells.at(1), cells.at(2) };
+  study.contact.refinements = values.count("refinements");
+  study.contact.degree = values.count("degree");
+  study.contact.linear_solver = LinearSolver::multigrid;
+  study.contact.harmonics = 24;
+  study.contact.load_harmonics = 12;
+  if (values.number("friction") == 0)
+    study.contact.friction_coupling = stemware::pipeline::FrictionCoupling::none;
+  study.contact.goal = stemware::pipeline::Goal::terminal_spin;
+  return study;
+}
 
 Case read_case(int argc, char **argv)
 {
@@ -53,6 +85,8 @@ Case read_case(int argc, char **argv)
                              { "table", "winkler" },
                              { "modulus", "1e11" },
                              { "exact", "" },
+                             { "goal", "a2" },
+                             { "offset", "1.6" },
                              { "moment", "1.2" },
                              { "friction", "0" } });
   Case study;
@@ -60,6 +94,8 @@ Case read_case(int argc, char **argv)
   study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements") };
   study.most_refinements = values.count("uniform");
   study.n_meshes = values.count("meshes");
+  study.of_spin = values.text("goal") == "spin";
+  study.study = read_study(values);
   study.most_unknowns = values.count("most");
   study.share = values.number("share");
   if (!values.text("exact").empty())
@@ -82,6 +118,16 @@ Case read_case(int argc, char **argv)
   study.demand.ring_radii = { 0.0295, 0.0305 };
   study.demand.n_harmonics = 4;
   return study;
+}
+
+/// Throws std::runtime_error where there is none.
+template <typename Estimate>
+Estimate given_estimate(const std::optional<Estimate> &estimate)
+{
+  if (!estimate)
+    throw std::runtime_error(
+      "There is no estimate of this foot's error: its contact is narrower than its cells.");
+  return *estimate;
 }
 
 /// a_2 / a_0 of all rings together, a_0 being given by the weight.
@@ -122,14 +168,59 @@ MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const
   timer.restart();
   MeshError error;
   if (estimates)
-    error = foot.mesh_error(state, goal, true).value();
+    error = given_estimate(foot.mesh_error(state, goal, true));
   say("{:8} {:9} {:+.9f} {:+.2e} {:+.2e} {:6.3f} {:7.1f} {:7.1f}\n", kind, foot.description().n_unknowns,
       value, exact - value, error.correction, error.correction / (exact - value), seconds, timer.wall_time());
   return error;
 }
 
+/// Of @p study, with the error estimated where @p estimates; else the value alone.
+stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates)
+{
+  using namespace stemware::pipeline;
+  ComplianceCache cache;
+  const auto foot = study_foot(study, cache);
+  const BalancedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
+  dealii::Timer timer;
+  GoalError found;
+  found.value = omega;
+  if (estimates)
+    found = given_estimate(goal_error(study, *foot, load, omega, Goal::terminal_spin, true));
+  const FootDescription mesh = foot->body().description();
+  say("{:10} {:9} {:+.9f} {:7.1f} ", mesh.body, mesh.n_unknowns, omega, timer.wall_time());
+  return found;
+}
+
+void run_spin(const Case &given)
+{
+  stemware::pipeline::Study study = given.study, fine = given.study;
+  fine.contact.body = stemware::pipeline::BodyKind::revolution;
+  fine.contact.resolution = {};
+  fine.contact.degree = 3;
+  say("body        unknowns     rad/s   estimate (s)    error   estimated  ratio\n");
+  double exact = given.exact.value_or(0);
+  if (!given.exact)
+    for (const unsigned int refinements : { 0, 1 })
+    {
+      fine.contact.refinements = refinements;
+      exact = terminal_spin_of(fine, false).value;
+      say("\n");
+    }
+  study.contact.body = stemware::pipeline::BodyKind::solid;
+  for (unsigned int n = 0; n < given.n_meshes; ++n)
+  {
+    const stemware::pipeline::GoalError found = terminal_spin_of(study, true);
+    const double error = exact - found.value;
+    say("{:+.2e} {:+.2e} {:6.3f}\n", error, found.error.correction, found.error.correction / error);
+    study.contact.halved.push_back(found.error.mark(given.share));
+  }
+}
+
 void run(const Case &study)
 {
+  if (study.of_spin)
+    return run_spin(study);
   const double exact = study.exact ? *study.exact : truth(study);
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");

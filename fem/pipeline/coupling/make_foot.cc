@@ -65,8 +65,7 @@ fem::SolidMesh mesh_before_goal(const Study &study)
   {
     fem::FootResolution resolution = study.contact.resolution;
     resolution.refinements = study.contact.refinements;
-    resolution.edge_halvings =
-      fem::edge_halvings_for(study.glass.profile, study.table.is_hard(), study.contact.linear_solver);
+    resolution.edge_halvings = edge_halvings(study);
     return fem::generate_solid_mesh(study.glass.profile, resolution);
   }
   require_usable_mesh(study);
@@ -136,7 +135,7 @@ bool has_spring_for_hard_table(const Study &study)
   if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
     return study.table.is_hard();
   return contact.linear_solver != fem::LinearSolver::direct &&
-         (contact.refinements > 0 || has_halved_edge(study) || !contact.halved.empty());
+         (contact.refinements > 0 || edge_halvings(study) > 0 || !contact.halved.empty());
 }
 
 std::vector<fem::SectionPolygon> foot_section(const Study &study)

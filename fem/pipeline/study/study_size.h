@@ -15,8 +15,9 @@ struct StudySize
   double steps = 0;    ///< of the spin-up
 };
 
-/// Whether the mesh that is generated for a solid foot has halved cells at its land's inner side.
-bool has_halved_edge(const Study &study);
+/// FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() where the mesh is generated, but
+/// no more than 2 where a goal halves further cells itself and estimates what each mesh leaves.
+unsigned int edge_halvings(const Study &study);
 
 StudySize size_of(const Study &study);
 

@@ -157,6 +157,27 @@ TEST(MeshEstimate, HoldsUnderAHardFlatLand)
   EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2);
 }
 
+// There it would be a tenth of the error, or none of it (docs/method/solid_at_scale.md); the same feet on a
+// mat have one.
+TEST(MeshEstimate, SaysNothingOfAHardContactNarrowerThanItsCells)
+{
+  GlassProfile flat = flat_profile();
+  flat.shape = GlassShape::foot;
+  for (const GlassProfile &profile : { profile_of(GlassShape::step), flat })
+    for (const bool is_hard : { false, true })
+    {
+      SolidSetup setup;
+      setup.profile = profile;
+      setup.table.interface = mat;
+      if (is_hard)
+        setup.table.interface = std::make_shared<HardInterface>();
+      setup.options.degree = 1;
+      SolidFoot foot(mesh_on(MPI_COMM_WORLD, profile, { 8, 2, 1, 1 }), setup);
+      const ContactState state = foot.solve(demand_of(1.2));
+      EXPECT_EQ(foot.mesh_error(state, second_harmonic(), false).has_value(), !is_hard);
+    }
+}
+
 TEST(MeshEstimate, MarksWholeRings)
 {
   const GlassProfile profile = profile_of(GlassShape::step);

@@ -1,6 +1,7 @@
 // The solid foot as everybody sees it: states that stay valid, and what they say about a foot pressed again.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
+#include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 
@@ -70,4 +71,32 @@ TEST(SolidFoot, SaysWhatItIs)
   SolidSetup on_wood = coarse_setup(std::make_shared<HardInterface>());
   on_wood.table.substrate = Substrate();
   EXPECT_THROW(SolidFoot(mesh, on_wood), std::invalid_argument);
+}
+
+// Oracle: the body of revolution, which takes the first of two balances of a glass that leans; between the
+// two it leans as under plain moments (the test Tilt).
+TEST(SolidFoot, TakesTheFirstOfTwoBalances)
+{
+  const auto mat = std::make_shared<WinklerInterface>(1e7);
+  const double height = 0.5, second = 1.4; // of the centre of mass [m]; moment ratio of the second balance
+  const double scale = weight * GlassProfile().contact_radius / 2;
+  const auto under_moment = [&](double m) { return ContactDemand(weight, 0, -m * scale); };
+  RevolutionSetup revolved;
+  revolved.table.interface = mat;
+  RevolutionFoot oracle(revolved.resolved_for(weight));
+  const double lean = std::abs(oracle.solve(under_moment(second)).solution.motion(1));
+  ContactDemand demand = under_moment(second - weight * height * lean / scale);
+  demand.tilt_moment = weight * height;
+  const double expected = -oracle.solve(demand).load.moment_y / scale;
+  ASSERT_LT(expected, 1.2);
+  for (const LinearSolver solver : { LinearSolver::direct, LinearSolver::multigrid })
+  {
+    SolidSetup setup;
+    setup.table.interface = mat;
+    setup.options.linear_solver = solver;
+    SolidFoot foot(generate_solid_mesh(setup.profile, { 24, 2, 1 }), setup);
+    EXPECT_NEAR(-foot.solve(demand).load.moment_y / scale, expected, 1e-4);
+    foot.solve(under_moment(second)); // Newton's method starts at the second balance
+    EXPECT_NEAR(-foot.solve(demand).load.moment_y / scale, expected, 1e-4);
+  }
 }

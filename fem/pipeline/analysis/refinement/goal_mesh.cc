@@ -32,7 +32,10 @@ GoalError error_of(const Study &study, fem::ComplianceCache &cache)
   const double omega = terminal_spin(load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
   const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
   if (!found)
-    throw std::runtime_error("The error of Contact/Goal cannot be estimated in this study; set it to none.");
+    throw std::runtime_error(
+      "The error of Contact/Goal cannot be estimated in this study, as where the contact of a solid foot "
+      "with a "
+      "hard table is narrower than its cells; set it to none, or take the foot as a body of revolution.");
   return *found;
 }
 
