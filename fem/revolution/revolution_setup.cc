@@ -1,6 +1,8 @@
 #include "fem/revolution/revolution_setup.h"
 
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,11 +45,38 @@ double hertz_half_width(const RevolutionSetup &setup, double normal_force)
                    setup.plane_strain_compliance() / boost::math::double_constants::pi);
 }
 
+double crest_half_width(const RevolutionSetup &setup, double normal_force)
+{
+  const RimImperfection &waviness = setup.imperfection;
+  double sum = 0;
+  for (const auto *harmonics : { &waviness.glass, &waviness.table })
+    for (const WavinessHarmonic &harmonic : *harmonics)
+      sum += std::pow(harmonic.amplitude * harmonic.n * harmonic.n, 2);
+  if (sum == 0)
+    return 0;
+  const double across = setup.profile.crown_radius;
+  const double along = std::max(across, std::pow(setup.profile.contact_radius, 2) / std::sqrt(sum));
+  double slenderness = std::pow(along / across, 2. / 3), second = 0;
+  for (unsigned int i = 0; i < 50; ++i)
+  {
+    const double modulus = std::sqrt((1 - 1 / slenderness) * (1 + 1 / slenderness));
+    const double first = boost::math::ellint_1(modulus);
+    second = boost::math::ellint_2(modulus);
+    slenderness = std::sqrt((along / across * (first - second) + first) / second);
+  }
+  // The table's motions leave three crests at least to stand on.
+  return std::cbrt(normal_force * second * setup.plane_strain_compliance() /
+                   (boost::math::double_constants::pi * slenderness * (1 / across + 1 / along)));
+}
+
 double expected_half_width(const RevolutionSetup &setup, double normal_force)
 {
   if (setup.profile.crown_radius == 0)
     return 0;
   double of_bodies = hertz_half_width(setup, normal_force);
+  // How far the foot bends on its crests is not known before: in between, neither is far off.
+  if (setup.table.interface->is_hard())
+    of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
   {
     // A layer thinner than the contact is wide is a mat of modulus E / thickness.

@@ -65,8 +65,14 @@ struct RevolutionSetup
 /// q = N / (2 pi R) [m]; 0 for a flat land.
 double hertz_half_width(const RevolutionSetup &setup, double normal_force);
 
+/// Half-width across the rim of Hertz's contact on one of three crests of a wavy, rigid, crowned rim [m], 0
+/// without waviness: the short semiaxis of the ellipse (Johnson, Contact Mechanics, 1985, section 4.2). The
+/// curvature along the rim is the root of the sum of the squares of all harmonics'.
+double crest_half_width(const RevolutionSetup &setup, double normal_force);
+
 /// Half-width that the contact of a crowned rim pressed evenly will have: that of its bodies or of its
-/// interface, whichever is larger [m]; 0 for a flat land.
+/// interface, whichever is larger [m]; 0 for a flat land. On hard crests, which the foot's bending flattens
+/// nobody knows how far, the geometric mean of crest_half_width() and that of an even rim, if it is larger.
 double expected_half_width(const RevolutionSetup &setup, double normal_force);
 
 } // namespace stemware::fem

@@ -153,6 +153,35 @@ TEST(HardTable, CellsAreHalfTheHertzHalfWidth)
   }
 }
 
+/// Hertz's ellipse by quadrature: R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k E*).
+TEST(HardTable, CrestsAreAsWideAsHertzsEllipse)
+{
+  constexpr double slenderness = 300;
+  constexpr int n_points = 100000;
+  double first = 0, second = 0; // complete elliptic integrals K, E
+  for (int i = 0; i < n_points; ++i)
+  {
+    const double angle = (i + 0.5) / n_points * M_PI_2;
+    const double root = std::sqrt(std::pow(std::cos(angle), 2) + std::pow(std::sin(angle) / slenderness, 2));
+    first += M_PI_2 / n_points / root;
+    second += M_PI_2 / n_points * root;
+  }
+  const double across = 0.003;
+  const double along = across * (slenderness * slenderness * second - first) / (first - second);
+  RevolutionSetup setup;
+  setup.table.interface = std::make_shared<HardInterface>();
+  EXPECT_EQ(crest_half_width(setup, weight), 0);
+  setup.imperfection.glass = { { 3, 0.6 * 0.03 * 0.03 / along / 9, 0.1 } };
+  setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
+  const double compliance = (1 - 0.22 * 0.22) / 70e9;
+  const double cube = weight * second * compliance /
+                      (M_PI * slenderness * (1 / across + 1 / along)); // of a third of the weight
+  EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
+  const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);
+  EXPECT_GT(crest, even);
+  EXPECT_NEAR(expected_half_width(setup, weight) / std::sqrt(even * crest), 1, 1e-12);
+}
+
 TEST(HardwoodTable, HalvingsSplitEveryCellTheFinestToo)
 {
   RevolutionSetup setup;
