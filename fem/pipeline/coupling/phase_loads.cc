@@ -114,34 +114,6 @@ void require_resolved(unsigned int n_phases, double error, double mean_error)
 
 } // namespace
 
-double PhaseGrids::turning_angle(const ring::Orientation &phase) const
-{
-  return glass.size() > 1 ? phase.glass : phase.table;
-}
-
-double PhaseGrids::turning_period() const
-{
-  return !turning ? 0 : glass.size() > 1 ? periods.glass : periods.table;
-}
-
-unsigned int PhaseGrids::n_turning_phases() const
-{
-  return glass.size() > 1 ? glass.size() : table.size();
-}
-
-ring::Orientation PhaseGrids::phase(unsigned int i) const
-{
-  return { glass.node(i / table.size()), table.node(i % table.size()) };
-}
-
-PhaseGrids PhaseGrids::halved() const
-{
-  PhaseGrids halved = *this;
-  halved.glass = glass.halved();
-  halved.table = table.halved();
-  return halved;
-}
-
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
 {
   const ring::CoulombRing friction(1);
@@ -154,12 +126,6 @@ double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
     largest = std::max(largest, std::abs(torque(one) - torque(other)));
   }
   return largest / (other.rings.normal_force() * radius);
-}
-
-Eigen::VectorXd PhaseGrids::weights(const ring::Orientation &phase) const
-{
-  const Eigen::VectorXd of_glass = glass.weights(phase.glass), of_table = table.weights(phase.table);
-  return (of_table * of_glass.transpose()).reshaped(); // the table's angle runs fastest
 }
 
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
@@ -298,6 +264,22 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   const auto known = intervals.find(interval);
   if (known != intervals.end())
     return known->second;
+  // A search for a spin comes back, with other spins of the same interval.
+  if (const auto failed = failures.find(interval); failed != failures.end())
+    std::rethrow_exception(failed->second);
+  try
+  {
+    return intervals.emplace(interval, samples_of(interval)).first->second;
+  }
+  catch (const std::runtime_error &)
+  {
+    failures.emplace(interval, std::current_exception());
+    throw;
+  }
+}
+
+PhaseLoads::Samples PhaseLoads::samples_of(long interval) const
+{
   const auto [spins, error_between_spins] = find_spins(interval);
   Samples samples = { spins, {} };
   const unsigned int middle = spins.size() / 2;
@@ -316,7 +298,7 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
     require_resolved(on.size(), largest_error, largest_mean_error);
     break;
   }
-  return intervals.emplace(interval, std::move(samples)).first->second;
+  return samples;
 }
 
 std::vector<Eigen::MatrixXd> PhaseLoads::spread(const std::vector<double> &omegas, const PhaseGrids &on) const

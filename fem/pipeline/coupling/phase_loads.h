@@ -1,12 +1,12 @@
 #pragma once
 
 #include "fem/pipeline/coupling/leaning_load.h"
-#include "fem/pipeline/coupling/orientation.h"
-#include "fem/pipeline/coupling/periodic_grid.h"
+#include "fem/pipeline/coupling/phase_grids.h"
 #include "fem/pipeline/coupling/spin_interval.h"
 
 #include <Eigen/Core>
 
+#include <exception>
 #include <functional>
 #include <map>
 #include <utility>
@@ -17,31 +17,6 @@ namespace stemware::pipeline
 
 /// The load at a spin [rad/s] with the marks at a phase; each is a contact solution, or several.
 using LoadAtPhase = std::function<LeaningLoad(double omega, const ring::Orientation &phase)>;
-
-/// Phases of glass and table at which a load is sampled.
-struct PhaseGrids
-{
-  PeriodicGrid glass;
-  PeriodicGrid table;
-  PhasePeriods periods;  ///< with which the load repeats itself
-  double error = 0;      ///< of the load at rest between them, torque_difference()
-  double mean_error = 0; ///< of the mean of the load at rest
-
-  /// Whether the samples are taken without what turns with the crests (PhaseLoads).
-  bool turning = false;
-
-  unsigned int size() const { return glass.size() * table.size(); }
-  ring::Orientation phase(unsigned int i) const;
-
-  /// The angle with which the crests turn that a load goes with: the glass's, where it is wavy, else the
-  /// table's; its period [rad], 0 where samples are taken as they are; and its number of samples.
-  double turning_angle(const ring::Orientation &phase) const;
-  double turning_period() const;
-  unsigned int n_turning_phases() const;
-  PhaseGrids halved() const; ///< with half the phases of each angle
-  /// Weights of the phases in the interpolant at @p phase. Shape [size()].
-  Eigen::VectorXd weights(const ring::Orientation &phase) const;
-};
 
 /// How far apart two loads are as friction sees them: the largest difference of tau_z over mu N R among the
 /// slip ratios 0, +-1/4 ... +-1, R the ring radius of @p other. Harmonics count as much as they turn the
@@ -127,6 +102,7 @@ private:
   /// spin, as many as it takes below 3e-2 until twice as many do not lessen the error to a third.
   std::pair<SpinInterval, double> find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
+  Samples samples_of(long interval) const;
   /// Largest torque_difference() of @p samples from the load at phases that half the grid leaves out.
   double error_of(const Samples &samples) const;
   /// Samples of the spins on the phases @p on, brought to all phases: what the spin adds is interpolated.
@@ -143,6 +119,7 @@ private:
   mutable std::size_t n_rings = 1; ///< of every sample
   const Eigen::MatrixXd at_rest;
   mutable std::map<long, Samples> intervals;
+  mutable std::map<long, std::exception_ptr> failures; ///< of other intervals
   mutable double largest_error, largest_mean_error;
 };
 

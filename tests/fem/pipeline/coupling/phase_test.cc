@@ -239,3 +239,24 @@ TEST(PhaseLoads, SayThatALargeJumpIsNotResolved)
 {
   EXPECT_THROW(find_phases(jumping_load(2.), { two_pi / 2, 0 }, 128), std::runtime_error);
 }
+
+// A search for a spin asks again; contacts that fail take the longest.
+TEST(PhaseLoads, FailAgainWithoutSolvingAgain)
+{
+  unsigned int n_failed = 0;
+  const LoadAtPhase load = [&](double omega, const ring::Orientation &phase) -> LeaningLoad
+  {
+    if (omega > 4)
+    {
+      ++n_failed;
+      throw std::runtime_error("no contact");
+    }
+    return made_up_load(omega, phase);
+  };
+  const PhaseLoads loads(load, find_phases(load, { two_pi / 3, 0 }, 128), { 3. });
+  EXPECT_NO_THROW(loads.mean(2.));
+  for (const double omega : { 3.5, 4.5, 3.2 })
+    EXPECT_THROW(loads.mean(omega), std::runtime_error) << omega;
+  EXPECT_EQ(n_failed, 1u);
+  EXPECT_NO_THROW(loads.mean(1.));
+}
