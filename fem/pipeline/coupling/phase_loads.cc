@@ -27,7 +27,6 @@ constexpr double good_enough = 3e-2;
 /// depends on it.
 constexpr double largest_of_mean = 3e-2, largest_between = 0.3;
 constexpr unsigned int most_phases = 128; ///< of one angle
-constexpr unsigned int most_steps = 16;   ///< on an interval of spins
 
 Eigen::VectorXd column_of(const LeaningLoad &load)
 {
@@ -251,7 +250,7 @@ std::pair<SpinInterval, double> PhaseLoads::find_spins(long interval) const
     const double enough =
       std::max({ tolerance, std::min(grids.error, tolerance_of_many) / 10, grids.mean_error });
     const bool pays = error > good_enough || error < error_before / 3;
-    if (error <= enough || !pays || 2 * (spins.size() - 1) > most_steps)
+    if (error <= enough || !pays || 2 * (spins.size() - 1) > spins_asked.most_steps)
       return { spins, error };
     error_before = error;
     spins = spins.refined();
@@ -292,9 +291,10 @@ PhaseLoads::Samples PhaseLoads::samples_of(long interval) const
     if (on.size() < grids.size() &&
         (error > std::max(spins_asked.enough, grids.error) || of_mean > largest_of_mean / 2))
       continue;
-    // Between spins the load is off by as much at every phase.
+    // Between spins the load may be off by as much at every phase, but a kink is not at the same spin.
     largest_error = std::max({ largest_error, error, error_between_spins });
-    largest_mean_error = std::max(largest_mean_error, grids.mean_error + of_mean + error_between_spins);
+    const double between_means = std::min(error_between_spins, error_of_halved_spins(samples));
+    largest_mean_error = std::max(largest_mean_error, grids.mean_error + of_mean + between_means);
     require_resolved(on.size(), largest_error, largest_mean_error);
     break;
   }
@@ -326,6 +326,23 @@ double PhaseLoads::error_of(const Samples &samples) const
       turn(column, grids.turning_angle(phase));
       error = std::max(error, torque_difference(load_of(column), load(samples.spins.node(k), phase)));
     }
+  return error;
+}
+
+double PhaseLoads::error_of_halved_spins(const Samples &samples) const
+{
+  const SpinInterval &spins = samples.spins;
+  const unsigned int last = spins.size() - 1;
+  const SpinInterval halved(spins.node(0), spins.node(last), last / 2);
+  double error = 0;
+  for (unsigned int k = 1; k < last; k += 2)
+  {
+    const Eigen::VectorXd weights = halved.weights(spins.node(k));
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(at_rest.rows(), at_rest.cols());
+    for (unsigned int i = 0; i < halved.size(); ++i)
+      sum += weights(i) * samples.columns[2 * i];
+    error = std::max(error, torque_difference(mean_of(sum), mean_of(samples.columns[k])));
+  }
   return error;
 }
 

@@ -38,6 +38,7 @@ struct SpinSampling
   double unit = 0; ///< length of the intervals of spins, which begin at 0 [rad/s]; 0: no dependence
   double enough =
     1e-5; ///< error of what the spin adds, torque_difference(), that half of the phases may leave
+  unsigned int most_steps = 16; ///< on an interval, a power of two
 };
 
 /// The worst of all sampled phases, at rest.
@@ -76,7 +77,8 @@ public:
   /// Largest torque_difference() from the load found halfway between samples.
   double error() const { return largest_error; }
   /// That of mean(): what half of the phases say otherwise, at rest and of what the spin adds, and what
-  /// interpolation between spins leaves.
+  /// interpolation between spins leaves, at one phase or, if that is less, what half of the spins say
+  /// otherwise.
   double mean_error() const { return largest_mean_error; }
   const PhasePeriods &periods() const { return grids.periods; }
   const PhaseExtremes &at_rest_extremes() const { return extremes; }
@@ -105,6 +107,8 @@ private:
   Samples samples_of(long interval) const;
   /// Largest torque_difference() of @p samples from the load at phases that half the grid leaves out.
   double error_of(const Samples &samples) const;
+  /// Largest torque_difference() of mean() at every other spin of @p samples from what the others say.
+  double error_of_halved_spins(const Samples &samples) const;
   /// Samples of the spins on the phases @p on, brought to all phases: what the spin adds is interpolated.
   std::vector<Eigen::MatrixXd> spread(const std::vector<double> &omegas, const PhaseGrids &on) const;
   /// A column per phase, without what turns.

@@ -175,7 +175,12 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   if (follows)
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
+  {
     spins.enough = 3e-2;
+    spins.most_steps = 8;
+  }
+  else if (grids.glass.size() > 1 && grids.table.size() > 1)
+    spins.enough = 1e-3;
   const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spins, loads->extremes(report));
 
   BalancedLoad::Parts parts =

@@ -33,9 +33,9 @@ GoalError error_of(const Study &study, fem::ComplianceCache &cache)
   const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
   if (!found)
     throw std::runtime_error(
-      "The error of Contact/Goal cannot be estimated in this study, as where the contact of a solid foot "
-      "with a "
-      "hard table is narrower than its cells; set it to none, or take the foot as a body of revolution.");
+      "The error of Contact/Goal cannot be estimated in this study: a rim or table is out of flat, or the "
+      "contact of a solid foot with a hard table is narrower than two of its cells; set it to none, or take "
+      "the foot as a body of revolution.");
   return *found;
 }
 
