@@ -123,9 +123,11 @@ struct RunByHand
   }
 
   pipeline::Study study;
-  pipeline::ContactReport report = {
-    { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) }, {}, {}, {}
-  }; // replaced
+  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
+                                     { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
+                                     {},
+                                     {},
+                                     {} }; // replaced
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;
 };
