@@ -139,9 +139,10 @@ WithoutRow answer_without(const ModelVariant &variant, const ElasticFoot *foot, 
     return row;
   }
   const bool depends_on_phase = variant.study.has_waviness() || complete.ripple > 0;
-  if (depends_on_phase && variant.study.table.is_hard() && !complete_is_hard)
+  const bool is_of_revolution = abilities(variant.study.contact.body).is_of_revolution;
+  if (depends_on_phase && !is_of_revolution && variant.study.table.is_hard() && !complete_is_hard)
   {
-    row.reason = "not computed: a rim out of flat touches a hard table at few places, phase by phase others";
+    row.reason = "not computed: a solid foot on a hard table takes long at every phase";
     return row;
   }
   const LoadedRow answer =

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -363,4 +364,23 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
 }
 
 } // namespace
+TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
+{
+  Study study = quick_contact_study();
+  study.glass.waviness = { { 3, 1e-7, 0 } };
+  study.load.coupling = LoadCoupling::one_way;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  const Budget budget = budget_of(study);
+  const auto row =
+    std::find_if(budget.without.begin(), budget.without.end(),
+                 [](const WithoutRow &without) { return without.name == "compliance of the interface"; });
+  ASSERT_NE(row, budget.without.end());
+  ASSERT_TRUE(row->omega_terminal) << row->reason;
+  study.table.interface = TableInterface::hard;
+  fem::ComplianceCache cache;
+  const SpinRow hard = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  EXPECT_GT(hard.ripple, 0);
+  EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
+}
+
 } // namespace stemware::pipeline
