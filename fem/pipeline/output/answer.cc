@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -317,15 +316,6 @@ std::string refinement_answer(const RefinementResult &result)
          (order ? "; it converges with order " + format::fixed<2>(*order) + " in the " + first.axis.name
                 : "") +
          ", Richardson value " + format::to_spread(spin.richardson, spin.band) + " rad/s.";
-}
-
-std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key)
-{
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const BandedQuantity &each) { return each.quantity.key == key; });
-  if (found == quantities.end())
-    throw std::out_of_range("no quantity of interest is called " + key);
-  return static_cast<std::size_t>(found - quantities.begin());
 }
 
 unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)

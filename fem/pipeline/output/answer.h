@@ -65,9 +65,6 @@ std::string refinement_answer(const RefinementResult &result);
 /// The answer of `sweep` in two or three sentences.
 std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings);
 
-/// Position of the quantity with that key; throws std::out_of_range where there is none.
-std::size_t index_of(const std::vector<BandedQuantity> &quantities, const std::string &key);
-
 /// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
 /// is the last of @p rows.
 unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share);

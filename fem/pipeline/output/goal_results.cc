@@ -15,11 +15,10 @@ namespace
 /// The part of the band of the study's goal that is the mesh's.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
 {
-  for (const BandedQuantity &banded : bands)
-    if (banded.quantity.key == key_of(study.contact.goal))
-      if (const auto part = banded.parts.find("mesh"); part != banded.parts.end())
-        return part->second;
-  return std::nullopt;
+  const auto banded = find_quantity(bands, key_of(study.contact.goal));
+  if (banded == bands.end() || banded->parts.count("mesh") == 0)
+    return std::nullopt;
+  return banded->parts.at("mesh");
 }
 
 } // namespace

@@ -113,12 +113,24 @@ double move_at_several_spins(const std::string &key, const std::vector<QuantityO
   return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : move_of(key);
 }
 
+ErrorBands::const_iterator find_quantity(const ErrorBands &quantities, const std::string &key)
+{
+  return std::find_if(quantities.begin(), quantities.end(),
+                      [&](const BandedQuantity &banded) { return banded.quantity.key == key; });
+}
+
+std::size_t index_of(const ErrorBands &quantities, const std::string &key)
+{
+  const auto found = find_quantity(quantities, key);
+  if (found == quantities.end())
+    throw std::out_of_range("no quantity of interest is called " + key);
+  return static_cast<std::size_t>(found - quantities.begin());
+}
+
 std::optional<double> band_of(const ErrorBands &quantities, const std::string &key)
 {
-  for (const BandedQuantity &banded : quantities)
-    if (banded.quantity.key == key)
-      return banded.band;
-  return std::nullopt;
+  const auto found = find_quantity(quantities, key);
+  return found == quantities.end() ? std::nullopt : std::optional(found->band);
 }
 
 } // namespace stemware::pipeline

@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/study.h"
 #include "ring_model/motion.h"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -80,6 +81,12 @@ double move_at_several_spins(const std::string &key, const std::vector<QuantityO
 
 /// Key of the quantity that is the goal of a mesh; empty for none.
 std::string key_of(Goal goal);
+
+/// The quantity with that key; end() where there is none.
+ErrorBands::const_iterator find_quantity(const ErrorBands &quantities, const std::string &key);
+
+/// Position of the quantity with that key; throws std::out_of_range where there is none.
+std::size_t index_of(const ErrorBands &quantities, const std::string &key);
 
 /// The half-width of the error band of the quantity with that key; nothing where there is no such quantity.
 std::optional<double> band_of(const ErrorBands &quantities, const std::string &key);

@@ -159,11 +159,7 @@ std::optional<double> QuantitySequence::effectivity(std::size_t l, double roundi
 
 const BandedQuantity &RefinementResult::quantity(const std::string &key) const
 {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&](const BandedQuantity &banded) { return banded.quantity.key == key; });
-  if (found == quantities.end())
-    throw std::out_of_range("no quantity of a refinement study is called " + key);
-  return *found;
+  return quantities[index_of(quantities, key)];
 }
 
 RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest> &own,
