@@ -147,7 +147,7 @@ MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned
 {
   zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
                                hierarchy->contact_nodes(level), gap);
-  for (Vector *vector : { &displacement, &elastic_forces, &increment, &increment_forces })
+  for (Vector *vector : { &displacement, &elastic_forces })
     elastic->initialize_dof_vector(*vector);
   for (FloatVector &column : eliminated_border)
     column.reinit(displacement);
@@ -204,6 +204,7 @@ MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::SparseMatr
                                                          const Eigen::VectorXd &nodal,
                                                          const Eigen::Vector3d &on_motions, double reduction)
 {
+  forget_increment();
   contact.set(tangent);
   hierarchy->set_contact(level, tangent);
   const ScaledMotions motions(zone.surface);
@@ -291,6 +292,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
                                        const Eigen::VectorXd &forces, const LinearConditions &conditions,
                                        const Eigen::Vector3d &motion)
 {
+  forget_increment();
   contact.set(tangent);
   hierarchy->set_contact(level, tangent);
   const ContactNodes &nodes = contact.nodes();
@@ -302,12 +304,15 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   const ProjectedPreconditioner preconditioner(*this, border);
   const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
   { return contact.matrix() * (of.displacement + motions.modes * of.motion); };
-  const auto solve_symmetric_part = [&](const Vector &residual, const Eigen::Vector3d &missing, double target)
+  const auto projected = [&](Vector residual, const Eigen::Vector3d &missing)
+  {
+    nodes.scatter_add(-border.columns * (border.inverse_corner * missing), residual);
+    return residual;
+  };
+  const auto solve_symmetric_part = [&](const Vector &rhs, const Eigen::Vector3d &missing, double target)
   {
     SolidIncrement<Vector> solution;
     elastic->initialize_dof_vector(solution.body);
-    Vector rhs = residual;
-    nodes.scatter_add(-border.columns * (border.inverse_corner * missing), rhs);
     if (rhs.l2_norm() > target)
       solution.n_iterations =
         conjugate_gradients(matrix, preconditioner, rhs, target, max_cycles, solution.body);
@@ -323,14 +328,17 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   };
 
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
-  const Vector residual = this->residual(forces);
-  Vector projected = residual;
-  nodes.scatter_add(-border.columns * (border.inverse_corner * missing), projected);
-  const double target = target_residual(projected.l2_norm(), nodes.norm(forces));
-  SolidIncrement<Vector> solution = solve_symmetric_part(residual, missing, target);
+  // Vectors of the whole body are most of the memory: none stays that is not needed in the next line.
+  double target = 0;
+  SolidIncrement<Vector> solution = [&]
+  {
+    const Vector rhs = projected(residual(forces), missing);
+    target = target_residual(rhs.l2_norm(), nodes.norm(forces));
+    return solve_symmetric_part(rhs, missing, target);
+  }();
   if (has_friction)
   {
-    Vector left = residual;
+    Vector left = residual(forces);
     left -= solution.image;
     correct_for_friction(solution, std::move(left), 2 * target,
                          [&](const Vector &of, double to)
@@ -338,18 +346,24 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   }
 
   const Eigen::VectorXd change = forces_of(solution);
-  increment = solution.body;
-  increment_forces = solution.image;
-  increment_forces -= contact_load(change);
   NewtonIncrement step;
   step.linear_iterations = solution.n_iterations;
   step.steadiness = solution.steadiness;
   step.displacement = solution.displacement;
   step.motion = motions.scale.asDiagonal() * solution.motion;
   // The work of friction, which changes with the forces, belongs to the body's.
-  step.energy_curvature = solution.image * increment - nodes.parts().sum(change.dot(step.displacement));
-  step.energy_slope = nodes.parts().sum(forces.dot(step.displacement)) - residual * increment;
+  step.energy_curvature = solution.image * solution.body - nodes.parts().sum(change.dot(step.displacement));
+  step.energy_slope = nodes.parts().sum(forces.dot(step.displacement)) - residual(forces) * solution.body;
+  increment.swap(solution.body);
+  increment_forces.swap(solution.image);
+  increment_forces -= contact_load(change);
   return step;
+}
+
+void MultigridSystem::forget_increment()
+{
+  increment.reinit(0);
+  increment_forces.reinit(0);
 }
 
 void MultigridSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,

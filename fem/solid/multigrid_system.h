@@ -45,7 +45,7 @@ public:
   /// The load of nodal @p forces, with the friction that they bring along, less K u.
   dealii::LinearAlgebra::distributed::Vector<double> residual(const Eigen::VectorXd &forces) const;
   /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, to @p
-  /// reduction of the residual. Throws as solve().
+  /// reduction of the residual. The increment of the last solve() is gone then. Throws as solve().
   dealii::LinearAlgebra::distributed::Vector<double>
   solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
                   const Eigen::Vector3d &on_motions, double reduction);
@@ -65,6 +65,8 @@ private:
   /// The residual [N] down to which a system that starts from @p residual is worth solving under contact
   /// forces of norm @p force.
   double target_residual(double residual, double force);
+  /// Gives the memory of the last increment back.
+  void forget_increment();
   /// Changes a solution under prescribed resultants into one under @p conditions.
   void close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                         const Eigen::Vector3d &missing, SolidIncrement<Vector> &solution) const;
