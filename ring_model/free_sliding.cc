@@ -2,6 +2,7 @@
 
 #include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -165,9 +166,9 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
   for (unsigned int n_trials = 0; sigma < end; ++n_trials)
   {
     if (n_trials > 100000)
-      throw std::runtime_error(sentence(
-        "the slide did not come to rest: stuck at v = ", path.states.back().speed,
-        " m/s, omega = ", path.states.back().omega, " rad/s; ask for less than an accuracy of ", accuracy));
+      throw NoBalance(sentence("the slide did not come to rest: stuck at v = ", path.states.back().speed,
+                               " m/s, omega = ", path.states.back().omega,
+                               " rad/s; ask for less than an accuracy of ", accuracy));
     step = std::min(step, end - sigma);
     if (stepper.try_step(std::cref(flow), state, sigma, step) == odeint::success)
       path.states.push_back(flow.physical(state, flow.scale(sigma)));

@@ -1,22 +1,15 @@
 #pragma once
 
+#include "ring_model/no_balance.h"
 #include "ring_model/ring_stack.h"
 #include "ring_model/slip.h"
 
 #include <Eigen/Core>
 
 #include <limits>
-#include <stdexcept>
 
 namespace stemware::ring
 {
-/// The moment asked for is more than the normal forces can carry: the glass tips (moment ratio >= 2).
-class Tipping : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /// How a ring answers to the normal force and the moment that equilibrium demands of it.
 class LoadModel
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
@@ -68,9 +69,8 @@ std::vector<State> sampled_trajectory(const Derivative &derivative, const State 
                            end - stepper.current_time());
       stepper.do_step(rate_of);
       if (++n_steps > 100000 || !is_finite(stepper.current_state()))
-        throw std::runtime_error(sentence("the spin-up did not reach t = ", time,
-                                          " s: stuck at t = ", stepper.current_time(),
-                                          " s; ask for less than an accuracy of ", accuracy));
+        throw NoBalance(sentence("the spin-up did not reach t = ", time, " s: stuck at t = ",
+                                 stepper.current_time(), " s; ask for less than an accuracy of ", accuracy));
     }
     State state = start;
     if (time > 0.)

@@ -4,6 +4,7 @@
 #include "ring_model/first_harmonic_ring.h"
 #include "ring_model/friction_kernels.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 
 #include <Eigen/LU>
@@ -108,9 +109,9 @@ void SelfConsistentRing::refuse(double omega, const Eigen::Vector2d &moment,
 {
   const double ratio = moment_ratio(moment);
   if (ratio <= 0.99 * model->moment_ratio_limit())
-    throw std::runtime_error(
-      sentence("no equilibrium at omega = ", omega, " rad/s: the iteration stopped at m = ", ratio,
-               " with moments that differ by ", residual.norm() / moment_scale(), " N R"));
+    throw NoBalance(sentence("no equilibrium at omega = ", omega,
+                             " rad/s: the iteration stopped at m = ", ratio, " with moments that differ by ",
+                             residual.norm() / moment_scale(), " N R"));
   throw Tipping(sentence("at omega = ", omega, " rad/s the closure ", to_string(closure),
                          " demands the moment ratio ", moment_ratio(moment + residual),
                          " where the ring carries ", ratio,

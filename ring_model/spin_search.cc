@@ -64,13 +64,30 @@ Estimate inverse_interpolation(std::vector<Sample> samples)
   return { value[n - 1], std::abs(value[n - 1] - before) };
 }
 
+/// @p failure, met just beyond the spin @p last, as what it means for the spin-up.
+[[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
+{
+  try
+  {
+    std::rethrow_exception(failure);
+  }
+  catch (const NoBalance &cause)
+  {
+    std::throw_with_nested(BalanceLost(
+      sentence("the balance is lost at ", last, " rad/s, before a terminal spin is reached: ", cause.what()),
+      last));
+  }
+}
+
 /// The search from rest in the direction in which the glass is driven there.
 class OutwardSearch
 {
 public:
-  /// @p push_at_rest > 0 is @p push(0).
-  OutwardSearch(const std::function<double(double)> &push, double push_at_rest, const SpinSearch &search)
+  /// @p push_at_rest > 0 is @p push(0); @p direction is the sign of the spin.
+  OutwardSearch(const std::function<double(double)> &push, double push_at_rest, double direction,
+                const SpinSearch &search)
       : push(push)
+      , direction(direction)
       , search(search)
       , samples{ { 0., push_at_rest } }
   {
@@ -104,7 +121,7 @@ private:
       {
         sample.push = push(proposal);
       }
-      catch (const std::runtime_error &)
+      catch (const NoBalance &)
       {
         failure = std::current_exception();
         barrier = proposal;
@@ -136,11 +153,11 @@ private:
       if (far && far->spin - near.spin <= tolerance)
         return (near.spin + far->spin) / 2.;
       if (failure && barrier - near.spin < shortest_way * search.spin_scale)
-        std::rethrow_exception(failure);
+        throw_balance_lost(failure, direction * near.spin);
       proposal = next(estimate, near.spin, far ? &far->spin : failure ? &barrier : nullptr, halved);
     }
-    throw std::runtime_error(sentence("the terminal spin did not converge in ", most_evaluations,
-                                      " evaluations of the torque, the last one at ", proposal, " rad/s"));
+    throw NoBalance(sentence("the terminal spin did not converge in ", most_evaluations,
+                             " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
   /// The next proposal between @p near and @p end, or not much farther than @p near without end.
@@ -168,7 +185,12 @@ private:
     if (std::none_of(way.begin(), way.end(),
                      [&](const Sample &sample)
                      { return sample.spin > 0.2 * spin && sample.spin < 0.8 * spin; }))
-      way.push_back({ 0.5 * spin, push(0.5 * spin) });
+    {
+      const std::optional<double> halfway = push_if_balanced(0.5 * spin);
+      if (!halfway)
+        return true;
+      way.push_back({ 0.5 * spin, *halfway });
+    }
     std::sort(way.begin(), way.end(), [](const Sample &a, const Sample &b) { return a.spin < b.spin; });
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].push >= way[i - 1].push)
@@ -187,13 +209,28 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  /// The first zero before the one at @p spin, or that one.
+  std::optional<double> push_if_balanced(double spin) const
+  {
+    try
+    {
+      return push(spin);
+    }
+    catch (const NoBalance &)
+    {
+      return std::nullopt;
+    }
+  }
+
+  /// The first zero before the one at @p spin, or that one. Throws BalanceLost where the way to it ends.
   double scanned(double spin)
   {
     Sample near = samples.front();
     for (double here = scan_step * search.spin_scale; here < spin; here += scan_step * search.spin_scale)
     {
-      const Sample sample{ here, push(here) };
+      const std::optional<double> found = push_if_balanced(here);
+      if (!found)
+        return converge(near, here, {});
+      const Sample sample{ here, *found };
       if (sample.push <= 0.)
         return converge(near, (near.spin * sample.push - sample.spin * near.push) / (sample.push - near.push),
                         sample);
@@ -203,6 +240,7 @@ private:
   }
 
   const std::function<double(double)> &push;
+  const double direction;
   const SpinSearch &search;
   std::vector<Sample> samples; ///< the first one at spin 0
 };
@@ -220,7 +258,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
     ++n_evaluations;
     const double value = torque(omega);
     if (!std::isfinite(value))
-      throw std::runtime_error(sentence("the yaw torque at ", omega, " rad/s is ", value, " N m"));
+      throw NoBalance(sentence("the yaw torque at ", omega, " rad/s is ", value, " N m"));
     return value;
   };
 
@@ -232,7 +270,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   { return direction * counted(direction * spin) - search.grip_torque; };
   const double expected = direction * search.expected.value_or(0.);
   const double first = expected > 0. ? expected : 0.25 * search.spin_scale;
-  OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, search);
+  OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, direction, search);
   const double spin = outward.zero(first);
   return { direction * spin, false, n_evaluations };
 }

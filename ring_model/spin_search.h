@@ -1,20 +1,14 @@
 #pragma once
 
+#include "ring_model/no_balance.h"
+
 #include <functional>
 #include <optional>
-#include <stdexcept>
 
 namespace stemware::ring
 {
 /// Yaw torque tau_z [N m] at the spin omega [rad/s].
 using TorqueFunction = std::function<double(double omega)>;
-
-/// The torque keeps its sign as far as one searches: nothing ends the spin-up.
-class NoTerminalSpin : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /// How the spin is searched at which a torque that is costly to evaluate vanishes.
 struct SpinSearch
@@ -51,10 +45,10 @@ struct SpinZero
  * the zero sixteen times more or less steeply than on average, the way to it is scanned in steps of 1/16
  * spin_scale, and the first zero that the scan meets is taken.
  *
- * If @p torque throws a std::runtime_error (no balance at that spin) the search steps back towards rest.
+ * If @p torque throws NoBalance the search steps back towards rest.
  * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
- * sign within 64 spin scales, what @p torque throws at rest, during the scan, or where that happens before a
- * zero is found.
+ * sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
+ * scale), NoBalance if the search does not converge, what @p torque throws at rest.
  */
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 

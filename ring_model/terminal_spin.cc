@@ -1,6 +1,7 @@
 #include "ring_model/terminal_spin.h"
 
 #include "ring_model/friction_law.h"
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 
 #include <boost/math/differentiation/finite_difference.hpp>
@@ -30,8 +31,8 @@ double bracketed_zero(const TorqueFunction &torque, double lower, double upper, 
     boost::math::tools::toms748_solve(torque, lower, upper, torque_lower, torque_upper,
                                       boost::math::tools::eps_tolerance<double>(52), n_iterations);
   if (n_iterations >= 200)
-    throw std::runtime_error(sentence("the terminal spin between ", lower, " and ", upper,
-                                      " rad/s did not converge in 200 bracketing steps"));
+    throw NoBalance(sentence("the terminal spin between ", lower, " and ", upper,
+                             " rad/s did not converge in 200 bracketing steps"));
   return std::abs(torque(bracket.first)) < std::abs(torque(bracket.second)) ? bracket.first : bracket.second;
 }
 

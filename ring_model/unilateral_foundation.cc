@@ -1,6 +1,7 @@
 #include "ring_model/unilateral_foundation.h"
 
 #include "ring_model/constants.h"
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -51,7 +52,7 @@ double solve(const Function &function, double target, double at_0, double at_1)
     [&](double x) { return function(x) - target; }, 0., 1., at_0 - target, at_1 - target,
     boost::math::tools::eps_tolerance<double>(52), n_iterations);
   if (n_iterations >= 200)
-    throw std::runtime_error(
+    throw NoBalance(
       sentence("the contact edge at m = ", target, " did not converge in 200 bracketing steps"));
   return 0.5 * (bracket.first + bracket.second);
 }

@@ -1,5 +1,6 @@
 #include "ring_model/yaw_dynamics.h"
 
+#include "ring_model/no_balance.h"
 #include "ring_model/require.h"
 #include "ring_model/sampled_trajectory.h"
 
@@ -61,9 +62,9 @@ double settling_time(const TorqueFunction &torque, double yaw_inertia, double in
     const double remaining = change * std::exp(-s);
     const double push = torque(terminal_omega - remaining) / remaining;
     if (!(push > 0.))
-      throw std::runtime_error(sentence("the torque at ", terminal_omega - remaining,
-                                        " rad/s does not push the ring from ", initial_spin, " to ",
-                                        terminal_omega, " rad/s: the spin never settles there"));
+      throw NoBalance(sentence("the torque at ", terminal_omega - remaining,
+                               " rad/s does not push the ring from ", initial_spin, " to ", terminal_omega,
+                               " rad/s: the spin never settles there"));
     return yaw_inertia / push;
   };
   return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(time_per_e_fold, 0.,

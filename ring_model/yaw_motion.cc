@@ -1,5 +1,6 @@
 #include "ring_model/yaw_motion.h"
 
+#include "ring_model/no_balance.h"
 #include "ring_model/sampled_trajectory.h"
 
 #include <array>
@@ -132,8 +133,7 @@ LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
   }
   if (spin.uncertainty <= largest_uncertainty * spin_scale)
     return spin;
-  throw std::runtime_error(sentence("the mean spin does not settle: windows of ", window / 2.,
-                                    " s still differ by ", spin.uncertainty, " rad/s around ", spin.mean,
-                                    " rad/s"));
+  throw NoBalance(sentence("the mean spin does not settle: windows of ", window / 2., " s still differ by ",
+                           spin.uncertainty, " rad/s around ", spin.mean, " rad/s"));
 }
 } // namespace stemware::ring

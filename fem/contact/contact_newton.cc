@@ -288,14 +288,7 @@ private:
 
   NewtonIncrement solve(const Eigen::VectorXd &mismatch)
   {
-    try
-    {
-      return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
-    }
-    catch (const std::runtime_error &error)
-    {
-      throw ContactFailure(ContactOutcome::linear_solver_failed, error.what());
-    }
+    return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
   /// Share of the increment to take, step_of_least_energy(): beyond its end too where the edges of contact

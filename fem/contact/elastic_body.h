@@ -41,7 +41,7 @@ public:
 
   /// Solves [K + B'TB, B'TQ; L'TB, L'TQ - H] [du; dq] = [B' forces - K u; L' forces + H q - t], @p tangent T
   /// as in ContactForces, L, H and t of @p conditions, q = @p motion. Symmetric positive definite where L = Q
-  /// and H = 0, as long as the loaded places are not on one line. Throws std::runtime_error when the linear
+  /// and H = 0, as long as the loaded places are not on one line. Throws ContactFailure when the linear
   /// solver does not converge or the system is singular.
   virtual NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                                 const LinearConditions &conditions, const Eigen::Vector3d &motion) = 0;

@@ -1,5 +1,7 @@
 #include "fem/contact/rigid_foot.h"
 
+#include "fem/contact/contact_solution.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -51,7 +53,8 @@ NewtonIncrement RigidFoot::solve(const Eigen::SparseMatrix<double> &tangent, con
     step.motion = factors.solve(residual);
   }
   if (!is_regular)
-    throw std::runtime_error(
+    throw ContactFailure(
+      ContactOutcome::linear_solver_failed,
       "The table's tangent does not support a rigid foot: the loaded places lie on one line.");
   return step;
 }

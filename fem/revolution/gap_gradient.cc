@@ -1,5 +1,6 @@
 #include "fem/revolution/gap_gradient.h"
 
+#include "fem/contact/contact_solution.h"
 #include "fem/revolution/line_newton.h"
 
 #include <deal.II/lac/solver_control.h>
@@ -127,7 +128,8 @@ GapGradient gap_gradient(const BodyOfRevolution &body, const Eigen::SparseMatrix
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
-    throw std::runtime_error("The dual problem of the contact does not converge.");
+    throw ContactFailure(ContactOutcome::linear_solver_failed,
+                         "The dual problem of the contact does not converge.");
   }
   GapGradient gradient;
   gradient.of_gap = -Eigen::Map<const Eigen::MatrixXd>(solution.begin(), body.elastic_response().n_radii(),

@@ -1,5 +1,7 @@
 #include "fem/revolution/line_newton.h"
 
+#include "fem/contact/contact_solution.h"
+
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -84,7 +86,7 @@ void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Ei
     last_circle = std::max(last_circle, end - 1);
   }
   if (last_circle < 0)
-    throw std::runtime_error("No place of the contact zone carries load.");
+    throw ContactFailure(ContactOutcome::linear_solver_failed, "No place of the contact zone carries load.");
   n_circles = last_circle - first_circle + 1;
 }
 
@@ -259,7 +261,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   matrix.rightCols(3) = matrix.rightCols(3) * column_scale.asDiagonal();
   solution = matrix.partialPivLu().solve(solution).eval();
   if (!solution.allFinite())
-    throw std::runtime_error(
+    throw ContactFailure(
+      ContactOutcome::linear_solver_failed,
       "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
 
   Increment increment;

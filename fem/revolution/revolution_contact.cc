@@ -281,7 +281,7 @@ bool RevolutionFoot::is_stable(const LinearConditions &conditions, const Contact
              zone.body.motions_for_residuals(contact.tangent, without_weight).determinant() >
            0;
   }
-  catch (const std::runtime_error &) // singular: where the two balances meet
+  catch (const ContactFailure &) // singular: where the two balances meet
   {
     return false;
   }

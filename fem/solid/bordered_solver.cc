@@ -1,5 +1,6 @@
 #include "fem/solid/bordered_solver.h"
 
+#include "fem/contact/contact_solution.h"
 #include "fem/solid/conjugate_gradients.h"
 
 #include <deal.II/base/mpi.h>
@@ -213,7 +214,8 @@ unsigned int BorderedSolver::solve_by_schur_complement(const BorderedSystem &sys
   eliminate(rhs.body, solution.body);
   const Eigen::FullPivLU<Eigen::Matrix3d> factors(schur);
   if (!factors.isInvertible())
-    throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
+    throw ContactFailure(ContactOutcome::linear_solver_failed,
+                         "the conditions on the contact forces do not determine the table's motions.");
   solution.motion = factors.solve(rhs.motion - products(*system.condition_border, solution.body));
   for (unsigned int i = 0; i < 3; ++i)
     solution.body.add(-solution.motion(i), columns[i]);

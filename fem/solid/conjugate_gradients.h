@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/contact/contact_solution.h"
+
 #include <deal.II/lac/solver_cg.h>
 
 #include <sstream>
@@ -9,7 +11,7 @@ namespace stemware::fem
 {
 
 /// Conjugate gradients from @p solution to a residual of @p target, in the units of @p rhs; returns the
-/// number of iterations. Collective over the ranks of the vectors. Throws std::runtime_error when @p
+/// number of iterations. Collective over the ranks of the vectors. Throws ContactFailure when @p
 /// most_iterations do not do.
 template <typename Vector, typename Operator, typename Preconditioner>
 unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
@@ -28,7 +30,7 @@ unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &p
     message << "conjugate gradients left a residual of " << failure.last_residual << " after "
             << failure.last_step << " iterations (wanted " << target << ", of " << rhs.l2_norm()
             << "); use a mesh with less distorted cells.";
-    throw std::runtime_error(message.str());
+    throw ContactFailure(ContactOutcome::linear_solver_failed, message.str());
   }
   return control.last_step();
 }

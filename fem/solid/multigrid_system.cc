@@ -1,5 +1,6 @@
 #include "fem/solid/multigrid_system.h"
 
+#include "fem/contact/contact_solution.h"
 #include "fem/solid/binary_stream.h"
 #include "fem/solid/conjugate_gradients.h"
 
@@ -385,7 +386,8 @@ void MultigridSystem::close_conditions(const LinearConditions &conditions, const
     leaning * solution.motion;
   const Eigen::FullPivLU<Eigen::Matrix3d> factors(matrix);
   if (!factors.isInvertible())
-    throw std::runtime_error("the conditions on the contact forces do not determine the table's motions.");
+    throw ContactFailure(ContactOutcome::linear_solver_failed,
+                         "the conditions on the contact forces do not determine the table's motions.");
   const Eigen::Vector3d further = factors.solve(left);
   solution.steadiness = steadiness_of(matrix, leaning);
   solution.motion += further;

@@ -186,7 +186,7 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
     return [=](double omega)
     {
       if (omega > limit)
-        throw std::runtime_error("tips");
+        throw Tipping("tips");
       return zero - omega - 0.1 * omega * omega / zero + 0.1 * zero;
     };
   };
@@ -198,12 +198,69 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutTorque)
     find_terminal_spin(torque_up_to(2.1, 2.2), { 10., 5. });
     FAIL() << "a spin was found beyond the last balance";
   }
-  catch (const std::runtime_error &failure)
+  catch (const BalanceLost &lost)
   {
-    EXPECT_STREQ(failure.what(), "tips");
+    EXPECT_LE(lost.last_spin, 2.1);
+    EXPECT_GT(lost.last_spin, 2.1 - 10. / 4096.);
+    EXPECT_THROW(std::rethrow_if_nested(lost), Tipping);
   }
-  EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), std::runtime_error);
-  EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), std::runtime_error);
+  EXPECT_THROW(find_terminal_spin(torque_up_to(2., 2.0001), { 10., 1. }), BalanceLost);
+  EXPECT_THROW(find_terminal_spin(torque_up_to(-1., 2.), { 10. }), Tipping); // at rest already
+  // In the other direction the last spin is negative.
+  const auto backwards = [&](double omega) { return -torque_up_to(2.1, 2.2)(-omega); };
+  try
+  {
+    find_terminal_spin(backwards, { 10., -5. });
+    FAIL() << "a spin was found beyond the last balance";
+  }
+  catch (const BalanceLost &lost)
+  {
+    EXPECT_NEAR(lost.last_spin, -2.1, 10. / 4096.);
+  }
+}
+
+TEST(SpinSearch, AFaultOfTheTorqueIsNoMissingBalance)
+{
+  const auto torque = [](double omega)
+  {
+    if (omega > 1.)
+      throw std::runtime_error("a fault");
+    return 2. - omega;
+  };
+  try
+  {
+    find_terminal_spin(torque, { 10., 5. });
+    FAIL() << "a fault was taken for a spin without a balance";
+  }
+  catch (const NoBalance &)
+  {
+    FAIL() << "a fault was taken for a spin without a balance";
+  }
+  catch (const std::runtime_error &fault)
+  {
+    EXPECT_STREQ(fault.what(), "a fault");
+  }
+}
+
+TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
+{
+  // A gap between 1 and 1.2 rad/s on the way to the zero at 6: only the scan meets it, for the torque rises
+  // there.
+  const auto torque = [](double omega)
+  {
+    if (omega > 1. && omega < 1.2)
+      throw NoBalance("a gap");
+    return omega < 3. ? 1. + omega : 4. * (6. - omega) / 3.;
+  };
+  try
+  {
+    find_terminal_spin(torque, { 1., 5.9 });
+    FAIL() << "the search has jumped over the gap";
+  }
+  catch (const BalanceLost &lost)
+  {
+    EXPECT_NEAR(lost.last_spin, 1., 1. / 4096.);
+  }
 }
 
 TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)

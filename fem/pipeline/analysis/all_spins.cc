@@ -1,13 +1,13 @@
 #include "fem/pipeline/analysis/all_spins.h"
 
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -109,16 +109,9 @@ private:
 int n_balances(ScannedTorque &torque, double step, int n_most)
 {
   int n_found = 0;
-  try
-  {
-    for (; n_found < n_most; ++n_found)
-      torque((n_found + 1) * step);
-  }
-  catch (const std::runtime_error &)
-  {
-    // The load tips or has no balance there: nothing lies beyond.
-  }
-  return n_found;
+  while (n_found < n_most && if_balanced([&] { return torque((n_found + 1) * step); }))
+    ++n_found;
+  return n_found; // the load tips or has no balance there: nothing lies beyond
 }
 
 } // namespace

@@ -1,7 +1,8 @@
 #include "fem/pipeline/coupling/failure_sentence.h"
 
-#include "fem/contact/contact_newton.h"
+#include "fem/contact/contact_solution.h"
 #include "fem/pipeline/support/ranks.h"
+#include "ring_model/no_balance.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -40,6 +41,10 @@ Failure present_failure()
   catch (const fem::ContactFailure &failure)
   {
     return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
+  }
+  catch (const ring::NoBalance &failure)
+  {
+    return { failure.what(), ExitCode::numerical_failure, true };
   }
   catch (const std::bad_alloc &)
   {

@@ -105,10 +105,10 @@ void require_resolved(unsigned int n_phases, double error, double mean_error)
 {
   if (error <= largest_between && mean_error <= largest_of_mean)
     return;
-  throw std::runtime_error("The load's dependence on the phase of the waviness is not resolved: between " +
-                           std::to_string(n_phases) + " phases its torque is off by " + to_short_text(error) +
-                           " mu N R, in the mean by " + to_short_text(mean_error) +
-                           "; give more Contact/Azimuth lines, or a smaller waviness.");
+  throw ring::NoBalance("The load's dependence on the phase of the waviness is not resolved: between " +
+                        std::to_string(n_phases) + " phases its torque is off by " + to_short_text(error) +
+                        " mu N R, in the mean by " + to_short_text(mean_error) +
+                        "; give more Contact/Azimuth lines, or a smaller waviness.");
 }
 
 } // namespace
@@ -270,7 +270,7 @@ const PhaseLoads::Samples &PhaseLoads::samples_around(double omega) const
   {
     return intervals.emplace(interval, samples_of(interval)).first->second;
   }
-  catch (const std::runtime_error &)
+  catch (...)
   {
     failures.emplace(interval, std::current_exception());
     throw;

@@ -61,11 +61,11 @@ std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes,
   }
   catch (const fem::ContactFailure &failure)
   {
-    throw std::runtime_error(where + failure.what());
+    throw ring::NoBalance(where + failure.what());
   }
-  catch (const std::runtime_error &failure)
+  catch (const ring::NoBalance &failure)
   {
-    throw std::runtime_error(where + failure.what());
+    throw ring::NoBalance(where + failure.what());
   }
 }
 

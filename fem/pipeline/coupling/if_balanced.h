@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fem/contact/contact_solution.h"
+#include "ring_model/no_balance.h"
+
+#include <optional>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// What @p find returns; nothing where a contact or a balance does not exist or was not found, and @p reason,
+/// if given, says why. These are the only failures that mean "no value": all others are thrown on.
+template <typename Find>
+auto if_balanced(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
+{
+  const auto note = [&](const std::exception &failure)
+  {
+    if (reason)
+      *reason = failure.what();
+  };
+  try
+  {
+    return find();
+  }
+  catch (const ring::NoBalance &failure)
+  {
+    note(failure);
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    note(failure);
+  }
+  return std::nullopt;
+}
+
+} // namespace stemware::pipeline
