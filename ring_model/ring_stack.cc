@@ -101,9 +101,10 @@ Eigen::Vector2d RingStack::moment() const
   return sum;
 }
 
-double RingStack::moment_ratio() const
+double RingStack::moment_ratio(double contact_radius) const
 {
-  return std::hypot(a(1), b(1)) / cosine[0];
+  require_positive(contact_radius, "the contact radius", "m");
+  return 2. * moment().norm() / (normal_force() * contact_radius);
 }
 
 double RingStack::operator()(double theta) const

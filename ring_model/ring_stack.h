@@ -71,9 +71,9 @@ public:
   /// M_N = (sum y f, -sum x f) = sum_j pi r_j (b_{j,1}, -a_{j,1}) [N m], about the rings' centre.
   Eigen::Vector2d moment() const;
 
-  /// m = |M_N| / (N R / 2) = sqrt(a_1^2 + b_1^2) / a_0 with R = radius(). A ring that cannot pull tips at m
-  /// = 2.
-  double moment_ratio() const;
+  /// m = |M_N| / (N R / 2) with the nominal contact radius R = @p contact_radius > 0 [m]. One ring of that
+  /// radius that cannot pull lifts off at m = 1 under a first harmonic, and tips at m = 2.
+  double moment_ratio(double contact_radius) const;
 
   /// lambda(theta) [N/rad], theta in rad.
   double operator()(double theta) const;

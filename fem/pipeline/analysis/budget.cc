@@ -116,13 +116,12 @@ std::vector<ChainLink> chain_of(const Study &study, const std::shared_ptr<Elasti
 }
 
 /// The row of a link with its torques.
-BudgetRow row_with_torques(const ChainLink &link, const std::array<double, 3> &spins)
+BudgetRow row_with_torques(const ChainLink &link, const std::vector<double> &spins)
 {
   BudgetRow row = link.row;
   if (!link.load)
     return row;
-  const std::vector<double> torques =
-    yaw_torques(*link.load, link.motion, { spins.begin(), spins.end() }, row.reason);
+  const std::vector<double> torques = friction_torques(*link.load, link.motion, spins, row.reason);
   for (std::size_t i = 0; i < torques.size(); ++i)
     row.torques[i] = unless_nan(torques[i]);
   return row;
@@ -148,24 +147,24 @@ WithoutRow answer_without(const ModelVariant &variant, const ElasticFoot *foot, 
   const LoadedRow answer =
     attempt_row(variant.study, cache, question_near(variant.study, complete), all_harmonics, foot);
   row.omega_terminal = answer.row.omega_terminal();
-  if (row.omega_terminal)
+  if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
   row.reason = answer.row.reason.empty() ? held_by_the_grip(variant.study, answer.row) : answer.row.reason;
   return row;
 }
 
-/// Torques of all harmonics and of the first, from rest to a little beyond the terminal spin.
-void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, double terminal,
-                Budget &budget)
+/// Torques of all harmonics and of the first, from rest to a little beyond the terminal spin, or to the fall.
+void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, Budget &budget)
 {
   constexpr unsigned int n_intervals = 32;
-  const double last = 1.2 * shown_spin(study, by_harmonics.back().row, terminal);
+  const SpinRow &all = by_harmonics.back().row;
+  const double last = all.fall ? all.fall->omega : 1.2 * shown_spin(study, all, *all.omega_terminal());
   for (unsigned int i = 0; i <= n_intervals; ++i)
     budget.omega.push_back(last * i / n_intervals);
   const auto torques_of = [&](const LoadedRow &answer)
   {
     std::string reason; // the row says it
-    return answer.load ? yaw_torques(*answer.load, study.motion.orbit, budget.omega, reason)
+    return answer.load ? friction_torques(*answer.load, study.motion.orbit, budget.omega, reason)
                        : std::vector<double>(budget.omega.size(), std::nan(""));
   };
   budget.torque_all = torques_of(by_harmonics.back());
@@ -178,6 +177,9 @@ std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_unit)
 {
   if (!reference || !difference || std::abs(*reference) < 1e-9 * spin_unit)
+    return std::nullopt;
+  if (const double changed = *reference + *difference;
+      changed * *reference < 0 && std::abs(changed) >= 1e-9 * spin_unit)
     return std::nullopt;
   return *difference / *reference + 0.; // no -0
 }
@@ -216,15 +218,22 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                    const std::vector<LoadedRow> &by_harmonics, fem::ComplianceCache &cache,
                    Progress &progress)
 {
-  const double terminal = by_harmonics.back().row.terminal->omega;
+  const std::optional<double> terminal = by_harmonics.back().row.omega_terminal();
   const std::vector<ModelVariant> variants = variants_without(study);
   const std::size_t n_pieces = 1 + variants.size();
   std::size_t n_done = 0;
 
   Budget budget;
-  budget.shown_spins = { 0, terminal / 2, terminal };
+  budget.shown_spins = { 0 };
+  if (terminal)
+    budget.shown_spins = { 0, *terminal / 2, *terminal };
   for (const ChainLink &link : chain_of(study, foot, by_harmonics))
     budget.rows.push_back(row_with_torques(link, budget.shown_spins));
+  // Of the last row, whose load is interpolated, the exact ones are known.
+  const SpinRow &all = by_harmonics.back().row;
+  budget.rows.back().torques[0] = all.at_rest->friction.torque;
+  if (all.at_terminal)
+    budget.rows.back().torques[2] = all.at_terminal->friction.torque;
   progress.pieces_done("budget", ++n_done, n_pieces);
   for (const ModelVariant &variant : variants)
   {
@@ -233,7 +242,7 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
     progress.pieces_done("budget", ++n_done, n_pieces);
   }
   budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_unit(study));
-  add_curves(study, by_harmonics, terminal, budget);
+  add_curves(study, by_harmonics, budget);
   return budget;
 }
 

@@ -23,7 +23,7 @@ struct BudgetRow
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
   std::optional<double> band = {};            ///< half-width, of the terminal spin [rad/s]
-  std::array<std::optional<double>, 3> torques = {}; ///< yaw_torque() at Budget::shown_spins [N m]
+  std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
   Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
   std::string reason = {};                           ///< why something is missing; empty where nothing is
 };
@@ -42,7 +42,8 @@ struct WithoutRow
 struct HarmonicEffect
 {
   std::optional<double> absolute = {}; ///< [rad/s]; nothing where one of the two has no terminal spin
-  std::optional<double> relative = {}; ///< to the first alone; nothing where that does not spin
+  std::optional<double>
+    relative = {}; ///< to the first alone; nothing where that does not spin, or the sign changes
 };
 
 /// What each step from the paper's model to the study's does to the terminal spin.
@@ -57,15 +58,17 @@ struct Budget
   std::vector<WithoutRow> without;
   HarmonicEffect harmonics;
 
-  std::array<double, 3> shown_spins = {}; ///< 0, half and all of the study's terminal spin [rad/s]
+  /// 0, half and all of the study's terminal spin [rad/s]; 0 alone where the glass falls over on the way.
+  std::vector<double> shown_spins = {};
 
-  /// yaw_torque() of all harmonics and of the first alone over the spin, from 0 to 1.2 times the terminal
-  /// spin [rad/s, N m]; NaN where there is no balance.
+  /// Friction's tau_z of all harmonics and of the first alone over the spin, from 0 to 1.2 times the terminal
+  /// spin, or to that of the fall [rad/s, N m]; NaN where there is no balance.
   std::vector<double> omega, torque_all, torque_first;
 };
 
-/// @p difference relative to @p reference; nothing where one is missing or the reference does not spin,
-/// |reference| < 1e-9 @p spin_unit (spin_unit() of the study, all in rad/s).
+/// @p difference relative to @p reference; nothing where one is missing, the difference changes the sign of
+/// the spin, or the reference does not spin, |reference| < 1e-9 @p spin_unit (spin_unit() of the study, all
+/// in rad/s).
 std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_unit);
 

@@ -67,7 +67,7 @@ ComparedLoad rigid_rim(const std::string &name, double contact_radius, double ex
              return balance(ring, { motion, closure, {} }, at_rest, n_harmonics);
            },
            [ring](const BalancedLoad &load, double omega)
-           { return loaded_share(ring->edge(load.at(omega).moment_ratio())); } };
+           { return loaded_share(ring->edge(load.at(omega).moment_ratio(ring->radius()))); } };
 }
 
 /// A foot in contact with the table, as in the variant of a study.
@@ -152,10 +152,9 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
     if (row.reason.empty())
       row.reason = held_by_the_grip(study, row);
   }
-  catch (const std::exception &failure)
+  catch (...)
   {
-    row.standing = standing_of_failure();
-    row.reason = failure.what();
+    note_failure(row);
   }
   row.closure = study.motion.closure;
   row.load = compared.name;

@@ -41,14 +41,15 @@ TiltingFriction friction_of_body(const ring::FreeSlider &slider)
 }
 
 /// The load depends on the ratio of spin and speed: it is asked for at the orbit's speed.
-TiltingFriction friction_of_load(const BalancedLoad &load, const ring::Motion &motion)
+TiltingFriction friction_of_load(const BalancedLoad &load, const ring::Motion &motion, double contact_radius)
 {
   const auto load_at = [load, reference = motion.orbit_speed](double speed, double omega)
   { return load.at(omega / speed * reference); };
   const auto friction =
     [load_at, ring = ring::CoulombRing(motion.friction_coefficient)](double speed, double omega)
   { return ring.wrench(load_at(speed, omega), omega, speed); };
-  return { friction, [load_at](double speed, double omega) { return load_at(speed, omega).moment_ratio(); } };
+  return { friction, [load_at, contact_radius](double speed, double omega)
+           { return load_at(speed, omega).moment_ratio(contact_radius); } };
 }
 
 ring::FreeSlider slider_of(const Study &study, const SlideQuestion &question)
@@ -122,7 +123,7 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   fem::ComplianceCache cache;
   const BalancedLoad load = find_load(study, study_foot(study, cache, progress), progress);
   const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
-  const TiltingFriction exact = friction_of_load(load, motion);
+  const TiltingFriction exact = friction_of_load(load, motion, slide.inertia.outer_radius);
   constexpr unsigned int n_intervals = 20;
   const double end =
     start == 0
@@ -142,7 +143,7 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   const BalancedLoad on_the_way = load_between(load, motion, slide.inertia.outer_radius, start, end);
   if (const auto statistics = on_the_way.statistics())
     slide.load_error = statistics->interpolation_error.value_or(0);
-  const TiltingFriction tilting = friction_of_load(on_the_way, motion);
+  const TiltingFriction tilting = friction_of_load(on_the_way, motion, slide.inertia.outer_radius);
   ring::SlidingPath path =
     ring::slide_to_stop(slide.inertia, tilting.friction, slide.question.speed, slide.question.spin, 1e-10);
   path.final_slip_ratio = end;

@@ -1,14 +1,17 @@
 #include "fem/pipeline/analysis/spin.h"
 
-#include "fem/contact/contact_newton.h"
+#include "fem/contact/contact_solution.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
 #include "ring_model/friction_law.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -34,30 +37,19 @@ double averaging_window(const PhasePeriods &periods, const ring::Motion &motion,
 
 RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega)
 {
-  RingState state = { load.at(omega) };
+  const LeaningLoad leaning = load.leaning(omega);
+  RingState state = { leaning.rings };
   const ring::Motion &motion = question.motion;
   state.friction = ring::wrench(motion, state.load, omega);
-  state.moment_ratio = state.load.moment_ratio();
+  state.lean_torque = leaning.lean_torque();
+  state.grip_torque = grip_torque(state.friction.torque + state.lean_torque, omega, question.grip_torque);
+  state.moment_ratio = state.load.moment_ratio(question.contact_radius.value_or(state.load.radius()));
   if (question.with_minima)
   {
     state.minimum = state.load.minimum();
     state.pulling_share = state.minimum < 0 ? state.load.pulling_force() / state.load.normal_force() : 0;
   }
   return state;
-}
-
-/// tau_z, or NaN with a reason where the load has no balance.
-double torque_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega, std::string &reason)
-{
-  try
-  {
-    return wrench(load, motion, omega).torque;
-  }
-  catch (const std::runtime_error &failure)
-  {
-    reason = failure.what();
-    return std::numeric_limits<double>::quiet_NaN();
-  }
 }
 
 /// The load between rest and @p terminal, and a little beyond.
@@ -80,16 +72,68 @@ std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion
   }
 }
 
-/// Fills the row as far as it gets. @p searching says whether the load itself had an answer everywhere.
+/// A contact that has no solution, in the words of ring_model.
+class NoContact : public ring::NoBalance
+{
+public:
+  explicit NoContact(const fem::ContactFailure &failure)
+      : NoBalance(failure.what())
+      , failure(failure)
+  {
+  }
+  const fem::ContactFailure failure;
+};
+
+/// Whether the failure behind @p lost is that the glass tips.
+bool is_tipping(const ring::BalanceLost &lost)
+{
+  try
+  {
+    std::rethrow_if_nested(lost);
+  }
+  catch (const ring::Tipping &)
+  {
+    return true;
+  }
+  catch (const NoContact &cause)
+  {
+    return cause.failure.outcome == fem::ContactOutcome::tipping;
+  }
+  catch (const ring::NoBalance &)
+  {
+  }
+  return false;
+}
+
+std::string fall_sentence(const Fall &fall)
+{
+  return "the glass stands at rest and falls over on the way, at " +
+         to_short_text(rounded(fall.omega + 0., 3)) + " rad/s and a moment ratio of " +
+         to_short_text(rounded(fall.state.moment_ratio, 3));
+}
+
+/// Fills the row as far as it gets.
 void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &row)
 {
   row.harmonics = load.n_harmonics();
   row.all_harmonics = row.harmonics == load.report().rings.n_harmonics();
   row.at_rest = ring_state(load, question, 0);
-  for (const double omega : question.torques_at)
-    row.torques.push_back(torque_or_nan(load, question.motion, omega, row.reason));
-  const LongRunSpin found = terminal_spin(load, question.motion, question.expected, question.with_slope,
-                                          question.grip_torque, question.near);
+  row.torques = friction_torques(load, question.motion, question.torques_at, row.reason);
+  LongRunSpin found;
+  try
+  {
+    found = terminal_spin(load, question.motion, question.expected, question.with_slope, question.grip_torque,
+                          question.near);
+  }
+  catch (const ring::BalanceLost &lost)
+  {
+    if (!is_tipping(lost))
+      throw;
+    row.standing = Standing::tips;
+    row.fall = { lost.last_spin, ring_state(load, question, lost.last_spin) };
+    row.reason = fall_sentence(*row.fall);
+    return;
+  }
   const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
@@ -128,10 +172,30 @@ ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double
   return ring::wrench(motion, load.at(omega), omega);
 }
 
+std::vector<double> friction_torques(const BalancedLoad &load, const ring::Motion &motion,
+                                     const std::vector<double> &omega, std::string &reason)
+{
+  std::vector<double> torques;
+  for (const double spin : omega)
+    torques.push_back(if_balanced([&] { return wrench(load, motion, spin).torque; }, &reason)
+                        .value_or(std::numeric_limits<double>::quiet_NaN()));
+  return torques;
+}
+
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
                           bool with_slope, double grip_torque, const std::optional<ring::KnownZero> &near)
 {
-  const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
+  const auto torque = [&](double omega)
+  {
+    try
+    {
+      return yaw_torque(load, motion, omega);
+    }
+    catch (const fem::ContactFailure &failure)
+    {
+      throw NoContact(failure);
+    }
+  };
   ring::SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
   search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
@@ -178,11 +242,16 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   return result;
 }
 
-double against_grip(double torque, double omega, double grip)
+double grip_torque(double torque, double omega, double grip)
 {
   if (omega == 0)
-    return std::abs(torque) <= grip ? 0 : torque - std::copysign(grip, torque);
-  return torque - std::copysign(grip, omega);
+    return -std::copysign(std::min(std::abs(torque), grip), torque);
+  return -std::copysign(grip, omega);
+}
+
+double against_grip(double torque, double omega, double grip)
+{
+  return torque + grip_torque(torque, omega, grip);
 }
 
 SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question)
@@ -199,36 +268,43 @@ SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
   {
     solve_row(load, question, row);
   }
-  catch (const ring::NoTerminalSpin &failure)
+  catch (...)
   {
-    row.standing = Standing::no_terminal_spin;
-    row.reason = failure.what();
-  }
-  catch (const std::exception &failure)
-  {
-    row.standing = standing_of_failure();
-    row.reason = failure.what();
+    note_failure(row);
   }
   return row;
 }
 
-Standing standing_of_failure()
+void note_failure(SpinRow &row)
 {
+  const auto note = [&](Standing standing, const std::exception &failure)
+  {
+    row.standing = standing;
+    row.reason = failure.what();
+  };
   try
   {
     throw;
   }
-  catch (const ring::Tipping &)
+  catch (const ring::Tipping &failure)
   {
-    return Standing::tips;
+    note(Standing::tips, failure);
+  }
+  catch (const ring::NoTerminalSpin &failure)
+  {
+    note(Standing::no_terminal_spin, failure);
+  }
+  catch (const ring::NoBalance &failure)
+  {
+    note(Standing::no_balance, failure);
   }
   catch (const fem::ContactFailure &failure)
   {
-    return failure.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance;
+    note(failure.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance, failure);
   }
-  catch (const std::exception &)
+  catch (const BadInput &failure)
   {
-    return Standing::no_balance;
+    note(Standing::no_balance, failure);
   }
 }
 
@@ -275,11 +351,16 @@ std::vector<double> output_times(double end)
   return times;
 }
 
+std::vector<ring::YawSample> spin_up(const ring::PhasedTorqueFunction &torque, const ring::Motion &motion,
+                                     const std::vector<double> &times, double spin_scale)
+{
+  return ring::yaw_motion(torque, motion.yaw_inertia, 0, times, spin_up_accuracy, spin_scale);
+}
+
 std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
                                      const std::vector<double> &times, double grip_torque)
 {
-  return ring::yaw_motion(torque_function(load, motion, grip_torque), motion.yaw_inertia, 0, times,
-                          spin_up_accuracy, load.spin_scale(motion));
+  return spin_up(torque_function(load, motion, grip_torque), motion, times, load.spin_scale(motion));
 }
 
 } // namespace stemware::pipeline

@@ -14,7 +14,9 @@ namespace stemware::pipeline
 struct SpinQuestion
 {
   ring::Motion motion;
-  double grip_torque = 0;              ///< of the fingers, against the spin [N m]
+  double grip_torque = 0; ///< of the fingers, against the spin [N m]
+  /// Nominal radius R of moment ratios [m]; nothing: that of the load's one ring.
+  std::optional<double> contact_radius = {};
   std::vector<double> torques_at = {}; ///< spins of SpinRow::torques [rad/s]
   std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
@@ -41,36 +43,47 @@ struct LongRunSpin
 
 /// The terminal spin under @p load, @p expected or not: the zero of the torque that is reached from rest, or,
 /// where the load depends on the phase, the mean of the spin in the long run. Without @p with_slope slope and
-/// time constant are NaN. Throws std::runtime_error where there is none, and as the load.
+/// time constant are NaN. Throws ring::NoBalance where there is none, ring::BalanceLost where the balance
+/// ends on the way, and as the load.
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected = 0,
                           bool with_slope = true, double grip_torque = 0,
                           const std::optional<ring::KnownZero> &near = {});
 
-/// What is left of @p torque at @p omega [rad/s] when the fingers resist with @p grip [N m]: nothing where
-/// they hold the glass at rest.
+/// Torque of fingers that resist @p torque, or the spin @p omega [rad/s], with up to @p grip [N m]: at rest
+/// as much as there is to resist.
+double grip_torque(double torque, double omega, double grip);
+
+/// @p torque and grip_torque() [N m].
 double against_grip(double torque, double omega, double grip);
 
-/// tau_z of the rings and lean torque, mean over the phases; the grip is not in it [N m].
+/// Friction's tau_z and the lean torque, mean over the phases; the grip is not in it [N m].
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega);
 
-/// tau_z [N m] at time t [s], yaw angle [rad] and spin [rad/s]; time and yaw angle matter where the phase
-/// does.
+/// Friction, lean and grip torque together [N m] at time t [s], yaw angle [rad] and spin [rad/s]; time and
+/// yaw angle matter where the phase does. Its zero is the terminal spin.
 ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
                                            double grip_torque = 0);
 
 /// Friction of the table on the ring under @p load at @p omega [rad/s], mean over the phases.
 ring::Wrench wrench(const BalancedLoad &load, const ring::Motion &motion, double omega);
 
-/// Answers the question for @p load. Throws std::runtime_error where there is no terminal spin, and as the
-/// load.
+/// Friction's tau_z under @p load at the spins @p omega [rad/s, N m]; NaN where it has no balance, and @p
+/// reason says why.
+std::vector<double> friction_torques(const BalancedLoad &load, const ring::Motion &motion,
+                                     const std::vector<double> &omega, std::string &reason);
+
+/// Answers the question for @p load. A glass that stands at rest and tips on the way is an answer: the row
+/// has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where there is no terminal spin
+/// otherwise, and as the load.
 SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
-/// spin_row() that does not throw for what a load, its balances or its spin throw: what there is, with the
+/// spin_row() that does not throw for ring::NoBalance and fem::ContactFailure: what there is, with the
 /// standing and the reason for what is missing.
 SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
-/// Why a load could not be had, for the exception that is being handled: tips or no_balance.
-Standing standing_of_failure();
+/// Fills in why a row has no answer, from the failure that is being handled: ring::NoBalance,
+/// fem::ContactFailure, or BadInput where a model cannot be made of the study. Throws every other one on.
+void note_failure(SpinRow &row);
 
 /// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
 /// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all
@@ -86,6 +99,10 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 std::vector<double> output_times(double end);
 
 /// omega(t) and psi(t) from rest under @p load at @p times.
+std::vector<ring::YawSample> spin_up(const ring::PhasedTorqueFunction &torque, const ring::Motion &motion,
+                                     const std::vector<double> &times, double spin_scale);
+
+/// spin_up() under the torque_function() of @p load.
 std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
                                      const std::vector<double> &times, double grip_torque = 0);
 

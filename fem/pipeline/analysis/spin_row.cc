@@ -32,6 +32,11 @@ std::optional<double> SpinRow::omega_terminal() const
   return terminal ? std::optional(terminal->omega) : std::nullopt;
 }
 
+std::optional<double> SpinRow::last_spin() const
+{
+  return terminal ? std::optional(terminal->omega) : fall ? std::optional(fall->omega) : std::nullopt;
+}
+
 std::optional<double> SpinRow::time_constant() const
 {
   return terminal && std::isfinite(terminal->time_constant) ? std::optional(terminal->time_constant)

@@ -31,9 +31,21 @@ struct RingState
 {
   ring::RingStack load;       ///< its harmonics that act on the ring
   ring::Wrench friction = {}; ///< T and tau_z
-  double moment_ratio = 0;    ///< RingStack::moment_ratio()
+  double lean_torque = 0;     ///< of the normal forces on the leaning glass, LeaningLoad::lean_torque() [N m]
+  double grip_torque = 0;     ///< of the fingers, grip_torque() [N m]
+  double moment_ratio = 0;    ///< |M_N| / (N R / 2) with SpinQuestion::contact_radius
   double minimum = 0;         ///< least value of lambda [N/rad]
   double pulling_share = 0;   ///< what the table would have to pull with, over N
+
+  /// Friction, lean and grip torque together: I d omega / dt, zero at a terminal spin [N m].
+  double torque() const { return friction.torque + lean_torque + grip_torque; }
+};
+
+/// Where a glass that stands at rest falls over.
+struct Fall
+{
+  double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]
+  RingState state; ///< at that spin
 };
 
 /// The answer to the one question of the project: what spin does this load give, with these of its harmonics?
@@ -52,6 +64,8 @@ struct SpinRow
   double spin_uncertainty = 0;    ///< of the mean in the long run, LongRunSpin::uncertainty [rad/s]
   double zero_of_mean_torque = 0; ///< [rad/s]; the terminal spin itself where the phase does not matter
   std::optional<RingState> at_terminal;
+  std::optional<Fall>
+    fall; ///< nothing unless the glass stands at rest and tips on its way to a terminal spin
   std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin
   std::optional<double> band = {};        ///< half-width of the error band of the terminal spin [rad/s]
   std::vector<double> torques = {}; ///< tau_z at the spins asked for [N m]; NaN where there is no balance
@@ -70,6 +84,8 @@ struct SpinRow
   std::optional<double> final_deviation = {}; ///< of omega(t) from that of all harmonics, at the end [rad/s]
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
+  /// The terminal spin, or that of the fall [rad/s]; nothing where the row has neither.
+  std::optional<double> last_spin() const;
   /// I_z / |d tau_z / d omega| at the terminal spin [s]; nothing where there is none, or the slope is 0.
   std::optional<double> time_constant() const;
   /// sqrt(a_n^2 + b_n^2) / a_0 of the highest harmonic kept, at rest; 0 where there is no load at rest.

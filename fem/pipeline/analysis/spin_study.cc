@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/orbit_speed_file.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -49,7 +49,7 @@ PhaseStudy study_phases(const PhaseLoads &loads, const SpinRow &row, const ring:
   for (unsigned int i = 0; i < loads.phases().size(); ++i)
     study.phases.push_back(loads.phases().phase(i));
   study.torque_at_rest = torques_at(0, loads, motion);
-  study.torque_at_terminal = torques_at(row.terminal->omega, loads, motion);
+  study.torque_at_terminal = torques_at(row.last_spin().value(), loads, motion);
   study.torque_ripple = half_range(study.torque_at_terminal);
   return study;
 }
@@ -73,28 +73,41 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
 std::vector<double> spins_or_nothing(const BalancedLoad &load, const Study &study,
                                      const std::vector<double> &times)
 {
-  try
-  {
-    return spins_of(spin_up(load, study.motion.orbit, times, study.motion.grip_torque));
-  }
-  catch (const std::runtime_error &)
-  {
-    return {};
-  }
+  return if_balanced([&]
+                     { return spins_of(spin_up(load, study.motion.orbit, times, study.motion.grip_torque)); })
+    .value_or(std::vector<double>());
 }
 
-/// @p first and @p all are loads for curves.
+/// @p torque between rest and @p fall, and the same from there on: steps of an integrator reach beyond.
+ring::PhasedTorqueFunction up_to_the_fall(const ring::PhasedTorqueFunction &torque,
+                                          const std::optional<Fall> &fall)
+{
+  if (!fall)
+    return torque;
+  const double lower = std::min(0., fall->omega), upper = std::max(0., fall->omega);
+  return [=](double time, double yaw_angle, double omega)
+  { return torque(time, yaw_angle, std::clamp(omega, lower, upper)); };
+}
+
+/// Leaves out what lies beyond @p fall.
+double unless_fallen(double omega, const std::optional<Fall> &fall)
+{
+  return fall && std::abs(omega) > std::abs(fall->omega) ? std::nan("") : omega;
+}
+
+/// @p first and @p all are loads for curves; @p row is the answer to the latter.
 SpinUpCurves spin_up_curves(const Study &study, const std::optional<BalancedLoad> &first,
-                            const BalancedLoad &all)
+                            const BalancedLoad &all, const SpinRow &row)
 {
   const ring::Motion &orbit = study.motion.orbit;
-  const double grip = study.motion.grip_torque;
+  const ring::PhasedTorqueFunction torque =
+    up_to_the_fall(torque_function(all, orbit, study.motion.grip_torque), row.fall);
   SpinUpCurves curves;
   curves.time = output_times(study.motion.end_time);
-  for (const ring::YawSample &sample : spin_up(all, orbit, curves.time, grip))
+  for (const ring::YawSample &sample : spin_up(torque, orbit, curves.time, all.spin_scale(orbit)))
   {
-    curves.adaptive.push_back(sample.omega);
-    curves.yaw_angle.push_back(sample.yaw_angle);
+    curves.adaptive.push_back(unless_fallen(sample.omega, row.fall));
+    curves.yaw_angle.push_back(std::isnan(curves.adaptive.back()) ? std::nan("") : sample.yaw_angle);
   }
   if (first)
     curves.first_harmonic = spins_or_nothing(*first, study, curves.time);
@@ -102,32 +115,42 @@ SpinUpCurves spin_up_curves(const Study &study, const std::optional<BalancedLoad
   const auto n_intervals = static_cast<unsigned int>(curves.time.size()) - 1;
   const unsigned int stride = euler_steps(study.motion, n_intervals);
   const unsigned int n_steps = stride * n_intervals;
-  const auto samples = ring::yaw_motion_euler(torque_function(all, orbit, grip), orbit.yaw_inertia, 0,
-                                              study.motion.end_time / n_steps, n_steps);
+  const auto samples =
+    ring::yaw_motion_euler(torque, orbit.yaw_inertia, 0, study.motion.end_time / n_steps, n_steps);
   for (unsigned int i = 0; i <= n_intervals; ++i)
-    curves.euler.push_back(samples[i * stride].omega);
+    curves.euler.push_back(unless_fallen(samples[i * stride].omega, row.fall));
   curves.paper = paper_spin_up(study, curves.time);
   return curves;
 }
 
-ring::Wrench wrench_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
+/// All torques at a spin; NaN where there is no balance: the row says what is missing.
+struct SpinTorques
 {
-  try
-  {
-    return wrench(load, motion, omega);
-  }
-  catch (const std::runtime_error &)
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return { nan, nan, nan }; // the row says what is missing
-  }
+  ring::Wrench friction;
+  double lean, grip;
+};
+
+SpinTorques torques_or_nan(const BalancedLoad &load, const Study &study, double omega)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return if_balanced(
+           [&]
+           {
+             const LeaningLoad at_spin = load.leaning(omega);
+             const ring::Wrench friction = ring::wrench(study.motion.orbit, at_spin.rings, omega);
+             const double lean = at_spin.lean_torque();
+             return SpinTorques{ friction, lean,
+                                 grip_torque(friction.torque + lean, omega, study.motion.grip_torque) };
+           })
+    .value_or(SpinTorques{ { nan, nan, nan }, nan, nan });
 }
 
-/// All terminal spins, that which is reached from rest as @p all has it.
+/// All terminal spins, that which is reached from rest as @p all has it; nothing where the glass falls over.
 std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const BalancedLoad &load,
                                                   const SpinRow &all)
 {
-  if (load.phases() || (study.load.is_in_balance() && abilities(study.contact.body).is_collective))
+  if (!all.terminal || load.phases() ||
+      (study.load.is_in_balance() && abilities(study.contact.body).is_collective))
     return {};
   const double unit = load.spin_scale(study.motion.orbit);
   std::vector<ring::TerminalSpin> spins =
@@ -161,14 +184,23 @@ std::optional<SpinRow> row_on_one_ring(Study study, const ElasticFoot *foot, con
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
-  double fastest = rows.back().row.terminal->omega;
-  for (const LoadedRow &row : rows)
-    if (std::abs(row.row.omega_terminal().value_or(0)) > std::abs(fastest))
-      fastest = row.row.terminal->omega;
-  fastest = shown_spin(study, rows.back().row, fastest);
+  const SpinRow &all = rows.back().row;
+  double last = 0;
+  if (all.fall)
+    last = all.fall->omega;
+  else
+  {
+    double fastest = *all.omega_terminal();
+    for (const LoadedRow &row : rows)
+      if (std::abs(row.row.omega_terminal().value_or(0)) > std::abs(fastest))
+        fastest = *row.row.omega_terminal();
+    last = 1.5 * shown_spin(study, all, fastest);
+  }
+  if (last == 0) // it falls over as soon as it turns
+    last = 1e-3 * spin_unit(study);
   std::vector<double> spins;
   for (int i = -n_intervals / 8; i <= n_intervals; ++i)
-    spins.push_back(1.5 * fastest * i / n_intervals);
+    spins.push_back(last * i / n_intervals);
   std::sort(spins.begin(), spins.end());
   return spins;
 }
@@ -181,7 +213,11 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
   for (const double omega : curve.omega)
   {
     curve.slip_ratio.push_back(omega / rows.back().load->spin_scale(motion));
-    curve.friction.push_back(wrench_or_nan(*rows.back().load, motion, omega));
+    const SpinTorques torques = torques_or_nan(*rows.back().load, study, omega);
+    curve.friction.push_back(torques.friction);
+    curve.lean_torque.push_back(torques.lean);
+    curve.grip_torque.push_back(torques.grip);
+    curve.sum.push_back(torques.friction.torque + torques.lean + torques.grip);
   }
   for (std::size_t i = 0; i + 1 < rows.size() && rows[i].row.harmonics <= n_most; ++i)
   {
@@ -190,7 +226,7 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
     curve.harmonics.push_back(rows[i].row.harmonics);
     std::vector<double> &torques = curve.truncations.emplace_back();
     for (const double omega : curve.omega)
-      torques.push_back(wrench_or_nan(*rows[i].load, motion, omega).torque);
+      torques.push_back(torques_or_nan(*rows[i].load, study, omega).friction.torque);
   }
   return curve;
 }
@@ -242,7 +278,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
   result.budget = find_budget(study, foot, solved, cache, progress);
   result.torque = torque_curve(study, solved, 1);
-  result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load);
+  result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load, result.all());
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
   return result;
 }

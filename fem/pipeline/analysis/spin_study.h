@@ -11,12 +11,16 @@
 namespace stemware::pipeline
 {
 
-/// tau_z(omega) and the friction force over the spin; NaN where there is no balance.
+/// The torques on the glass and the friction force over the spin; NaN where there is no balance.
 struct TorqueCurve
 {
-  std::vector<double> omega;           ///< from a little before rest to beyond the terminal spins [rad/s]
+  /// From a little before rest to beyond the terminal spins, or to where the glass falls over [rad/s].
+  std::vector<double> omega;
   std::vector<double> slip_ratio;      ///< omega R / v
   std::vector<ring::Wrench> friction;  ///< of all harmonics
+  std::vector<double> lean_torque;     ///< RingState::lean_torque of all harmonics [N m]
+  std::vector<double> grip_torque;     ///< RingState::grip_torque of all harmonics [N m]
+  std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
   std::vector<unsigned int> harmonics; ///< of the truncations
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
 };
@@ -30,7 +34,8 @@ struct DrivenSpinUp
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
 };
 
-/// omega(t) from rest at equally spaced times, each load in its own balance.
+/// omega(t) from rest at equally spaced times, each load in its own balance; NaN from where the glass falls
+/// over.
 struct SpinUpCurves
 {
   std::vector<double> time;     ///< [s]
@@ -83,7 +88,8 @@ struct SpinStudy
 };
 
 /// tau_z of the last one of @p rows, and of those in front of it with up to @p n_most harmonics, at spins
-/// from a little before rest to half as far again as the fastest terminal spin.
+/// from a little before rest to half as far again as the fastest terminal spin, or to where the glass falls
+/// over.
 TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows, unsigned int n_most);
 
 /// The spins of torque_curve(), lowest first [rad/s].
@@ -99,8 +105,9 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
 
 /// Solves for everything. @p foot is study_foot(), @p load find_load() of it; feet of other models of the
-/// budget share what they can with it in @p cache. Throws std::runtime_error where all harmonics have no
-/// terminal spin, or the spin under a load that depends on the phase does not settle; what contact solutions
+/// budget share what they can with it in @p cache. A glass that falls over on the way is an answer: its last
+/// row has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where all harmonics have no terminal
+/// spin otherwise, or the spin under a load that depends on the phase does not settle; what contact solutions
 /// and balances throw.
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                      fem::ComplianceCache &cache, Progress &progress = silent_progress());

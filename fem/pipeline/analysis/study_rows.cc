@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/study_rows.h"
 
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
@@ -9,9 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <limits>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -28,20 +26,6 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all)
   return truncation_orders(n_all);
 }
 
-/// The reason for what is missing, with the exception that is being handled.
-void note_failure(SpinRow &row)
-{
-  row.standing = standing_of_failure();
-  try
-  {
-    throw;
-  }
-  catch (const std::exception &failure)
-  {
-    row.reason = failure.what();
-  }
-}
-
 /// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
 void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, double omega, SpinRow &row)
 {
@@ -52,16 +36,10 @@ void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, dou
 }
 
 /// The load interpolated in the spin; nothing where it has no balance somewhere.
-std::optional<BalancedLoad> interpolated(const BalancedLoad &load, double lower, double upper)
+std::optional<BalancedLoad> interpolated(const BalancedLoad &load, double lower, double upper,
+                                         double coarsest = 1e-5)
 {
-  try
-  {
-    return load.interpolated(lower, upper);
-  }
-  catch (const std::runtime_error &)
-  {
-    return std::nullopt;
-  }
+  return if_balanced([&] { return load.interpolated(lower, upper, coarsest); });
 }
 
 } // namespace
@@ -92,24 +70,9 @@ SpinQuestion spin_question(const Study &study)
 {
   SpinQuestion question = { study.motion.orbit };
   question.grip_torque = study.motion.grip_torque;
+  if (study.load.source != LoadSource::file)
+    question.contact_radius = study.glass.profile.contact_radius;
   return question;
-}
-
-std::vector<double> yaw_torques(const BalancedLoad &load, const ring::Motion &motion,
-                                const std::vector<double> &omega, std::string &reason)
-{
-  std::vector<double> torques;
-  for (const double spin : omega)
-    try
-    {
-      torques.push_back(yaw_torque(load, motion, spin));
-    }
-    catch (const std::runtime_error &failure)
-    {
-      reason = failure.what();
-      torques.push_back(std::numeric_limits<double>::quiet_NaN());
-    }
-  return torques;
 }
 
 void require_standing(const Study &study)
@@ -135,7 +98,7 @@ LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &fo
     answer.load = find_load(study, foot, silent_progress(), n_harmonics);
     answer.row = attempt_spin_row(*answer.load, question);
   }
-  catch (const std::exception &)
+  catch (...)
   {
     note_failure(answer.row);
   }
@@ -151,7 +114,7 @@ LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const Spi
     require_standing(study);
     return attempt_row(study, study_foot(study, cache, silent_progress(), similar), question, n_harmonics);
   }
-  catch (const std::exception &)
+  catch (...)
   {
     LoadedRow none;
     note_failure(none.row);
@@ -184,8 +147,6 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   const LoadedRow whole = { spin_row(load, question), load };
   question.with_slope = false;
   question.near = known_zero(whole.row);
-  const double omega = whole.row.terminal->omega;
-  const ring::RingStack at_terminal = load.at(omega);
   std::vector<LoadedRow> rows;
   for (const unsigned int n : orders)
   {
@@ -194,9 +155,10 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
     row.closure = study.motion.closure;
     row.harmonics = n;
     row.all_harmonics = n == orders.back();
-    relate_to_all(whole.row, at_terminal, question, row);
-    if (load.phases() && row.at_rest)
-      take_worst_phase(load, question.motion, omega, row);
+    if (whole.row.terminal)
+      relate_to_all(whole.row, whole.row.at_terminal->load, question, row);
+    if (whole.row.terminal && load.phases() && row.at_rest)
+      take_worst_phase(load, question.motion, whole.row.terminal->omega, row);
     progress.pieces_done("rows by harmonics", rows.size(), orders.size());
   }
   return rows;
@@ -208,11 +170,17 @@ void interpolate_loads(double lower, double upper, unsigned int n_most, std::vec
   {
     if (!answer.load || (answer.row.harmonics > n_most && &answer != &rows.back()))
       continue;
-    const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
-    if (const auto curve = interpolated(*answer.load, lower, upper))
-      answer.load = curve;
-    else if (const auto curve =
-               interpolated(*answer.load, std::min(0., terminal - margin), std::max(0., terminal + margin)))
+    std::optional<BalancedLoad> curve;
+    if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
+      curve = interpolated(*answer.load, std::min(0., fall->omega), std::max(0., fall->omega), 1e-3);
+    else
+    {
+      const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
+      curve = interpolated(*answer.load, lower, upper);
+      if (!curve)
+        curve = interpolated(*answer.load, std::min(0., terminal - margin), std::max(0., terminal + margin));
+    }
+    if (curve)
       answer.load = curve;
   }
 }

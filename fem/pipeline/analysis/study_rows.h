@@ -31,20 +31,15 @@ double shown_spin(const Study &study, const SpinRow &row, double fastest);
 /// A sentence where the fingers hold the glass of @p row at rest; empty elsewhere.
 std::string held_by_the_grip(const Study &study, const SpinRow &row);
 
-/// What a row asks about the spin of a study: motion and grip.
+/// What a row asks about the spin of a study: motion, grip and contact radius.
 SpinQuestion spin_question(const Study &study);
-
-/// yaw_torque() of @p load at the spins @p omega [rad/s, N m]; NaN where it has no balance, and @p reason
-/// says why.
-std::vector<double> yaw_torques(const BalancedLoad &load, const ring::Motion &motion,
-                                const std::vector<double> &omega, std::string &reason);
 
 /// Throws ring::Tipping where the foot of a study tips at rest.
 void require_standing(const Study &study);
 
 /// The answer to a study whose friction is that of the harmonics up to @p n_harmonics. Does not throw for
-/// what meshes, contacts, balances and spins throw: the row has what there is, and the reason for what is
-/// missing. @p foot is study_foot().
+/// what meshes that cannot be made, contacts, balances and spins throw: the row has what there is, and the
+/// reason for what is missing. @p foot is study_foot().
 LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                       const SpinQuestion &question, unsigned int n_harmonics);
 
@@ -63,7 +58,8 @@ std::optional<ring::KnownZero> known_zero(const SpinRow &row);
 
 /// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each as
 /// truncated_row(), related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
-/// of its balances takes minutes. Throws as @p load and spin_row() where all harmonics have no answer.
+/// of its balances takes minutes. Throws as @p load and spin_row() where all harmonics have no answer; where
+/// the glass falls over on the way, the last row has a SpinRow::fall and nothing is related to it.
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
                                          Progress &progress = silent_progress());

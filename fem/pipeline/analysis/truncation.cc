@@ -15,13 +15,17 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
   question.times = result.time;
   std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, question, progress);
 
+  if (!solved.back().row.terminal)
+    throw ring::NoBalance(solved.back().row.reason +
+                          ": no terminal spin to compare with; stemware run shows it");
   const ring::TerminalSpin terminal = *solved.back().row.terminal;
   result.torque_slope = terminal.torque_slope;
   result.omega = omega.empty() ? std::vector<double>{ terminal.omega / 2, terminal.omega } : std::move(omega);
   for (LoadedRow &answer : solved)
   {
     if (answer.load)
-      answer.row.torques = yaw_torques(*answer.load, study.motion.orbit, result.omega, answer.row.reason);
+      answer.row.torques =
+        friction_torques(*answer.load, study.motion.orbit, result.omega, answer.row.reason);
     result.rows.push_back(answer.row);
   }
   result.budget = budget_rows(study, foot, result.rows);

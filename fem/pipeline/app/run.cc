@@ -38,12 +38,13 @@ void run(const StudyOptions &options)
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
   SpinStudy spin = study_spin(study, foot, load, cache, progress);
-  const double omega_terminal = spin.all().terminal->omega;
+  const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
-  const ContactReport report = describe(study, foot, load, omega_terminal);
+  const ContactReport report = describe(study, foot, load, last_spin);
   stopwatch.finish("report_of_contact");
-  const ErrorBands bands =
+  ErrorBands bands =
     estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
+  take_reported_numbers(report.load, spin.budget, bands);
   add_bands(bands, spin.budget);
   stopwatch.finish("error_bands");
 

@@ -56,13 +56,13 @@ BalancedLoad BalancedLoad::with_curve(AtSpin interpolated) const
   return other;
 }
 
-BalancedLoad BalancedLoad::interpolated(double lower, double upper) const
+BalancedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest) const
 {
   if (!parts->is_costly || !(lower < upper))
     return *this;
   // With lift-off the load has a small kink wherever a line of contact is lost. The spins solved for one
   // tolerance serve the next.
-  for (const double tolerance : { 1e-8, 1e-6, 1e-5 })
+  for (const double tolerance : { 1e-8, 1e-6, 1e-5, coarsest })
     try
     {
       const LoadCurve samples = sample_load_curve(parts->at_spin, lower, upper, tolerance, 200);
@@ -74,20 +74,6 @@ BalancedLoad BalancedLoad::interpolated(double lower, double upper) const
     {
     }
   return *this;
-}
-
-BalancedLoad BalancedLoad::for_plots(double lower, double upper) const
-{
-  if (!parts->is_costly)
-    return *this;
-  try
-  {
-    return with_curve(sample_load_curve(parts->at_spin, lower, upper, 1e-4, 80).interpolate());
-  }
-  catch (const std::runtime_error &)
-  {
-    return *this; // kinks of lift-off, or spins without a balance
-  }
 }
 
 unsigned int BalancedLoad::n_harmonics() const
@@ -146,7 +132,7 @@ LoadReport report_of(const ring::RingStack &load)
   LoadReport report = { load };
   report.normal_force = load.normal_force();
   report.moment = load.moment();
-  report.moment_ratio = load.moment_ratio();
+  report.moment_ratio = load.moment_ratio(load.radius());
   report.mean_radius = load.radius();
   report.contact_fraction = static_cast<double>(n_loaded) / n_azimuths;
   report.minimum = load.minimum();

@@ -66,14 +66,10 @@ public:
   BalancedLoad truncated(unsigned int n_harmonics) const;
 
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
-  /// would be a balance of its own: interpolated between exact ones, to 1e-9 of a_0 where 200 of them
-  /// suffice, else to 1e-7 or 1e-5, else exact; outside exact. The error goes to statistics(). A load that is
-  /// not costly stays as it is.
-  BalancedLoad interpolated(double lower, double upper) const;
-
-  /// This load for a picture over spins from @p lower to @p upper: interpolated to 1e-4 of a_0 if that is
-  /// possible.
-  BalancedLoad for_plots(double lower, double upper) const;
+  /// would be a balance of its own: interpolated between exact ones, to 1e-8 of a_0 where 200 of them
+  /// suffice, else to 1e-6 or 1e-5, or to @p coarsest if that is more, else exact; outside exact. The error
+  /// goes to statistics(). A load that is not costly stays as it is.
+  BalancedLoad interpolated(double lower, double upper, double coarsest = 1e-5) const;
 
   /// Highest harmonic of at().
   unsigned int n_harmonics() const;

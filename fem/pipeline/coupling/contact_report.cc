@@ -42,16 +42,16 @@ FootReport describe_foot(const Study &study, ElasticFoot &foot, const BalancedLo
 } // namespace
 
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                       double omega_terminal)
+                       double last_spin)
 {
   ContactReport report;
   report.load = load.report();
-  report.load_at_terminal = report_of(load.at(omega_terminal));
+  report.load_at_end = report_of(load.at(last_spin));
   if (load.contact_at())
-    report.load_at_terminal = report_of(load.contact_at()(omega_terminal), foot->radius(), study.tilts());
+    report.load_at_end = report_of(load.contact_at()(last_spin), foot->radius(), study.tilts());
   else if (load.contact())
-    report.load_at_terminal = report.load;
-  report.tilt = report.load_at_terminal.tilt;
+    report.load_at_end = report.load;
+  report.tilt = report.load_at_end.tilt;
   if (foot)
     report.foot = describe_foot(study, *foot, load);
   report.coupling = load.statistics();

@@ -55,12 +55,13 @@ struct CouplingStatistics
   std::optional<double> interpolation_error; ///< of loads interpolated in the spin, over a_0
 };
 
-/// Everything about the contact that a study reports, at rest and at the terminal spin.
+/// Everything about the contact that a study reports, at rest and at the end of the spin-up: the terminal
+/// spin, or that at which the glass falls over.
 struct ContactReport
 {
   LoadReport load; ///< at rest
-  LoadReport load_at_terminal;
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< q_1, q_2 at the terminal spin
+  LoadReport load_at_end;
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< q_1, q_2 at the end
   std::optional<FootReport> foot;                 ///< nothing where the load does not come from a contact
   std::optional<CouplingStatistics> coupling;     ///< nothing where the load is the same at every spin
 };
@@ -68,10 +69,10 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Describes the load of @p study at rest and at the terminal spin @p omega_terminal [rad/s]. @p foot is
-/// study_foot(), @p load find_load() of it. May solve the contact at the terminal spin, and again at rest.
-/// Throws as the load.
+/// Describes the load of @p study at rest and at @p last_spin, at which the spin-up ends [rad/s]. @p foot is
+/// study_foot(), @p load find_load() of it. May solve the contact there, and again at rest. Throws as the
+/// load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                       double omega_terminal);
+                       double last_spin);
 
 } // namespace stemware::pipeline

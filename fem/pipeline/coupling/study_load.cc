@@ -269,9 +269,12 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
     if (n_rings > 1)
       n_rings = rings_for(band, eps, n_rings);
   }
-  catch (const std::runtime_error &)
+  catch (const ring::NoBalance &)
   {
     // Without a spin to expect, the rings of rest are as good as any.
+  }
+  catch (const fem::ContactFailure &)
+  {
   }
   place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
 }
@@ -314,9 +317,10 @@ BalancedLoad given_first_harmonic(const Study &study)
 BalancedLoad load_from_file(const std::string &file)
 {
   const ring::RingStack load = read_load_file(file);
-  if (!(load.moment_ratio() < 2))
+  const double ratio = load.moment_ratio(load.radius());
+  if (!(ratio < 2))
     throw BadInput("The load of " + file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
-                   to_short_text(load.moment_ratio()) + ", but a ring tips at 2; give smaller a_1, b_1.");
+                   to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
   return constant_load(report_of(load));
 }
 

@@ -56,6 +56,21 @@ std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
          duration_of_a_turn(omega) + ": " + with_band(omega, band_of(bands, "omega_terminal")) + " rad/s.";
 }
 
+/// Of a glass that stands at rest and tips on the way.
+std::string fall_sentences(const Study &study, const SpinRow &all)
+{
+  const Fall &fall = all.fall.value();
+  const RingState &rest = all.at_rest.value();
+  return "The glass stands at rest and falls over on the way: turning " + sense_of(study, fall.omega) +
+         " at " + format::significant<3>(std::abs(fall.omega)) + " rad/s it has reached a moment ratio of " +
+         format::significant<3>(fall.state.moment_ratio) +
+         ", and beyond that no load that only pushes keeps it in balance. It has no terminal spin. At rest "
+         "its "
+         "moment ratio is " +
+         format::significant<4>(rest.moment_ratio) + " and friction turns it with a torque of " +
+         format::significant<4>(rest.friction.torque) + " N m.";
+}
+
 /// The paper's answer, to stand beside the study's; empty where the study is the paper's model.
 std::string paper_sentence(const Study &study, const Budget &budget)
 {
@@ -90,11 +105,12 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
   const BudgetRow *row = largest_other_step(study, budget);
   if (!row)
     return "";
-  const double from = *row->omega_terminal - *row->difference;
+  const std::optional<double> relative =
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_unit(study));
   return "The largest other step from the paper's model to this " +
          std::string(is_one_way(study) ? "one-way one" : "one") + " is \"" + row->name +
          "\": " + format::signed_significant<3>(*row->difference) + " rad/s" +
-         (is_spin(study, from) ? " (" + faster_or_slower(*row->difference / from) + ")" : "") +
+         (relative ? " (" + faster_or_slower(*relative) + ")" : "") +
          (row->standing == Standing::formal ? ", formally: such a load would have to pull on the table"
                                             : "") +
          ".";
@@ -168,6 +184,8 @@ std::string effect_text(const HarmonicEffect &effect, double spin_unit)
 
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
 {
+  if (spin.all().fall)
+    return joined({ fall_sentences(study, spin.all()), paper_sentence(study, spin.budget) });
   if (!is_spin(study, spin.all().omega_terminal().value()))
     return at_rest_sentence(study, spin.all(), "");
   const bool has_band = band_of(bands, "omega_terminal").has_value();
@@ -212,15 +230,15 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
                                     : "change it by " + size + ".");
 }
 
-std::string lift_off_remark(const LoadReport &load)
+std::string lift_off_remark(const LoadReport &load, const std::string &state)
 {
   if (load.minimum < 0)
-    return "The load is negative somewhere, down to " + format::significant<4>(load.minimum) +
+    return state + " the load is negative somewhere, down to " + format::significant<4>(load.minimum) +
            " N/rad: the table would have to pull. " + format::percent_fixed<1>(load.contact_fraction) +
            " of the rim carries load.";
   if (load.contact_fraction >= 1)
     return "";
-  return "The foot has left the table in part: " + format::percent_fixed<1>(load.contact_fraction) +
+  return state + " the foot has left the table in part: " + format::percent_fixed<1>(load.contact_fraction) +
          " of the rim carries load, at a moment ratio of " + format::significant<4>(load.moment_ratio) +
          (load.moment_ratio > 1 ? ", above 1, where a first-harmonic load would have to pull." : ".");
 }

@@ -37,7 +37,7 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
 
 /// Says that the load has left part of the rim, or, where it is given, that it would have to pull; empty
 /// where it does neither.
-std::string lift_off_remark(const LoadReport &load);
+std::string lift_off_remark(const LoadReport &load, const std::string &state);
 
 /// Says that the contact is narrower than what its nodes can show; empty where it is not.
 std::string narrow_contact_remark(const Study &study, const std::optional<FootReport> &foot);

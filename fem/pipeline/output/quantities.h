@@ -69,12 +69,13 @@ inline Quantity torque_of_budget(const std::string &place)
 inline const Quantity amplitude("amplitude", "amplitude of the highest one over a_0 at rest", "1",
                                 "amplitude of the last / a_0", "last one\nover a_0", scientific<3>,
                                 scientific<2>);
-inline const Quantity load_minimum("load_minimum", "minimum of the load at rest", "N/rad", "least load",
-                                   "least load", significant<4>);
+inline const Quantity load_minimum("load_minimum", "minimum of the load at rest", "N/rad", "least λ at rest",
+                                   "least load\nat rest", significant<4>);
 inline const Quantity load_minimum_at_terminal("load_minimum_at_terminal",
                                                "minimum of the load at the terminal spin", "N/rad",
-                                               "least load", "", significant<4>);
-inline const Quantity least_load("least_load", "", "N/rad", "least load", "least load", significant<4>);
+                                               "least λ at the terminal spin", "", significant<4>);
+inline const Quantity least_load("least_load", "", "N/rad", "least λ, at rest or at the terminal spin",
+                                 "least load,\nrest or terminal", significant<4>);
 inline const Quantity pulls("pulls", "1 if the load is negative somewhere");
 inline const Quantity pulling_share("pulling_share", "share of N that would have to pull at rest");
 inline const Quantity pulling_share_at_terminal("pulling_share_at_terminal",
@@ -111,6 +112,11 @@ inline const Quantity under_load("", "1 under load, nan elsewhere");
 inline const Quantity omega("", "omega", "rad/s", "spin ω");
 inline const Quantity slip_ratio("", "slip ratio omega R / v");
 inline const Quantity tau_z("torque", "tau_z, all harmonics", "N m", "τ_z");
+inline const Quantity lean_torque("lean_torque", "lean torque of the normal forces, all harmonics", "N m",
+                                  "lean torque", "", significant<6>);
+inline const Quantity grip_torque("grip_torque", "torque of the fingers", "N m", "torque of the fingers");
+inline const Quantity torque_sum("torque_sum", "tau_z, lean torque and torque of the fingers together", "N m",
+                                 "sum of the torques");
 inline const Quantity force_x("force[]", "T_x", "N", "T_x");
 inline const Quantity force_y("force[]", "T_y", "N", "T_y");
 inline const Quantity time("", "time", "s", "time");

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
@@ -66,11 +67,36 @@ Table shown_truncation_table(const SpinStudy &spin)
 
 // ---- summary.json
 
-/// Whether the load pushes everywhere, at rest and at the terminal spin.
+/// Whether the load pushes everywhere, at rest and at the end of the spin-up.
 bool has_no_lift_off(const ContactReport &report)
 {
   const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
-  return pushes(report.load) && pushes(report.load_at_terminal);
+  return pushes(report.load) && pushes(report.load_at_end);
+}
+
+/// How the glass stands at the end of the spin-up.
+Standing standing_of(const ContactReport &report, const SpinStudy &spin)
+{
+  const Standing standing = spin.all().standing;
+  if (standing == Standing::full_contact && report.load_at_end.contact_fraction < 1)
+    return Standing::lift_off;
+  // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
+  return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
+}
+
+/// What ring_state() of the row's terminal spin has; null where it has none.
+template <typename Value>
+Json at_terminal(const SpinRow &row, Value value)
+{
+  return row.at_terminal ? Json(std::invoke(value, *row.at_terminal)) : Json(nullptr);
+}
+
+/// Where the glass falls over on its way to a terminal spin; null where it does not.
+Json fall_summary(const std::optional<Fall> &fall)
+{
+  if (!fall)
+    return nullptr;
+  return { { "omega", fall->omega }, { "moment_ratio", fall->state.moment_ratio } };
 }
 
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
@@ -78,15 +104,24 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
   const SpinRow &all = spin.all();
   return { { "tau_at_rest", all.at_rest.value().friction.torque },
            { "tau_closed_form", study.motion.orbit.friction_at_rest() * report.load.moment.x() },
-           { "omega_terminal", all.omega_terminal().value() },
+           { "lean_torque_at_rest", all.at_rest->lean_torque },
+           { "standing", to_string(standing_of(report, spin)) },
+           { "fall", fall_summary(all.fall) },
+           { "omega_terminal", json_number(all.omega_terminal()) },
+           { "tau_at_terminal",
+             at_terminal(all, [](const RingState &state) { return state.friction.torque; }) },
+           { "lean_torque_at_terminal", at_terminal(all, &RingState::lean_torque) },
+           { "grip_torque_at_terminal", at_terminal(all, &RingState::grip_torque) },
            { "time_constant", json_number(all.time_constant()) },
            { "terminal_spins", terminal_spins_summary(spin) },
            { "driven", spin.spin_up.driven ? driven_spin_summary(*spin.spin_up.driven) : Json(nullptr) },
            { "no_lift_off", has_no_lift_off(report) },
-           { "force_at_terminal",
-             { all.at_terminal.value().friction.force_x, all.at_terminal->friction.force_y } },
-           { "moment_ratio_at_terminal", all.at_terminal->moment_ratio },
-           { "tilt_at_terminal", { report.tilt.x(), report.tilt.y() } },
+           { "force_at_terminal", at_terminal(all,
+                                              [](const RingState &state) {
+                                                return Json{ state.friction.force_x, state.friction.force_y };
+                                              }) },
+           { "moment_ratio_at_terminal", at_terminal(all, &RingState::moment_ratio) },
+           { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
            { "phase_dependent", spin.phases.has_value() },
            { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
 }
@@ -123,7 +158,9 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
 {
   Findings findings;
   findings.summary = { { "load", load_summary(report.load) },
-                       { "load_at_terminal", load_summary(report.load_at_terminal) },
+                       { "load_at_terminal",
+                         spin.all().terminal ? load_summary(report.load_at_end) : Json(nullptr) },
+                       { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
                        { "contact", report.foot ? json_row(contact_table(*report.foot)) : Json(nullptr) },
                        { "ring", ring_summary(study, report, spin) },
                        { "coupling", coupling_summary(report.coupling) },
@@ -141,7 +178,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   if (goal)
     findings.summary["goal"] = goal_summary(study, *goal, report.foot.value(), bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
-                           { "omega_terminal", spin.all().omega_terminal().value() },
+                           { "omega_terminal", json_number(spin.all().omega_terminal()) },
                            { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
                            { "omega_terminal_first_harmonic",
                              json_number(spin.rows.front().omega_terminal()) },
@@ -151,6 +188,23 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
 }
 
 // ---- report
+
+/// How much of the rim carries load in the state that the spin is about; empty for the whole rim, and for a
+/// load that the answer has described.
+std::string lift_off_remarks(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  if (spin.all().fall)
+    return joined({ lift_off_remark(report.load, "At rest"),
+                    lift_off_remark(report.load_at_end, "Where it falls over") });
+  if (!is_spin(study, *spin.all().omega_terminal()))
+    return lift_off_remark(report.load, "At rest");
+  if (is_one_way(study))
+    return lift_off_remark(report.load, "At every spin");
+  const std::string at_end = lift_off_remark(
+    report.load_at_end,
+    spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin");
+  return at_end.empty() ? lift_off_remark(report.load, "At rest") : at_end;
+}
 
 std::string title(const Study &study)
 {
@@ -173,7 +227,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
   const double rounding = 1e-9 * spin_unit(study);
   ReportSection section = {
     "From the paper's model to this study's",
-    joined({ lift_off_remark(report.load), layer_remark(study, report.load.half_width()),
+    joined({ lift_off_remarks(study, report, spin), layer_remark(study, report.load.half_width()),
              waviness_remark(study, spin.phases) }) +
       "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
       "The "
@@ -185,9 +239,9 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
   };
-  if (is_spin(study, spin.all().omega_terminal().value())) // else all bars are rounding
+  if (is_spin(study, spin.all().omega_terminal().value_or(0))) // else all bars are rounding
     section.plots = { waterfall_plot(budget, rounding), effects_plot(budget, rounding) };
-  if (budget.rows.back().name == "harmonics" && !budget.omega.empty())
+  if (budget.rows.back().name == "harmonics" && !budget.omega.empty() && !spin.all().fall)
     section.plots.push_back(harmonic_torque_plot(budget));
   if (!budget.without.empty())
     section.tables.push_back(without_table(study, budget)
@@ -243,6 +297,34 @@ ReportSection load_section(const Study &study, const LoadReport &load,
   return section;
 }
 
+/// What is zero at the terminal spin: "Friction's and the lean torque together".
+std::string torques_of_balance(const Study &study)
+{
+  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
+  if (!leans && !grips)
+    return "Friction's torque vanishes";
+  return std::string("Friction's torque, ") + (leans ? "the lean torque" : "") +
+         (leans && grips ? " and " : "") + (grips ? "the grip's" : "") + " add up to zero";
+}
+
+/// Where the spin-up ends, and why.
+std::string terminal_spin_clause(const Study &study, const SpinStudy &spin)
+{
+  const SpinRow &all = spin.all();
+  if (all.fall)
+    return fmt::format(FMT_STRING("The spin-up ends at {:.3g} rad/s, where the glass falls over."),
+                       all.fall->omega);
+  const double omega = *all.omega_terminal();
+  std::string text =
+    fmt::format(FMT_STRING("{}, {}at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
+                torques_of_balance(study), spin.phases ? "in the mean over a long time, " : "", omega,
+                std::abs(omega) / boost::math::double_constants::two_pi);
+  if (const auto time_constant = all.time_constant())
+    text +=
+      "; the glass approaches it with a time constant of " + format::significant<4>(*time_constant) + " s";
+  return text + ".";
+}
+
 ReportSection spin_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
@@ -259,17 +341,9 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
                             { friction_table(study, all) } };
   if (spin.phases)
     section.plots.push_back(phase_plot(*spin.phases));
-  const double omega = all.omega_terminal().value();
-  if (!is_spin(study, omega))
+  if (!is_spin(study, all.last_spin().value()))
     return section;
-  section.text += fmt::format(
-    FMT_STRING(
-      " The torque vanishes at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
-    omega, std::abs(omega) / boost::math::double_constants::two_pi);
-  if (const auto time_constant = all.time_constant())
-    section.text +=
-      "; the glass approaches it with a time constant of " + format::significant<4>(*time_constant) + " s";
-  section.text += ".";
+  section.text += " " + terminal_spin_clause(study, spin);
   const SpinUpCurves &curves = spin.spin_up;
   std::vector<Curve> spin_ups = { { "all harmonics", curves.time, curves.adaptive } };
   if (!curves.first_harmonic.empty())
@@ -395,7 +469,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   Results results;
   results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files, goal);
-  const std::vector<std::string> remarks = { lift_off_remark(report.load),
+  const std::vector<std::string> remarks = { lift_off_remarks(study, report, spin),
                                              narrow_contact_remark(study, report.foot),
                                              layer_remark(study, report.load.half_width()),
                                              waviness_remark(study, spin.phases),

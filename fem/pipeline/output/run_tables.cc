@@ -59,13 +59,23 @@ Table friction_table(const Study &study, const SpinRow &all)
   const ring::RingStack &load = all.at_rest.value().load;
   const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
   const double torque = force * load.radius();
-  const std::vector<std::string> names = { "at rest", "at the terminal spin" };
-  const std::vector<ring::Wrench> friction = { all.at_rest->friction, all.at_terminal.value().friction };
-  return { "Friction of the table on the glass",
+  std::vector<std::string> names = { "at rest" };
+  std::vector<RingState> states = { *all.at_rest };
+  if (all.at_terminal || all.fall)
+  {
+    names.push_back(all.fall ? "where it falls over" : "at the terminal spin");
+    states.push_back(all.fall ? all.fall->state : *all.at_terminal);
+  }
+  const auto of_friction = [](double ring::Wrench::*part)
+  { return [part](const RingState &state) { return state.friction.*part; }; };
+  return { "The torques on the glass, and the friction force of the table",
            { column(Quantity("name", "", ""), names),
-             column(quantity::tau_z, friction, &ring::Wrench::torque, 1e-12 * torque),
-             column(quantity::force_x, friction, &ring::Wrench::force_x, 1e-12 * force),
-             column(quantity::force_y, friction, &ring::Wrench::force_y, 1e-12 * force) } };
+             column(quantity::tau_z, states, of_friction(&ring::Wrench::torque), 1e-12 * torque),
+             column(quantity::lean_torque, states, &RingState::lean_torque, 1e-12 * torque),
+             column(quantity::grip_torque, states, &RingState::grip_torque, 1e-12 * torque),
+             column(quantity::torque_sum, states, &RingState::torque, 1e-9 * torque),
+             column(quantity::force_x, states, of_friction(&ring::Wrench::force_x), 1e-12 * force),
+             column(quantity::force_y, states, of_friction(&ring::Wrench::force_y), 1e-12 * force) } };
 }
 
 Table load_table(const ring::RingStack &load)
@@ -151,11 +161,14 @@ std::string footprint_text(const fem::PressureMap &footprint)
 
 Table torque_table(const TorqueCurve &curve)
 {
-  Table table = { "Friction of the table on the ring against its spin",
+  Table table = { "The torques on the glass and the friction force of the table against the spin",
                   { column(quantity::omega, curve.omega), column(quantity::slip_ratio, curve.slip_ratio),
                     column(quantity::tau_z, curve.friction, &ring::Wrench::torque),
                     column(quantity::force_x, curve.friction, &ring::Wrench::force_x),
-                    column(quantity::force_y, curve.friction, &ring::Wrench::force_y) } };
+                    column(quantity::force_y, curve.friction, &ring::Wrench::force_y),
+                    column(quantity::lean_torque, curve.lean_torque),
+                    column(quantity::grip_torque, curve.grip_torque),
+                    column(quantity::torque_sum, curve.sum) } };
   for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
     table.columns.push_back(column(
       quantity::tau_z.with(&Quantity::name, "tau_z, harmonics up to " + std::to_string(curve.harmonics[i])),

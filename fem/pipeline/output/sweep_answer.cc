@@ -134,6 +134,19 @@ std::string held_cases_sentence(const SweepPlan &plan, const SweepFindings &find
            : "In all of them the fingers hold the glass at rest.";
 }
 
+std::string falls_sentence(const SweepPlan &plan, const SweepFindings &findings)
+{
+  const QuantityFindings *fall = findings.about(spin_of_fall);
+  if (fall == nullptr)
+    return "";
+  const bool is_one = fall->n_values == 1;
+  return fmt::format(
+    FMT_STRING(
+      "In {} of {} cases the glass stands at rest and falls over on the way{}{}; {} no terminal spin."),
+    fall->n_values, findings.n_cases, is_one ? "" : ", first", at_case(plan, fall->first_case),
+    is_one ? "it has" : "they have");
+}
+
 std::string failed_cases_sentence(const SweepFindings &findings)
 {
   if (findings.n_failed == 0)
@@ -146,9 +159,9 @@ std::string failed_cases_sentence(const SweepFindings &findings)
 
 std::string sweep_answer(const SweepPlan &plan, const SweepFindings &findings)
 {
-  return joined({ spread_sentence(plan, findings), held_cases_sentence(plan, findings),
-                  sweep_harmonic_sentence(plan, findings), sweep_closure_sentence(plan, findings),
-                  failed_cases_sentence(findings) });
+  return joined({ falls_sentence(plan, findings), spread_sentence(plan, findings),
+                  held_cases_sentence(plan, findings), sweep_harmonic_sentence(plan, findings),
+                  sweep_closure_sentence(plan, findings), failed_cases_sentence(findings) });
 }
 
 } // namespace stemware::pipeline

@@ -235,8 +235,11 @@ Table case_table(const SweepPlan &plan, const FinishedCases &cases)
                                     { return result.is_solved() ? result.values.at(q) : std::nullopt; }));
   table.columns.push_back(
     of_case(quantity::case_outcome, [](const CaseResult &result) { return result.outcome; }));
-  table.columns.push_back(of_case(quantity::case_status, [](const CaseResult &result)
-                                  { return result.is_solved() ? "ok" : "failed"; }));
+  table.columns.push_back(
+    of_case(quantity::case_status, [](const CaseResult &result)
+            { return result.falls_over()  ? "tips"
+                     : result.is_solved() ? "ok"
+                                          : "failed"; }));
   table.columns.push_back(
     of_case(quantity::message, [](const CaseResult &result) { return result.message; }));
   return table;

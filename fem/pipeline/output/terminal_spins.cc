@@ -14,7 +14,7 @@ namespace
 
 bool is_reached(const ring::TerminalSpin &one, const SpinStudy &spin)
 {
-  return one.omega == spin.all().terminal.value().omega;
+  return spin.all().terminal && one.omega == spin.all().terminal->omega;
 }
 
 std::string stability_of(const ring::TerminalSpin &one)
@@ -36,8 +36,8 @@ std::string terminal_spins_remark(const SpinStudy &spin)
   const auto n_stable = std::count_if(spin.terminal_spins.begin(), spin.terminal_spins.end(),
                                       [](const ring::TerminalSpin &one) { return one.stable; });
   return fmt::format(
-    FMT_STRING("The torque vanishes at {} spins, {} of them stable: which one the glass ends "
-               "at depends on how it starts."),
+    FMT_STRING("The torques add up to zero at {} spins, {} of them stable: which one the glass "
+               "ends at depends on how it starts."),
     spin.terminal_spins.size(), n_stable);
 }
 

@@ -51,7 +51,7 @@ fem::Resultants Study::required_resultants() const
   require(
     ratio < 2,
     fmt::format(FMT_STRING("The closure {} asks for a moment ratio of {}, but the foot tips at 2; change the "
-                           "height of the hand or the speed, or set Load/Moment ratio below 2."),
+                           "height of the hand or the speed."),
                 ring::to_string(motion.closure), to_short_text(ratio)));
   return required;
 }

@@ -3,10 +3,12 @@
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "ring_model/friction_law.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -30,30 +32,37 @@ struct Probe
   std::vector<ring::Orientation> phases;
 };
 
+/// Torques at one spin [N m]; NaN without a balance.
+struct Torques
+{
+  double friction; ///< tau_z
+  double all;      ///< yaw_torque(), whose zero is the terminal spin
+};
+
 /// What is found there.
 struct Findings
 {
   LoadReport at_rest;
-  std::vector<double> torques; ///< yaw_torque() at Probe::spins, means over the phases; NaN without a balance
-  double torque_of_first = 0;  ///< of the first harmonic, at Probe::first
+  std::vector<Torques> torques; ///< at Probe::spins, means over the phases
+  double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at Probe::first
 };
 
-double torque_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
+Torques torques_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
-  try
-  {
-    return yaw_torque(load, motion, omega);
-  }
-  catch (const std::runtime_error &)
-  {
-    return std::nan("");
-  }
+  return if_balanced(
+           [&]
+           {
+             const LeaningLoad at_spin = load.leaning(omega);
+             const double friction = ring::wrench(motion, at_spin.rings, omega).torque;
+             return Torques{ friction, friction + at_spin.lean_torque() };
+           })
+    .value_or(Torques{ std::nan(""), std::nan("") });
 }
 
 Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe)
 {
   Findings found;
-  found.torques.assign(probe.spins.size(), 0.);
+  found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
   for (const ring::Orientation &phase : probe.phases)
   {
@@ -61,10 +70,15 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
     if (&phase == &probe.phases.front())
       found.at_rest = load.report();
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
-      found.torques[i] += share * torque_or_nan(load, study.motion.orbit, probe.spins[i]);
+    {
+      const Torques torques = torques_or_nan(load, study.motion.orbit, probe.spins[i]);
+      found.torques[i].friction += share * torques.friction;
+      found.torques[i].all += share * torques.all;
+    }
     if (probe.has_first)
       found.torque_of_first +=
-        share * torque_or_nan(find_load_at_phase(study, foot, phase, 1), study.motion.orbit, probe.first);
+        share *
+        torques_or_nan(find_load_at_phase(study, foot, phase, 1), study.motion.orbit, probe.first).all;
   }
   return found;
 }
@@ -86,7 +100,8 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   return phases;
 }
 
-/// Quantities at a terminal spin that differs from the one looked at by what the torque there says.
+/// The reported numbers of @p row, each changed by what changes from @p own to @p found: at a terminal spin
+/// that differs from the one looked at by what the torque there says.
 std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Probe &probe,
                                                 const Findings &own, const SpinRow &row, const Study &study)
 {
@@ -96,17 +111,23 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   std::vector<QuantityOfInterest> quantities = load_quantities(found.at_rest, noise);
   const double torque_noise = noise.relative * motion.friction_at_rest() * found.at_rest.normal_force *
                               study.glass.profile.contact_radius;
-  quantities.push_back({ "tau_at_rest", "torque at rest", "N m", found.torques[0], torque_noise });
+  quantities.push_back({ "tau_at_rest", "torque at rest", "N m",
+                         row.at_rest->friction.torque + (found.torques[0].friction - own.torques[0].friction),
+                         torque_noise });
   quantities.push_back({ "tau_at_spin_1", "torque at " + to_short_text(probe.spins[1]) + " rad/s", "N m",
-                         found.torques[1], torque_noise });
+                         found.torques[1].friction, torque_noise });
   quantities.push_back({ "tau_at_spin_2", "torque at " + to_short_text(probe.spins[5]) + " rad/s", "N m",
-                         found.torques[5], torque_noise });
-  const double slope = (found.torques[4] - found.torques[2]) / (probe.spins[4] - probe.spins[2]);
-  const double moved = -(found.torques[3] - own.torques[3]) / slope;
+                         found.torques[5].friction, torque_noise });
+  const auto slope_of = [&](const Findings &at)
+  { return (at.torques[4].all - at.torques[2].all) / (probe.spins[4] - probe.spins[2]); };
+  const double slope = slope_of(found);
+  const double moved = -(found.torques[3].all - own.torques[3].all) / slope;
   const double spin_noise = noise.relative * motion.orbit_speed / study.glass.profile.contact_radius;
   quantities.push_back(
     { "omega_terminal", "terminal spin", "rad/s", row.terminal->omega + moved, spin_noise });
-  const double time = motion.yaw_inertia / std::abs(slope);
+  const double reported =
+    std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
+  const double time = motion.yaw_inertia / std::abs(reported + (slope - slope_of(own)));
   quantities.push_back({ "time_constant", "time constant", "s", time, 1e3 * noise.relative * time });
   if (probe.has_first)
   {
@@ -236,6 +257,21 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   {
     return without(failure);
   }
+}
+
+void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
+{
+  std::map<std::string, double> reported;
+  for (const QuantityOfInterest &quantity : load_quantities(at_rest, {}))
+    reported.emplace(quantity.key, quantity.value);
+  if (const std::optional<double> &at_half = budget.rows.back().torques[1])
+    reported.emplace("tau_at_spin_1", *at_half);
+  for (BandedQuantity &banded : bands)
+    if (const auto found = reported.find(banded.quantity.key); found != reported.end())
+    {
+      banded.richardson += found->second - banded.quantity.value;
+      banded.quantity.value = found->second;
+    }
 }
 
 void add_bands(const ErrorBands &bands, Budget &budget)

@@ -46,6 +46,11 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
                           const std::optional<double> &first, fem::ComplianceCache &cache,
                           Progress &progress = silent_progress());
 
+/// Puts the numbers that a study reports into the place of those that the contacts of the bands have found,
+/// which are the same up to the solver's tolerance: of the load @p at_rest, and of the torque at half the
+/// terminal spin in the last row of @p budget.
+void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands);
+
 /// Gives the rows of @p budget that come from the contact their bands: that of the first harmonic alone and
 /// that of all, rows between them the wider of the two. Closed forms have none.
 void add_bands(const ErrorBands &bands, Budget &budget);

@@ -12,8 +12,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// tau_z of the rings and lean torque at @p omega, linearised at @p state.
-fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega)
+/// Friction's tau_z at @p omega, @p with_lean the lean torque besides, linearised at @p state.
+fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
 {
   fem::ContactGoal goal;
   goal.ring_radii = state.load.radii;
@@ -21,7 +21,7 @@ fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state,
   const ring::LoadFunctional torque =
     ring::friction_functionals(study.motion.orbit, state.load.radii, n_harmonics, omega).torque;
   goal.of_load = { torque.a, torque.b };
-  if (study.tilts())
+  if (with_lean && study.tilts())
   {
     // The lean torque is -q1 M_Nx - q2 M_Ny.
     goal.of_moment = -state.solution.motion.tail<2>();
@@ -73,14 +73,15 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
                                                    : 0;
   const fem::ContactState state =
     load.contact_at() && omega != 0 ? load.contact_at()(omega) : *load.contact();
-  const fem::ContactGoal functional =
-    goal == Goal::a2 ? second_harmonic_goal(state) : torque_goal(study, state, omega);
+  const fem::ContactGoal functional = goal == Goal::a2
+                                        ? second_harmonic_goal(state)
+                                        : torque_goal(study, state, omega, goal == Goal::terminal_spin);
   std::optional<fem::MeshError> error = foot.body().mesh_error(state, functional, with_cells);
   if (!error)
     return std::nullopt;
   GoalError result = { functional.of_load(state.load), std::move(*error) };
   if (goal == Goal::torque)
-    result.value = yaw_torque(load, motion, omega);
+    result.value = wrench(load, motion, omega).torque;
   if (goal == Goal::terminal_spin)
   {
     result.value = omega_terminal;

@@ -27,7 +27,7 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const Qu
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
   quantities.push_back({ "contact_fraction", "share of the rim in contact", "1", load.contact_fraction,
                          ends_somewhere ? 1. / noise.n_azimuths : 0. });
-  quantities.push_back({ "minimum", "least load", "N/rad", load.minimum, noise.relative * mean });
+  quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, noise.relative * mean });
   return quantities;
 }
 
@@ -50,6 +50,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
   question.with_slope = true;
   question.with_minima = false;
   const SpinRow row = spin_row(load, question);
+  if (!row.terminal)
+    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
   const double torque_noise =
     noise.relative * motion.friction_at_rest() * at_rest.normal_force * at_rest.rings.radius();
   quantities.push_back(

@@ -20,7 +20,7 @@ constexpr unsigned int n_listed_harmonics = 8;
 std::vector<SweepQuantity> make_quantities()
 {
   std::vector<SweepQuantity> quantities = { { "normal force", "N" },     { "moment ratio", "1" },
-                                            { "contact fraction", "1" }, { "least load", "N/rad" },
+                                            { "contact fraction", "1" }, { "least load at rest", "N/rad" },
                                             { "ring radius", "m" },      { "mean radius", "m" },
                                             { "a_0", "N/rad" } };
   for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
@@ -39,7 +39,9 @@ std::vector<SweepQuantity> make_quantities()
                                         { "closure effect", "%" },
                                         { "held by the grip", "1" },
                                         { "time constant", "s" },
-                                        { "contact iterations", "1" } });
+                                        { "contact iterations", "1" },
+                                        { spin_of_fall, "rad/s" },
+                                        { "moment ratio at which it falls over", "1" } });
   return quantities;
 }
 
@@ -95,8 +97,9 @@ std::optional<double> difference_by(const std::string &name, const std::vector<B
   return std::nullopt;
 }
 
-void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-              ValueList &list)
+/// Where the glass falls over, if it does.
+std::optional<Fall> add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                             const BalancedLoad &load, ValueList &list)
 {
   SpinQuestion question = spin_question(study);
   question.with_minima = false;
@@ -107,11 +110,11 @@ void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   const std::optional<double> first = first_row.omega_terminal();
   const std::vector<BudgetRow> budget = budget_rows(study, foot, { first_row, all });
   const double unit = spin_unit(study);
-  const HarmonicEffect harmonics = harmonic_effect(first, all.terminal->omega, unit);
+  const HarmonicEffect harmonics = harmonic_effect(first, all.omega_terminal(), unit);
   const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper);
   const std::optional<double> full = first_harmonic_spin(study, ring::Closure::full);
   list.add(all.at_rest->friction.torque);
-  list.add(all.terminal->omega);
+  list.add(all.omega_terminal());
   list.add(first);
   list.add(first_harmonic_spin(study, study.motion.closure));
   for (const char *name : { "moment balance", "grip", "where the foot touches", "tilt" })
@@ -119,8 +122,10 @@ void add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   list.add(harmonics.absolute);
   list.add(in_percent(harmonics.relative));
   list.add(in_percent(paper && full ? relative_to(paper, *full - *paper, unit) : std::nullopt));
-  list.add(study.motion.grip_torque > 0 ? std::optional<double>(all.terminal->held ? 1 : 0) : std::nullopt);
+  list.add(study.motion.grip_torque > 0 && all.terminal ? std::optional<double>(all.terminal->held ? 1 : 0)
+                                                        : std::nullopt);
   list.add(all.time_constant());
+  return all.fall;
 }
 
 } // namespace
@@ -139,6 +144,11 @@ std::size_t quantity_index(const std::string &name)
   throw std::logic_error("a sweep has no quantity " + name);
 }
 
+bool CaseResult::falls_over() const
+{
+  return is_solved() && values.at(quantity_index(spin_of_fall)).has_value();
+}
+
 CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
 {
   const Study study = mesh_for_goal(given, cache).study;
@@ -146,7 +156,7 @@ CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
   const BalancedLoad load = find_load(study, foot);
   ValueList list;
   add_load(load.report(), list);
-  add_spin(study, foot, load, list);
+  const std::optional<Fall> fall = add_spin(study, foot, load, list);
   CaseResult result;
   if (load.contact())
   {
@@ -155,6 +165,8 @@ CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
   }
   else
     list.add(std::nullopt);
+  list.add(fall ? std::optional(fall->omega) : std::nullopt);
+  list.add(fall ? std::optional(fall->state.moment_ratio) : std::nullopt);
   result.values = std::move(list.values);
   return result;
 }

@@ -23,6 +23,9 @@ const std::vector<SweepQuantity> &sweep_quantities();
 /// Position of the quantity of that name; throws std::logic_error where there is none.
 std::size_t quantity_index(const std::string &name);
 
+/// The quantity that has a value for each case in which the glass stands at rest and falls over on the way.
+inline constexpr char spin_of_fall[] = "spin at which it falls over";
+
 /// What became of one case.
 struct CaseResult
 {
@@ -31,10 +34,12 @@ struct CaseResult
   std::vector<std::optional<double>> values; ///< of sweep_quantities(); empty where the case failed
 
   bool is_solved() const { return message.empty(); }
+  bool falls_over() const; ///< an answer: there is no terminal spin
 };
 
 /// Solves one study from a cold start: equal studies have equal results, whatever was solved before or beside
-/// them. Feet of revolution share what they can in @p cache. Throws as find_load() and terminal_spin().
+/// them. Feet of revolution share what they can in @p cache. A glass that falls over on the way is
+/// an answer. Throws as find_load() and spin_row().
 CaseResult solve_case(const Study &given, fem::ComplianceCache &cache);
 
 } // namespace stemware::pipeline

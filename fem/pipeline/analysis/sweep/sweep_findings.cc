@@ -44,6 +44,7 @@ QuantityFindings find_out(const SweepPlan &plan, const QuantitySample &sample)
   const auto case_of = [&](auto place)
   { return sample.cases[static_cast<std::size_t>(place - sample.values.begin())]; };
   findings.n_values = sample.values.size();
+  findings.first_case = sample.cases.front();
   findings.least = *least;
   findings.most = *most;
   findings.least_case = case_of(least);

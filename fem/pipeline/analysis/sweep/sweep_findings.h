@@ -21,6 +21,7 @@ struct QuantityFindings
   std::size_t index = 0;    ///< into sweep_quantities()
   std::size_t n_values = 0; ///< cases that have one; at least 1
   double least = 0, most = 0;
+  std::size_t first_case = 0;                ///< that has a value
   std::size_t least_case = 0, most_case = 0; ///< the first of them where several cases share the value
   std::size_t n_least = 0, n_most = 0;       ///< how many share it, to 1e-9
   std::optional<SampleBand> band;            ///< of random samples

@@ -217,6 +217,13 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
     plot.curves.back().title = title;
     plot.curves.back().style = style_of(plan.entries[0].values.size());
   }
+  Curve falls = curve_over(plan, cases, {}, 0, value_of(spin_of_fall));
+  if (std::any_of(falls.y.begin(), falls.y.end(), [](double spin) { return std::isfinite(spin); }))
+  {
+    falls.title = "falls over at";
+    falls.style = CurveStyle::points;
+    plot.curves.push_back(falls);
+  }
   return curve_plot(plot);
 }
 
@@ -276,6 +283,9 @@ std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
       plots.push_back(model_plot(plan, cases));
     else
       plots.push_back(family_plot(plan, cases, roles, drawing));
+  if (std::any_of(cases.begin(), cases.end(), [](const auto &one) { return one.second.falls_over(); }))
+    for (Plot &plot : plots)
+      plot.caption += " Where a case has no terminal spin, the glass falls over on the way.";
   return plots;
 }
 

@@ -92,14 +92,15 @@ std::string turn_tics(double low, double high)
 
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
 {
-  CurvePlot plot = { "torque",
-                     "Torque of friction against the spin, n harmonics kept; the glass spins up to where it "
-                     "vanishes (points).",
-                     { heading_with_unit(quantity::omega), false,
-                       std::pair(curve.omega.front(), curve.omega.back()) },
-                     { quantity::axis::torque },
-                     {},
-                     "set xzeroaxis lt 8\n" };
+  CurvePlot plot = {
+    "torque",
+    "Friction's torque against the spin, n harmonics kept; points: the terminal spins, where "
+    "friction's, the lean and the fingers' torque add up to zero.",
+    { heading_with_unit(quantity::omega), false, std::pair(curve.omega.front(), curve.omega.back()) },
+    { quantity::axis::torque },
+    {},
+    "set xzeroaxis lt 8\n"
+  };
   if (const double unit = spin_unit_of(curve); unit > 0)
   {
     plot.caption +=
@@ -158,7 +159,8 @@ Plot spin_up_plot(const std::vector<Curve> &curves, const SpinRow &all, const st
   Extent spins;
   for (const Curve &curve : plot.curves)
     for (const double spin : curve.y)
-      spins.include(spin);
+      if (std::isfinite(spin))
+        spins.include(spin);
   plot.commands += "set y2tics (" +
                    turn_tics(spins.least / boost::math::double_constants::two_pi,
                              spins.most / boost::math::double_constants::two_pi) +

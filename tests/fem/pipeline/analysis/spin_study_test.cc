@@ -183,6 +183,60 @@ TEST(SpinStudy, TheGripSlowsTheSpinUp)
   EXPECT_EQ(study_spin_of(rich_load(), study).all().terminal->omega, 0);
 }
 
+/// rich_load() up to @p last [rad/s], beyond which it tips.
+BalancedLoad tipping_beyond(double last)
+{
+  return BalancedLoad({ report_of(rich_load()),
+                        [last](double omega) -> ring::RingStack
+                        {
+                          if (std::abs(omega) > last)
+                            throw ring::Tipping("it tips");
+                          return rich_load();
+                        } });
+}
+
+// A load that is the same up to the fall: the moment ratio follows from its first harmonic, the time of the
+// fall from dt = I d omega / tau(omega), by Simpson's rule.
+TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
+{
+  const Study study = study_of_given_load();
+  const ring::Motion &motion = study.motion.orbit;
+  fem::ComplianceCache cache;
+  const SpinStudy fallen = study_spin(study, nullptr, tipping_beyond(2.5), cache);
+  const SpinRow &row = fallen.all();
+  EXPECT_EQ(row.standing, Standing::tips);
+  EXPECT_FALSE(row.terminal);
+  ASSERT_TRUE(row.fall);
+  EXPECT_NEAR(row.fall->omega, -2.5, 0.35 / 0.03 / 4096);
+  EXPECT_NEAR(row.fall->state.moment_ratio, std::hypot(0.1, 0.3) / 0.47, 1e-12);
+  EXPECT_EQ(row.at_rest->friction.torque, study_spin_of(rich_load()).all().at_rest->friction.torque);
+  EXPECT_FALSE(fallen.spins_up());
+  EXPECT_TRUE(fallen.terminal_spins.empty());
+  EXPECT_FALSE(fallen.budget.rows.back().omega_terminal);
+  EXPECT_EQ(fallen.budget.rows.back().standing, Standing::tips);
+  EXPECT_FALSE(fallen.budget.harmonics.absolute);
+
+  const ring::CoulombRing friction(motion.friction_coefficient);
+  const auto time_per_spin = [&](double omega)
+  { return motion.yaw_inertia / friction.wrench(rich_load(), omega, motion.orbit_speed).torque; };
+  double time = 0;
+  constexpr int n_intervals = 200;
+  const double step = row.fall->omega / n_intervals;
+  for (int i = 0; i < n_intervals; ++i)
+    time += step / 6 *
+            (time_per_spin(i * step) + 4 * time_per_spin((i + 0.5) * step) + time_per_spin((i + 1) * step));
+  const SpinUpCurves &curves = fallen.spin_up;
+  ASSERT_LT(time, curves.time.back());
+  for (std::size_t i = 0; i < curves.time.size(); ++i)
+  {
+    EXPECT_EQ(std::isnan(curves.adaptive[i]), curves.time[i] > time) << i;
+    EXPECT_EQ(std::isnan(curves.yaw_angle[i]), curves.time[i] > time) << i;
+  }
+  const auto [least, most] = std::minmax_element(fallen.torque.omega.begin(), fallen.torque.omega.end());
+  EXPECT_EQ(*least, row.fall->omega);
+  EXPECT_GT(*most, 0);
+}
+
 TEST(SpinRow, SaysWhyThereIsNone)
 {
   // A load model that tips, one without a balance, and a torque that keeps its sign.
@@ -199,10 +253,19 @@ TEST(SpinRow, SaysWhyThereIsNone)
   const SpinQuestion question = { ring::Motion() };
   const SpinRow tips = attempt_spin_row(refusing(ring::Tipping("it tips")), question);
   EXPECT_EQ(tips.standing, Standing::tips);
-  EXPECT_EQ(tips.reason, "it tips");
+  EXPECT_EQ(tips.reason,
+            "the glass stands at rest and falls over on the way, at 0 rad/s and a moment ratio of 0.673");
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
-  EXPECT_EQ(attempt_spin_row(refusing(std::runtime_error("none")), question).standing, Standing::no_balance);
+  const SpinRow none = attempt_spin_row(refusing(ring::NoBalance("none")), question);
+  EXPECT_EQ(none.standing, Standing::no_balance);
+  EXPECT_NE(none.reason.find("none"), std::string::npos);
+  EXPECT_EQ(
+    attempt_spin_row(refusing(fem::ContactFailure(fem::ContactOutcome::too_many_steps, "too slow")), question)
+      .standing,
+    Standing::no_balance);
+  // A fault of the program is no property of the load.
+  EXPECT_THROW(attempt_spin_row(refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);

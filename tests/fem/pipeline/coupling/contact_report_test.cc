@@ -62,7 +62,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinIsThatOfThePressureThere)
               -glass.load.leaning(glass.omega).lean_torque(), 1e-8 * scale);
   const fem::ContactState &rest = glass.report.foot->at_rest;
   EXPECT_GT(std::abs(friction_of(glass, rest, study, glass.omega).torque), 1e-2 * scale);
-  const LoadReport &at_terminal = glass.report.load_at_terminal;
+  const LoadReport &at_terminal = glass.report.load_at_end;
   EXPECT_NEAR((at_terminal.moment - Eigen::Vector2d(spinning.load.moment_x, spinning.load.moment_y)).norm(),
               0, 1e-9 * motion.normal_force() * 0.03);
   EXPECT_GT((at_terminal.moment - glass.report.load.moment).norm(), 1e-3 * motion.normal_force() * 0.03);

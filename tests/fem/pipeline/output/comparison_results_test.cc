@@ -104,7 +104,7 @@ load: first harmonic | elastic foot, n = 1 | elastic foot, all
 τz at rest (N m): 1.070123 | 1.440123 | 1.810123
 m at rest: 1.1001 | 1.4701 | 1.8401
 terminal spin (rad/s): -1.130123 | -1.500123 | -1.870123
-least load (N/rad): -1.26 | -1.63 | -2
+least λ at the terminal spin (N/rad): -1.26 | -1.63 | -2
 rim that carries: 12.8 % | 16.5 % | 20.2 %
 : formal | lift-off | lift-off
 Closure hand
@@ -112,7 +112,7 @@ load: first harmonic | elastic foot, n = 1 | elastic foot, all
 τz at rest (N m): 2.180123 | – | –
 m at rest: 2.2101 | – | –
 terminal spin (rad/s): -2.240123 | – | –
-least load (N/rad): -2.37 | – | –
+least λ at the terminal spin (N/rad): -2.37 | – | –
 rim that carries: 23.9 % | – | –
 : formal | no balance | no balance
 Closure full
@@ -120,7 +120,7 @@ load: first harmonic | elastic foot, n = 1 | elastic foot, all
 τz at rest (N m): 3.290123 | 3.660123 | 4.030123
 m at rest: 3.3201 | 3.6901 | 4.0601
 terminal spin (rad/s): -3.350123 | -3.720123 | -4.090123
-least load (N/rad): -3.48 | -3.85 | -4.22
+least λ at the terminal spin (N/rad): -3.48 | -3.85 | -4.22
 rim that carries: 35.0 % | 38.7 % | 42.4 %
 : formal | lift-off | lift-off
 )");

@@ -31,6 +31,10 @@ inline pipeline::TorqueCurve hand_made_torque_curve(Numbers &next)
   curve.omega = { -next(), next() };
   curve.slip_ratio = { next(), next() };
   curve.friction = { { next(), next(), next() }, { next(), next(), next() } };
+  curve.lean_torque = { 0.015, 0.025 };
+  curve.grip_torque = { 0.035, -0.045 };
+  for (std::size_t i = 0; i < 2; ++i)
+    curve.sum.push_back(curve.friction[i].torque + curve.lean_torque[i] + curve.grip_torque[i]);
   curve.harmonics = { 1 };
   curve.truncations = { { next(), next() } };
   return curve;
@@ -114,7 +118,7 @@ struct RunByHand
               hand_made_band(next, "a2", "a_2/a_0", "1"), zero_band("b2"),
               hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
     study.table.waviness.push_back({});
-    report.load_at_terminal = hand_made_load_report(next);
+    report.load_at_end = hand_made_load_report(next);
     report.tilt = { next(), next() };
     report.load.outer_radius = report.load.inner_radius + 2 * next() / 1000;
     spin.budget = hand_made_budget(next);
@@ -245,8 +249,11 @@ inline pipeline::FinishedCases cases_by_hand(const pipeline::SweepPlan &plan)
       continue;
     }
     result.outcome = "converged";
-    for (std::size_t q = 0; q < pipeline::sweep_quantities().size(); ++q)
-      result.values.push_back(next());
+    for (const pipeline::SweepQuantity &quantity : pipeline::sweep_quantities())
+      if (quantity.name.find("falls over") == std::string::npos)
+        result.values.push_back(next());
+      else
+        result.values.push_back(std::nullopt);
     result.values[pipeline::quantity_index("closure effect")].reset();
     result.values[pipeline::quantity_index("held by the grip")] = i == 1 ? 1 : 0;
   }

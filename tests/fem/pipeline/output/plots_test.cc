@@ -225,9 +225,12 @@ std::vector<SpinRow> two_rows()
 TEST(Plots, TorqueAndTruncation)
 {
   const ScratchFolder scratch;
-  TorqueCurve curve = {
-    { -5, 5 }, { -1, 1 }, { { 1e-3, 0, 0 }, { -2e-3, 0, 0 } }, { 1 }, { { 3e-3, -4e-3 } }
-  };
+  TorqueCurve curve;
+  curve.omega = { -5, 5 };
+  curve.slip_ratio = { -1, 1 };
+  curve.friction = { { 1e-3, 0, 0 }, { -2e-3, 0, 0 } };
+  curve.harmonics = { 1 };
+  curve.truncations = { { 3e-3, -4e-3 } };
   const Plot torque = torque_plot(curve, two_rows());
   EXPECT_EQ(draw(torque, scratch), "");
   const auto columns = data_of(torque, scratch);

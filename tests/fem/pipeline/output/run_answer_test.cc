@@ -69,6 +69,36 @@ what the one-way model leaves open. Left out one at a time, these change the spi
   EXPECT_EQ(one_way.answer().substr(0, 25), "Under the given load (one");
 }
 
+TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
+{
+  SpunStudy turned;
+  turned.spin.budget.rows[1].omega_terminal = 3.5;
+  turned.spin.budget.rows[1].difference = 6.5; // from -3
+  turned.spin.budget.harmonics = harmonic_effect(3.4, -3.25, 11.7);
+  EXPECT_FALSE(turned.spin.budget.harmonics.relative);
+  EXPECT_NE(turned.answer().find("beyond the first change it by -6.65 rad/s."), std::string::npos)
+    << turned.answer();
+  EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
+}
+
+TEST(RunAnswer, OfAGlassThatFallsOver)
+{
+  SpunStudy falling;
+  SpinRow &all = falling.spin.rows.back();
+  all.fall = Fall{ -9.1234, *all.at_rest };
+  all.fall->state.moment_ratio = 1.6789;
+  all.at_rest->moment_ratio = 1.4321;
+  all.at_rest->friction.torque = -0.0012345;
+  all.terminal.reset();
+  all.at_terminal.reset();
+  all.standing = Standing::tips;
+  EXPECT_EQ(wrapped(falling.answer()),
+            R"(The glass stands at rest and falls over on the way: turning clockwise, against its orbit at
+9.12 rad/s it has reached a moment ratio of 1.68, and beyond that no load that only pushes keeps it
+in balance. It has no terminal spin. At rest its moment ratio is 1.432 and friction turns it with a
+torque of -0.001234 N m. In the paper's model it makes one turn in 2.09 s: -3.00000 rad/s.)");
+}
+
 TEST(RunAnswer, WithoutBandsAndEffects)
 {
   SpunStudy plain;
@@ -165,15 +195,15 @@ TEST(Remarks, LiftOffAndLoadsThatPull)
   load.contact_fraction = 1;
   load.minimum = 0.1;
   load.moment_ratio = 0.9;
-  EXPECT_EQ(lift_off_remark(load), "");
+  EXPECT_EQ(lift_off_remark(load, "At rest"), "");
   load.contact_fraction = 0.75;
   load.minimum = 0;
-  EXPECT_EQ(lift_off_remark(load),
-            "The foot has left the table in part: 75.0 % of the rim carries load, at a "
+  EXPECT_EQ(lift_off_remark(load, "At rest"),
+            "At rest the foot has left the table in part: 75.0 % of the rim carries load, at a "
             "moment ratio of 0.9.");
   load.minimum = -999999;
-  EXPECT_EQ(lift_off_remark(load),
-            "The load is negative somewhere, down to -1e+06 N/rad: the table would have "
+  EXPECT_EQ(lift_off_remark(load, "At the terminal spin"),
+            "At the terminal spin the load is negative somewhere, down to -1e+06 N/rad: the table would have "
             "to pull. 75.0 % of the rim carries load.");
 }
 

@@ -15,12 +15,15 @@ TEST(RunByHand, CurvesOverSpinTimeAndPhase)
 {
   const Results results = made_run();
   EXPECT_EQ(data_lines(file_text(results, "torque.dat")),
-            R"(# Friction of the table on the ring against its spin
+            R"(# The torques on the glass and the friction force of the table against the spin
 omega (rad/s): -2.1401234567 | 2.1501234567
 slip ratio omega R / v (1): 2.1601234567 | 2.1701234567
 tau_z, all harmonics (N m): 2.1801234567 | 2.2101234567
 T_x (N): 2.1901234567 | 2.2201234567
 T_y (N): 2.2001234567 | 2.2301234567
+lean torque of the normal forces, all harmonics (N m): 0.015 | 0.025
+torque of the fingers (N m): 0.035 | -0.045
+tau_z, lean torque and torque of the fingers together (N m): 2.2301234567000003 | 2.1901234567
 tau_z, harmonics up to 1 (N m): 2.2401234567 | 2.2501234567
 )");
   EXPECT_EQ(data_lines(file_text(results, "spin_up.dat")),

@@ -30,7 +30,7 @@ harmonics: 1 | 2
 terminal spin (rad/s): -1.5201235 | -1.8901235
 change of spin: +1.71 % | +2.08 %
 bound on Δτz (N m): 1.72e-06 | 2.09e-06
-least load (N/rad): -1.5 | -1.87
+least λ at rest (N/rad): -1.5 | -1.87
 )");
   EXPECT_EQ(json_lines(results.findings.summary["truncation"]), R"(harmonics: 1 | 2
 tau_at_rest: 1.4601234567 | 1.8301234567
@@ -44,9 +44,13 @@ load_minimum: -1.5001234567 | -1.8701234567
 TEST(RunByHand, Friction)
 {
   const Results results = made_run();
-  EXPECT_EQ(report_lines(results, "Torque and spin"), R"(Friction of the table on the glass
+  EXPECT_EQ(report_lines(results, "Torque and spin"),
+            R"(The torques on the glass, and the friction force of the table
 : at rest | at the terminal spin
 τz (N m): 1.83012 | 1.98012
+lean torque (N m): 0 | 0
+torque of the fingers (N m): 0 | 0
+sum of the torques (N m): 1.83012 | 1.98012
 Tx (N): 1.84012 | 1.99012
 Ty (N): 1.85012 | 2.00012
 )");
@@ -76,7 +80,7 @@ TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
       .findings.summary["ring"]["no_lift_off"]
       .get<bool>();
   };
-  for (LoadReport *load : { &by_hand.report.load, &by_hand.report.load_at_terminal })
+  for (LoadReport *load : { &by_hand.report.load, &by_hand.report.load_at_end })
   {
     load->contact_fraction = 1;
     load->minimum = 0.1;
@@ -87,7 +91,7 @@ TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
   EXPECT_FALSE(decided());
   by_hand.report.load.minimum = 0;
   EXPECT_TRUE(decided());
-  by_hand.report.load_at_terminal.contact_fraction = 0.99;
+  by_hand.report.load_at_end.contact_fraction = 0.99;
   EXPECT_FALSE(decided());
 }
 
@@ -244,7 +248,13 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
   EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
  "tau_at_rest": 1.8301234567,
  "tau_closed_form": 0.34203703701,
+ "lean_torque_at_rest": 0.0,
+ "standing": "lift-off",
+ "fall": null,
  "omega_terminal": -1.8901234567,
+ "tau_at_terminal": 1.9801234567,
+ "lean_torque_at_terminal": 0.0,
+ "grip_torque_at_terminal": 0.0,
  "time_constant": 1.9101234567,
  "terminal_spins": [],
  "driven": null,

@@ -22,6 +22,8 @@ CaseResult with_spin(double spin, double effect)
   result.values[quantity_index("terminal spin")] = spin;
   result.values[quantity_index("harmonic effect")] = effect;
   result.values[quantity_index("closure effect")] = std::nullopt;
+  result.values[quantity_index(spin_of_fall)] = std::nullopt;
+  result.values[quantity_index("moment ratio at which it falls over")] = std::nullopt;
   return result;
 }
 
@@ -72,6 +74,23 @@ TEST(SweepFindings, RangesNameTheirCases)
     "to 1 % "
     "faster (Load/Moment ratio = 1, Motion/Closure = paper) and up to 2 % slower (Load/Moment ratio = 1, "
     "Motion/Closure = full). 1 of 4 cases failed; the column message of sweep.csv says why.");
+}
+
+TEST(SweepFindings, CasesThatFallOverAreNoFailures)
+{
+  const SweepPlan plan = grid_of_four();
+  FinishedCases cases = {
+    { 0, with_spin(-3, 1) }, { 1, with_spin(-5, 1) }, { 2, with_spin(-4, 1) }, { 3, with_spin(-6, 1) }
+  };
+  cases.at(3).values[quantity_index("terminal spin")] = std::nullopt;
+  cases.at(3).values[quantity_index(spin_of_fall)] = -6;
+  const SweepFindings findings = find_out(plan, cases);
+  EXPECT_EQ(findings.n_failed, 0u);
+  EXPECT_EQ(findings.about("terminal spin")->n_values, 3u);
+  EXPECT_EQ(sweep_answer(plan, findings).substr(0, 131),
+            "In 1 of 4 cases the glass stands at rest and falls over on the way (Load/Moment ratio = 1.5, "
+            "Motion/Closure = full); it has no termin");
+  EXPECT_NE(case_table(plan, cases).columns.size(), 0u);
 }
 
 /// nan among the values of the plot of the terminal spin, in a sweep of the moment ratio from -1 to 1.

@@ -68,7 +68,7 @@ Motion/Closure: paper | full | paper | full
 normal force (N): 1.0101234567 | 1.3801234567 |  | 1.7501234567
 moment ratio (1): 1.0201234567 | 1.3901234567 |  | 1.7601234567
 contact fraction (1): 1.0301234567 | 1.4001234567 |  | 1.7701234567
-least load (N/rad): 1.0401234567 | 1.4101234567 |  | 1.7801234567
+least load at rest (N/rad): 1.0401234567 | 1.4101234567 |  | 1.7801234567
 ring radius (m): 1.0501234567 | 1.4201234567 |  | 1.7901234567
 mean radius (m): 1.0601234567 | 1.4301234567 |  | 1.8001234567
 a_0 (N/rad): 1.0701234567 | 1.4401234567 |  | 1.8101234567
@@ -102,6 +102,8 @@ closure effect (%):  |  |  |
 held by the grip (1): 0 | 1 |  | 0
 time constant (s): 1.3601234567 | 1.7301234567 |  | 2.1001234567
 contact iterations (1): 1.3701234567 | 1.7401234567 |  | 2.1101234567
+spin at which it falls over (rad/s):  |  |  | 
+moment ratio at which it falls over (1):  |  |  | 
 contact outcome: converged | converged |  | converged
 status: ok | ok | failed | ok
 message:  |  | No contact, "tipping". | 
@@ -116,7 +118,7 @@ quantity | least | at | most | at
 normal force (N) | 1.01012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.75012 | Load/Moment ratio = 1.5, Motion/Closure = full
 moment ratio | 1.02012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.76012 | Load/Moment ratio = 1.5, Motion/Closure = full
 contact fraction | 1.03012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.77012 | Load/Moment ratio = 1.5, Motion/Closure = full
-least load (N/rad) | 1.04012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.78012 | Load/Moment ratio = 1.5, Motion/Closure = full
+least load at rest (N/rad) | 1.04012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.78012 | Load/Moment ratio = 1.5, Motion/Closure = full
 ring radius (m) | 1.05012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.79012 | Load/Moment ratio = 1.5, Motion/Closure = full
 mean radius (m) | 1.06012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.80012 | Load/Moment ratio = 1.5, Motion/Closure = full
 a0 (N/rad) | 1.07012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.81012 | Load/Moment ratio = 1.5, Motion/Closure = full
@@ -180,7 +182,7 @@ quantity | samples | mean | standard deviation | 2.5 % | 97.5 %
 normal force (N) | 7 | 2.12012 | 0.799 | 1.06562 | 3.17462
 moment ratio | 7 | 2.13012 | 0.799 | 1.07562 | 3.18462
 contact fraction | 7 | 2.14012 | 0.799 | 1.08562 | 3.19462
-least load (N/rad) | 7 | 2.15012 | 0.799 | 1.09562 | 3.20462
+least load at rest (N/rad) | 7 | 2.15012 | 0.799 | 1.09562 | 3.20462
 ring radius (m) | 7 | 2.16012 | 0.799 | 1.10562 | 3.21462
 mean radius (m) | 7 | 2.17012 | 0.799 | 1.11562 | 3.22462
 a0 (N/rad) | 7 | 2.18012 | 0.799 | 1.12562 | 3.23462

@@ -29,11 +29,12 @@ with the first alone. The harmonics of the load beyond the first make it 0.212 %
 
 In balance at every spin:
 
-             last one  terminal spin   change  omega(t) off by  bound on torque  least load
-  harmonics  over a_0        (rad/s)  of spin          (rad/s)            (N m)     (N/rad)
-          1  1.43e+00     -1.3701235  +1.56 %         1.60e-03         1.57e-06        0.25
-          2  0.00e+00              -        -                -                -           0
-          3  1.44e+00     -1.7401235  +1.93 %         1.97e-03         1.94e-06       -1.87
+                                                                                      least load,
+             last one  terminal spin   change  omega(t) off by  bound on torque  rest or terminal
+  harmonics  over a_0        (rad/s)  of spin          (rad/s)            (N m)           (N/rad)
+          1  1.43e+00     -1.3701235  +1.56 %         1.60e-03         1.57e-06              0.25
+          2  0.00e+00              -        -                -                -                 0
+          3  1.44e+00     -1.7401235  +1.93 %         1.97e-03         1.94e-06             -1.87
 
 From the paper's model to this study's:
 
@@ -111,7 +112,7 @@ harmonics: 1 | 2 | 3
 τz at rest (N m): 1.31012 | – | 1.68012
 τz at -1.5 rad/s (N m): 1.54012 | – | 1.91012
 τz at -3 rad/s (N m): 1.55012 | – | 1.92012
-least load (N/rad): 0.25 | 0 | -1.87
+least λ, at rest or at the terminal spin (N/rad): 0.25 | 0 | -1.87
 would have to pull (of N): – | – | 1.88 %
 m at the terminal spin: 1.4901 | – | 1.8601
 )");

@@ -1,0 +1,173 @@
+// One number under one name: what `run` reports twice is the same, in every file and table.
+#include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/output/run_results.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+
+#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
+#include <boost/numeric/odeint.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace stemware::test;
+using Json = nlohmann::ordered_json;
+
+/// `run` without its files.
+struct SolvedRun
+{
+  explicit SolvedRun(const Study &study)
+      : study(study)
+      , foot(study_foot(study, cache))
+  {
+    const BalancedLoad load = find_load(study, foot);
+    spin = study_spin(study, foot, load, cache);
+    report = describe(study, foot, load, spin.all().last_spin().value());
+    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache);
+    take_reported_numbers(report.load, spin.budget, bands);
+    add_bands(bands, spin.budget);
+    summary = tabulate(study, report, spin, bands, std::nullopt).findings.summary;
+  }
+
+  Study study;
+  fem::ComplianceCache cache;
+  std::shared_ptr<ElasticFoot> foot;
+  SpinStudy spin;
+  ContactReport report;
+  ErrorBands bands;
+  Json summary;
+};
+
+TEST(OneNumber, BandsAreThoseOfTheReportedNumbers)
+{
+  const Json summary = SolvedRun(quick_contact_study()).summary;
+  const Json &load = summary["load"], &ring = summary["ring"], &budget = summary["budget"];
+  std::map<std::string, double> reported = { { "ring_radius", load["ring_radius"] },
+                                             { "contact_fraction", load["contact_fraction"] },
+                                             { "minimum", load["minimum"] },
+                                             { "tau_at_rest", ring["tau_at_rest"] },
+                                             { "tau_at_spin_1", budget.back()["torques"][1] },
+                                             { "omega_terminal", ring["omega_terminal"] },
+                                             { "time_constant", ring["time_constant"] },
+                                             { "omega_first_harmonic",
+                                               summary["truncation"].front()["omega_terminal"] },
+                                             { "harmonic_effect", summary["harmonic_effect"]["absolute"] } };
+  for (unsigned int n = 1; n <= 8; ++n)
+    for (const char *part : { "a", "b" })
+      reported[part + std::to_string(n)] = load[part][n].get<double>() / load["a"][0].get<double>();
+  const Json &bands = summary["error_bands"];
+  ASSERT_FALSE(bands.empty());
+  for (const auto &[key, band] : bands.items())
+  {
+    if (key == "tau_at_spin_2") // at a spin of which nothing else is reported
+      continue;
+    EXPECT_EQ(band["value"].get<double>(), reported.at(key)) << key;
+  }
+  // Torques without another name are friction's, everywhere.
+  EXPECT_EQ(budget.back()["torques"][0], ring["tau_at_rest"]);
+  EXPECT_EQ(summary["truncation"].back()["tau_at_rest"], ring["tau_at_rest"]);
+  EXPECT_EQ(budget.back()["torques"][2], ring["tau_at_terminal"]);
+}
+
+TEST(OneNumber, TheTerminalSpinIsTheZeroOfTheSumOfTheTorques)
+{
+  Study study = quick_contact_study();
+  study.motion.grip_torque = 2e-4;
+  const Json ring = SolvedRun(study).summary["ring"];
+  const double friction = ring["tau_at_terminal"], lean = ring["lean_torque_at_terminal"],
+               grip = ring["grip_torque_at_terminal"];
+  EXPECT_EQ(grip, 2e-4); // against a clockwise spin
+  EXPECT_NEAR(friction + lean + grip, 0, 1e-12);
+  EXPECT_GT(std::abs(lean), 1e-8); // the friction that deforms the foot breaks the symmetry
+}
+
+TEST(OneNumber, TheTorquesOfTheDefaultStudyIntegrateToItsSpinUp)
+{
+  const Study study;
+  fem::ComplianceCache cache;
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const SpinStudy spin = study_spin(study, foot, find_load(study, foot), cache);
+  const TorqueCurve &torques = spin.torque;
+  const double step = torques.omega[1] - torques.omega[0];
+  const boost::math::interpolators::cardinal_cubic_b_spline<double> sum(
+    torques.sum.begin(), torques.sum.end(), torques.omega.front(), step);
+  const double inertia = study.motion.orbit.yaw_inertia;
+  namespace odeint = boost::numeric::odeint;
+  std::vector<double> integrated;
+  double omega = 0;
+  odeint::integrate_times(
+    odeint::make_controlled(1e-11, 1e-11, odeint::runge_kutta_dopri5<double>()),
+    [&](double now, double &rate, double) { rate = sum(now) / inertia; }, omega, spin.spin_up.time.begin(),
+    spin.spin_up.time.end(), 1e-3, [&](double now, double) { integrated.push_back(now); });
+  ASSERT_EQ(integrated.size(), spin.spin_up.adaptive.size());
+  for (std::size_t i = 0; i < integrated.size(); ++i)
+    EXPECT_NEAR(integrated[i], spin.spin_up.adaptive[i], 1e-6) << spin.spin_up.time[i];
+}
+
+TEST(OneNumber, MomentRatiosAreOverTheContactRadius)
+{
+  Study study = quick_contact_study();
+  study.glass.profile.crown_radius = 0; // loads off the middle of the land
+  study.load.moment_ratio = 1.2;
+  const Json summary = SolvedRun(study).summary;
+  EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.2, 1e-9);
+  EXPECT_NEAR(summary["load_at_terminal"]["moment_ratio"].get<double>(), 1.2, 1e-9);
+  EXPECT_NEAR(summary["ring"]["moment_ratio_at_terminal"].get<double>(), 1.2, 1e-9);
+  // The ratio of the sum's harmonics is another number: the moment is carried off the nominal radius.
+  const Json &load = summary["load"];
+  const double of_harmonics =
+    std::hypot(load["a"][1].get<double>(), load["b"][1].get<double>()) / load["a"][0].get<double>();
+  EXPECT_GT(std::abs(of_harmonics - 1.2), 1e-3);
+}
+
+// The rigid foot on the default mat: a referee's quadrature in two dimensions, without rings, harmonics or
+// kernels, finds a terminal spin up to z_CM = 0.1346 m, the narrowest place near -9.2 rad/s, and balances at
+// rest up to 0.1437 m.
+TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
+{
+  Study study;
+  study.model.foot_is_rigid = true;
+  const auto row_at = [&](double height)
+  {
+    study.motion.orbit.centre_of_mass_height = height;
+    fem::ComplianceCache cache;
+    const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+    return spin_row(find_load(study, foot), spin_question(study));
+  };
+  EXPECT_TRUE(row_at(0.1344).terminal);
+  const SpinRow falls = row_at(0.1348);
+  EXPECT_EQ(falls.standing, Standing::tips);
+  ASSERT_TRUE(falls.fall);
+  EXPECT_NEAR(falls.fall->omega, -9.2, 0.6);
+  EXPECT_GT(falls.fall->state.moment_ratio, falls.at_rest->moment_ratio);
+  EXPECT_LT(falls.fall->state.moment_ratio, 2);
+}
+
+TEST(Fall, IsAResult)
+{
+  Study study = quick_contact_study();
+  study.model.foot_is_rigid = true;
+  study.motion.orbit.centre_of_mass_height = 0.138;
+  const SolvedRun run(study);
+  const Json &ring = run.summary["ring"];
+  EXPECT_EQ(ring["standing"], "tips");
+  EXPECT_TRUE(ring["omega_terminal"].is_null());
+  EXPECT_TRUE(run.summary["load_at_terminal"].is_null());
+  EXPECT_NEAR(run.summary["load_at_fall"]["moment_ratio"].get<double>(),
+              ring["fall"]["moment_ratio"].get<double>(), 1e-4);
+  EXPECT_LT(ring["fall"]["omega"].get<double>(), -1);
+  EXPECT_LT(ring["tau_at_rest"].get<double>(), 0);
+  EXPECT_TRUE(run.summary["error_bands"].is_null());
+  EXPECT_EQ(run.summary["budget"].back()["state"], "tips");
+  EXPECT_FALSE(run.summary["budget"].front()["omega_terminal"].is_null()); // the paper's model stands
+}
+
+} // namespace
+} // namespace stemware::pipeline
