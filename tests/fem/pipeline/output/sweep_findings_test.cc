@@ -87,7 +87,7 @@ TEST(SweepFindings, CasesThatFallOverAreNoFailures)
   const SweepFindings findings = find_out(plan, cases);
   EXPECT_EQ(findings.n_failed, 0u);
   EXPECT_EQ(findings.about("terminal spin")->n_values, 3u);
-  EXPECT_EQ(sweep_answer(plan, findings).substr(0, 131),
+  EXPECT_EQ(sweep_answer(plan, findings).substr(0, 133),
             "In 1 of 4 cases the glass stands at rest and falls over on the way (Load/Moment ratio = 1.5, "
             "Motion/Closure = full); it has no termin");
   EXPECT_NE(case_table(plan, cases).columns.size(), 0u);
