@@ -90,8 +90,8 @@ public:
     return work / study;
   }
 
-  /// The number at @p place: "/KEY/KEY..." in summary.json, or "TABLE.csv/ROW/COLUMN" (cell()). An element of
-  /// an array has its index as its key, or its "name" or "step", "_" for a blank.
+  /// The number at @p place: "/KEY/KEY..." in summary.json, or "TABLE.csv/ENTRY=VALUE/COLUMN" (cell()). An
+  /// element of an array has its index as its key, or its "name" or "step", "_" for a blank.
   double value(const std::string &study, const std::string &place)
   {
     if (place.find('/') != 0)
@@ -120,37 +120,61 @@ private:
 
   static std::string spaced(const std::string &key) { return std::regex_replace(key, std::regex("_"), " "); }
 
-  /// A cell of a table of numbers: rows counted from 1, the column by its heading without unit, "_" for a
-  /// blank.
-  double cell(const std::string &study, const std::string &place)
+  using Row = std::vector<std::string>;
+
+  /// The place of a heading @p name, without unit, "_" for a blank; the section of an entry may be left out.
+  static std::size_t column_of(const Row &headings, const std::string &name)
   {
-    std::istringstream parts(place);
-    std::string name, row, column;
-    std::getline(parts, name, '/');
-    std::getline(parts, row, '/');
-    std::getline(parts, column);
-    std::istringstream lines(read_file(folder(study) / name));
-    std::string line;
-    std::getline(lines, line);
-    std::size_t index = 0;
-    const std::vector<std::string> headings = cells_of(line);
-    for (; index < headings.size(); ++index)
-      if (headings[index].substr(0, headings[index].find(" (")) == spaced(column))
-        break;
-    for (int i = 0, n = std::stoi(row); i < n; ++i)
+    for (std::size_t i = 0; i < headings.size(); ++i)
     {
-      line.clear();
-      std::getline(lines, line);
+      const std::string heading = headings[i].substr(0, headings[i].find(" ("));
+      if (heading == spaced(name) || heading.substr(heading.find('/') + 1) == spaced(name))
+        return i;
     }
-    const std::vector<std::string> cells = cells_of(line);
-    if (index >= cells.size() || cells[index].empty())
-      throw std::runtime_error(study + " has no number " + place + ".");
-    return std::stod(cells[index]);
+    throw std::runtime_error("no table column is called " + name + ".");
   }
 
-  static std::vector<std::string> cells_of(const std::string &line)
+  /// Whether a cell holds @p wanted: the same text, or the same number up to its rounding.
+  static bool holds(const std::string &cell, const std::string &wanted)
   {
-    std::vector<std::string> cells;
+    static const std::regex number(R"([-+]?[0-9][-+.0-9eE]*)");
+    return cell == wanted ||
+           (std::regex_match(cell, number) && std::regex_match(wanted, number) &&
+            std::abs(std::stod(cell) - std::stod(wanted)) <= 1e-9 * std::abs(std::stod(wanted)));
+  }
+
+  /// A cell of a table of numbers: TABLE/ENTRY=VALUE/COLUMN, or ENTRY=VALUE,ENTRY=VALUE of two. Exactly one
+  /// row has to have the values.
+  double cell(const std::string &study, const std::string &place)
+  {
+    std::smatch part;
+    if (!std::regex_match(place, part, std::regex("([^/]+)/([^/]+=[^/]+)/(.+)")))
+      throw std::invalid_argument(place);
+    std::istringstream lines(read_file(folder(study) / part[1].str()));
+    std::vector<Row> rows;
+    for (std::string line; std::getline(lines, line);)
+      rows.push_back(cells_of(line));
+    const Row headings = rows.at(0);
+    rows.erase(rows.begin());
+    for (const std::string &condition : cells_of(part[2]))
+    {
+      const std::size_t equals = condition.find('='),
+                        column = column_of(headings, condition.substr(0, equals));
+      rows.erase(std::remove_if(rows.begin(), rows.end(),
+                                [&](const Row &row)
+                                { return !holds(row.at(column), condition.substr(equals + 1)); }),
+                 rows.end());
+    }
+    const std::size_t column = column_of(headings, part[3]);
+    if (rows.size() != 1 || column >= rows[0].size() || rows[0][column].empty())
+      throw std::runtime_error(study + " has no number " + place + ": " + std::to_string(rows.size()) +
+                               " of its rows have these values.");
+    return std::stod(rows[0][column]);
+  }
+
+  static Row cells_of(const std::string &line)
+  {
+    Row cells;
     std::istringstream text(line);
     for (std::string cell; std::getline(text, cell, ',');)
       cells.push_back(cell);

@@ -157,7 +157,14 @@ Table closure_table(const Comparison &comparison, Closure closure)
   return table;
 }
 
-ReportSection overview_section(const Comparison &comparison)
+/// What the effect of harmonics is counted from: a foot leans on its table, a rim in closed form does not.
+std::string reference_note(const Study &study)
+{
+  return std::string("each load against its own first harmonic") +
+         (study.tilts() ? ", with tilt for a foot, without for the rims" : "");
+}
+
+ReportSection overview_section(const Study &study, const Comparison &comparison)
 {
   return {
     "Harmonics beside moment balances",
@@ -167,7 +174,9 @@ ReportSection overview_section(const Comparison &comparison)
     "spin, "
     "in balance with friction. With n = 1 the rigid rims coincide with the first row, whatever they stand "
     "on. "
-    "Formal: the load, or what is left of it, would have to pull on the table.",
+    "Formal: the load, or what is left of it, would have to pull on the table. What the harmonics do is "
+    "counted " +
+      reference_note(study) + ".",
     { comparison_plot(comparison), harmonic_effect_plot(comparison) },
     { overview_table(comparison) }
   };
@@ -197,7 +206,8 @@ std::vector<ConsoleBlock> console_of(const std::string &answer, const Study &stu
   std::vector<ConsoleBlock> blocks = { { answer },
                                        chain_block(study, steps),
                                        { "Terminal spin by load, all its harmonics kept, and by moment "
-                                         "balance, and what the harmonics beyond the first do to it:",
+                                         "balance, and what the harmonics beyond the first do to it, " +
+                                           reference_note(study) + ":",
                                          console_overview(comparison, study.motion.closure) } };
   if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
                   [](const SpinRow &row)
@@ -231,8 +241,8 @@ Results tabulate(const Study &study, const Comparison &comparison)
                     { "timings.json", "how long it took" } };
   results.report = { "What changes the spin of a wine glass",
                      comparison_answer(comparison),
-                     { chain_section(study, budget_of(study, comparison)), overview_section(comparison),
-                       table_section(comparison) } };
+                     { chain_section(study, budget_of(study, comparison)),
+                       overview_section(study, comparison), table_section(comparison) } };
   add_closing_sections(results.report, study, results.files);
   results.console = console_of(results.report.answer, study, comparison);
   results.findings = findings_of(study, comparison);

@@ -18,8 +18,9 @@ namespace
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-/// The twelve entries that a new study comments, in the order of its file. Each preset of a glass has those
-/// of Motion and Glass but the friction, each of a table the friction and those of Table that it knows.
+/// The entries that a new study comments, in the order of its file: twelve, since a table has either a
+/// foundation or a disc modulus. Each preset of a glass has those of Motion and Glass but the friction, each
+/// of a table the friction and those of Table that it knows.
 const Entries explained = {
   { "Motion/Mass", "Mass of the glass with what is in it" },
   { "Motion/Centre of mass height", "Height of its centre of mass above the table" },

@@ -215,7 +215,7 @@ struct Study
 double moment_ratio(const fem::Resultants &load, double contact_radius);
 
 /// A sentence without subject for the console: whether friction deforms the foot of a contact, and that this
-/// matters where the table is hard. Empty where there is no contact.
+/// may matter where interface and table are stiff. Empty where there is no contact.
 std::string friction_note(const Study &study);
 
 /// Throws BadInput, with one sentence, for values that do not go together, that no physical system has, or

@@ -39,7 +39,8 @@ From the paper's model to this study's:
   harmonics, all                -4.5901           -         -  4.3e-03
 
 Terminal spin by load, all its harmonics kept, and by moment balance, and what the harmonics beyond
-the first do to it:
+the first do to it, each load against its own first harmonic, with tilt for a foot, without for the
+rims:
 
                                                         harmonics,
                        paper        hand        full  closure full
@@ -52,6 +53,19 @@ f  formal: the load, or what is left of it, would have to pull on the table
 closure hand, elastic foot: no balance. No balance of moments was found
 
 )");
+}
+
+// The rims of closed form know no tilt, so their effect of harmonics has another reference than a leaning
+// foot's.
+TEST(ComparisonByHand, SaysWhatTheEffectOfHarmonicsIsCountedFrom)
+{
+  Study study;
+  EXPECT_NE(console_text(tabulate(study, comparison_by_hand())).find("with tilt for a foot"),
+            std::string::npos);
+  study.motion.tilt = false;
+  const std::string upright = console_text(tabulate(study, comparison_by_hand()));
+  EXPECT_EQ(upright.find("tilt for a foot"), std::string::npos);
+  EXPECT_NE(upright.find("against its own first harmonic:"), std::string::npos) << upright;
 }
 
 TEST(ComparisonByHand, AGlassThatDoesNotSpinHasNoPercentages)
