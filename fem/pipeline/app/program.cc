@@ -1,4 +1,4 @@
-// The program `stemware`: from a study file to what the harmonics of the load do to the spin of the glass.
+#include "fem/pipeline/app/program.h"
 
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
@@ -8,10 +8,11 @@
 
 #include <CLI/CLI.hpp>
 
-int main(int argc, char *argv[])
+namespace stemware::pipeline
 {
-  using namespace stemware::pipeline;
 
+int run_program(int argc, char *argv[])
+{
   open_missing_streams();
   watch_for_interruption();
   const MpiSession mpi;
@@ -45,3 +46,5 @@ int main(int argc, char *argv[])
     return static_cast<int>(report_failure());
   }
 }
+
+} // namespace stemware::pipeline
