@@ -76,7 +76,7 @@ reduced() {
 take_results() {
   [[ $1 != *--output* ]] || return 1
   local name verb study
-  name=$(awk -v command="$1" '$1 ~ /^[a-z0-9_]+:$/ { name = $1; sub(/^[a-z0-9_]+: */, ""); if ($0 == command) { sub(/:/, "", name); print name; exit } }' \
+  name=$(awk -v command="${1% --quiet}" '$1 ~ /^[a-z0-9_]+:$/ { name = $1; sub(/^[a-z0-9_]+: */, ""); if ($0 == command) { sub(/:/, "", name); print name; exit } }' \
     "$source/docs/numbers/studies.txt")
   local summary=$results/$name/summary.json
   [[ -n $name && $summary -nt $program && -z $(find "$source/docs/cookbooks" "$source/docs/numbers/studies.txt" "$source/meshes" -newer "$summary") ]] || return 1
