@@ -58,6 +58,20 @@ expect "the default study is run" calls '^stemware run docs/cookbooks/wine_glass
 expect "a study and its options reach the program" ends 0 run my_glass.prm --set "Motion/Mass=0.2"
 expect "a study is run under its name" calls '^stemware run my_glass.prm --set Motion/Mass=0.2 --output results/my_glass$'
 
+stand_in ctest 'echo "each test: ${STEMWARE_EACH_TEST:-no}" >>"$CALLS"'
+expect "test works" ends 0 test
+expect "it says how long that takes" shows "runs the tests: about [0-9]+ minutes"
+expect "everything is built" calls '^cmake --build --preset release --parallel [0-9]+$'
+expect "the tests are run without the long ones" calls '^ctest --preset release$'
+expect "several of them in one process" calls '^each test: no$'
+expect "the long tests can be had" ends 0 test --long -j 3
+expect "they have a preset of their own" calls '^ctest --preset release-long -j 3$'
+expect "a test is named" ends 0 test -R Wrench
+expect "a name is looked for among all tests" calls '^ctest --preset release-long -R Wrench$'
+expect "each of which is an entry" calls '^each test: 1$'
+expect "labels reach ctest" ends 0 test -L quick
+expect "a label is none of a name" calls '^ctest --preset release -L quick$'
+
 stand_in cmake 'seq 100; [[ $* != *--build* ]] || { echo "the cause"; exit 1; }'
 expect "a failing build ends with 1" ends 1 run
 expect "the end of the log is shown" shows "the cause"

@@ -2,8 +2,11 @@
 # Runs the examples of a page or of a --help text as they stand there, but with few cases, few ranks and coarse solid
 # meshes, and expects exit code 0 of each.
 #
-#   run_examples.sh SOURCE_FOLDER STEMWARE PAGE.md            the code blocks and the `stemware ...` of a page
-#   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]"      the examples of stemware [VERB] --help
+#   run_examples.sh SOURCE_FOLDER STEMWARE PAGE.md RESULTS            the code blocks and the `stemware ...` of a page
+#   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]" RESULTS      the examples of stemware [VERB] --help
+#
+# A command that is one of docs/numbers/studies.txt is not run again: its results are in the folder RESULTS, from the same
+# program and studies.
 #
 # Commands of one code block share a shell; lines of blocks that begin with another word are not commands of a user of
 # results, and are left to other tests. ./quickstart is not run: its verb and its study must exist.
@@ -12,6 +15,7 @@ set -euo pipefail
 source=$1
 program=$2
 what=$3
+results=$4
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 mkdir -p "$scratch/bin" "$scratch/clone/docs"
@@ -68,6 +72,20 @@ reduced() {
   printf '%s' "$command"
 }
 
+# Takes the results of a command from those of docs/numbers/studies.txt; fails where there are none of this program.
+take_results() {
+  [[ $1 != *--output* ]] || return 1
+  local name verb study
+  name=$(awk -v command="${1% --quiet}" '$1 ~ /^[a-z0-9_]+:$/ { name = $1; sub(/^[a-z0-9_]+: */, ""); if ($0 == command) { sub(/:/, "", name); print name; exit } }' \
+    "$source/docs/numbers/studies.txt")
+  local summary=$results/$name/summary.json
+  [[ -n $name && $summary -nt $program && -z $(find "$source/docs/cookbooks" "$source/docs/numbers/studies.txt" "$source/meshes" -newer "$summary") ]] || return 1
+  read -r _ verb study _ <<<"$1"
+  [[ $study == *.prm ]] && study=$(basename -- "$study" .prm) || study=default
+  [[ $verb == run ]] || study+=-$verb
+  mkdir -p results && rm -rf -- "results/$study" && cp -r -- "$results/$name" "results/$study"
+}
+
 check_quickstart() {
   local verb study
   read -r _ verb study _ <<<"$1"
@@ -97,6 +115,8 @@ while IFS=$'\t' read -r next command; do
     check_quickstart "$command" && result=0 || result=$?
   elif [[ $command == "cd "* ]]; then
     cd -- "${command#cd }" && result=0 || result=$?
+  elif take_results "$command"; then
+    result=0
   else
     bash -c "set -o pipefail; $(reduced "$command")" >"$scratch/output" 2>&1 </dev/null && result=0 || result=$?
   fi

@@ -1,14 +1,18 @@
 #include "tests/fem/pipeline/program_runner.h"
 
+#include "fem/pipeline/app/program.h"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
+#include <iostream>
 #include <spawn.h>
 #include <sstream>
 #include <stdexcept>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -44,7 +48,115 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   return process;
 }
 
+/// Waits for the end of a child, which is killed when it hangs for five minutes. Returns what waitpid() says.
+int status_of(pid_t process)
+{
+  int status = 0;
+  for (unsigned int i = 0; ::waitpid(process, &status, WNOHANG) == 0; ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (i == 60000)
+      ::kill(process, SIGKILL);
+  }
+  return status;
+}
+
+Ended ended_with(int status, const fs::path &folder)
+{
+  Ended ended;
+  ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  ended.out = read_text(folder / ".out");
+  ended.err = read_text(folder / ".err");
+  return ended;
+}
+
+/// One thread per process, and Open MPI as root, in containers and with more ranks than cores.
+void set_environment()
+{
+  for (const auto &[name, value] :
+       std::map<const char *, const char *>{ { "OPENBLAS_NUM_THREADS", "1" },
+                                             { "OMP_NUM_THREADS", "1" },
+                                             { "OMPI_ALLOW_RUN_AS_ROOT", "1" },
+                                             { "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1" },
+                                             { "OMPI_MCA_rmaps_base_oversubscribe", "1" },
+                                             { "OMPI_MCA_btl_vader_single_copy_mechanism", "none" },
+                                             { "PMIX_MCA_gds", "hash" } })
+    ::setenv(name, value, 1);
+}
+
+void write_line(int place, const std::string &text)
+{
+  const std::string line = text + "\n";
+  for (std::size_t n = 0; n < line.size();)
+  {
+    const auto n_written = ::write(place, line.data() + n, line.size() - n);
+    if (n_written <= 0)
+      throw std::runtime_error("the process that runs programs has gone");
+    n += static_cast<std::size_t>(n_written);
+  }
+}
+
+/// Empty when the other side has gone.
+std::string read_line(int place)
+{
+  std::string line;
+  for (char letter; ::read(place, &letter, 1) == 1 && letter != '\n';)
+    line += letter;
+  return line;
+}
+
+/// The other end of the process that runs programs, or -1.
+int program_server = -1;
+
+/// Becomes the program of a request: {"folder", "arguments", "environment"}.
+[[noreturn]] void become_program(const nlohmann::json &request)
+{
+  const std::string folder = request["folder"];
+  auto arguments = request["arguments"].get<std::vector<std::string>>();
+  static auto environment = request["environment"].get<std::vector<std::string>>();
+  ::clearenv();
+  for (std::string &variable : environment)
+    ::putenv(variable.data());
+  if (::chdir(folder.c_str()) != 0)
+    ::_exit(127);
+  for (const auto &[name, stream] : { std::pair(".out", STDOUT_FILENO), std::pair(".err", STDERR_FILENO) })
+    ::dup2(::open(name, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600), stream);
+  std::vector<char *> words;
+  for (std::string &argument : arguments)
+    words.push_back(argument.data());
+  words.push_back(nullptr);
+  const int exit_code = pipeline::run_program(static_cast<int>(arguments.size()), words.data());
+  std::cout.flush();
+  std::fflush(nullptr);
+  ::_exit(exit_code); // what else would be done at the end is the tests' business
+}
+
 } // namespace
+
+void serve_programs()
+{
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw std::runtime_error("there is no socket for the process that runs programs");
+  program_server = ends[0];
+  const pid_t process = ::fork();
+  if (process < 0)
+    throw std::runtime_error("the process that runs programs cannot start");
+  ::close(process == 0 ? ends[0] : ends[1]);
+  if (process > 0)
+    return;
+  for (std::string line = read_line(ends[1]); !line.empty(); line = read_line(ends[1]))
+  {
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+      ::close(ends[1]);
+      become_program(nlohmann::json::parse(line));
+    }
+    write_line(ends[1], std::to_string(status_of(child)));
+  }
+  ::_exit(0);
+}
 
 ScratchFolder::ScratchFolder()
 {
@@ -69,16 +181,7 @@ std::string ScratchFolder::write(const std::string &name, const std::string &tex
 RunningProgram::RunningProgram(const std::vector<std::string> &command, const fs::path &folder)
     : folder(folder)
 {
-  // One thread per process, and Open MPI as root, in containers and with more ranks than cores.
-  for (const auto &[name, value] :
-       std::map<const char *, const char *>{ { "OPENBLAS_NUM_THREADS", "1" },
-                                             { "OMP_NUM_THREADS", "1" },
-                                             { "OMPI_ALLOW_RUN_AS_ROOT", "1" },
-                                             { "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1" },
-                                             { "OMPI_MCA_rmaps_base_oversubscribe", "1" },
-                                             { "OMPI_MCA_btl_vader_single_copy_mechanism", "none" },
-                                             { "PMIX_MCA_gds", "hash" } })
-    ::setenv(name, value, 1);
+  set_environment();
   process = start(command, folder);
 }
 
@@ -104,25 +207,25 @@ void RunningProgram::send(int signal) const
 
 Ended RunningProgram::end()
 {
-  int status = 0;
-  for (unsigned int i = 0; ::waitpid(process, &status, WNOHANG) == 0; ++i)
-  {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (i == 60000)
-      ::kill(process, SIGKILL);
-  }
-  Ended ended;
-  ended.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  ended.out = read_text(folder / ".out");
-  ended.err = read_text(folder / ".err");
-  return ended;
+  return ended_with(status_of(process), folder);
 }
 
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
-  std::vector<std::string> command = { STEMWARE_PROGRAM };
+  std::vector<std::string> command = { "stemware" };
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return RunningProgram(command, scratch.path()).end();
+  set_environment();
+  std::vector<std::string> environment;
+  for (char **variable = environ; *variable != nullptr; ++variable)
+    environment.emplace_back(*variable);
+  const nlohmann::json request = { { "folder", scratch.path().string() },
+                                   { "arguments", command },
+                                   { "environment", environment } };
+  write_line(program_server, request.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  const std::string status = read_line(program_server);
+  if (status.empty())
+    throw std::runtime_error("the process that runs programs has gone");
+  return ended_with(std::stoi(status), scratch.path());
 }
 
 std::vector<std::string> all_verbs()

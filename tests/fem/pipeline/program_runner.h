@@ -59,7 +59,13 @@ private:
   pid_t process = -1;
 };
 
-/// Runs `stemware` with these arguments in the folder.
+/// Starts the process whose children stemware() are. To be called once, first of all: it must have one
+/// thread, and nothing in it that a program would not find.
+void serve_programs();
+
+/// Runs the program in the folder with these arguments: in a new process, with streams, folder and
+/// environment of its own, but without the half second in which `stemware` loads its libraries. What a
+/// program does with signals and limits, and what mpirun does with it, is asked of RunningProgram.
 Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 
 /// The verbs that `stemware --help` lists.

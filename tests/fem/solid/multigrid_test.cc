@@ -57,7 +57,7 @@ template <typename Number>
 void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refinements, double tolerance)
 {
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
-  make_foot_mesh(GlassProfile(), { 12, 2, 1, 1, land_refinements }, mesh);
+  make_foot_mesh(GlassProfile(), { 12, 2, 1, 0, land_refinements }, mesh);
   const SolidLevel level(std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {}), degree,
                          degree);
   const dealii::IndexSet &owned = level.dof_handler.locally_owned_dofs();
@@ -140,50 +140,76 @@ TEST(Multigrid, ContactNodesAreInterpolatedLikeTheBody)
   }
 }
 
+namespace
+{
+
+void expect_the_increment_of_the_factorisation(const GlassProfile &profile, const FootResolution &resolution,
+                                               unsigned int degree)
+{
+  SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
+  FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
+  FootCase multigrid(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-11));
+  const WinklerInterface mat(1e11);
+  direct.solve_on_winkler(1e11, load_at(1.3));
+  const NewtonIncrement expected = solve_linear(direct, mat, direct.solution, load_at(1.3));
+  const NewtonIncrement found = solve_linear(multigrid, mat, direct.solution, load_at(1.3));
+  const double largest = expected.displacement.lpNorm<Eigen::Infinity>();
+  EXPECT_LT((found.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-8 * largest);
+  EXPECT_LT((found.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
+  EXPECT_NEAR(found.energy_curvature / expected.energy_curvature, 1, 1e-8);
+}
+
+/// Linear solves on @p resolution halved up to @p finest times.
+void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolution resolution,
+                                        unsigned int degree, unsigned int finest)
+{
+  unsigned int before = 0;
+  for (resolution.refinements = 1; resolution.refinements <= finest; ++resolution.refinements)
+  {
+    FootCase foot(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-8));
+    const WinklerInterface mat(1e11);
+    const ContactSolution contact = solve_nested(foot, mat, load_at(1.3));
+    const unsigned int iterations = solve_linear(foot, mat, contact, load_at(1.3)).linear_iterations;
+    EXPECT_LE(iterations, 25u) << "Q" << degree << ", " << resolution.refinements << " refinements";
+    if (before > 0)
+    {
+      EXPECT_LE(iterations, before + 2) << "Q" << degree << ", " << resolution.refinements << " refinements";
+    }
+    before = iterations;
+  }
+}
+
+} // namespace
+
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
-    for (const unsigned int degree : { 1u, 2u })
-    {
-      SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
-      // The crowned foot with hanging nodes, in the contact too.
-      const FootResolution resolution = { 12, 2, 1, 1, profile.crown_radius > 0 ? 1u : 0u };
-      FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
-      FootCase multigrid(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-11));
-      const WinklerInterface mat(1e11);
-      direct.solve_on_winkler(1e11, load_at(1.3));
-      const NewtonIncrement expected = solve_linear(direct, mat, direct.solution, load_at(1.3));
-      const NewtonIncrement found = solve_linear(multigrid, mat, direct.solution, load_at(1.3));
-      const double largest = expected.displacement.lpNorm<Eigen::Infinity>();
-      EXPECT_LT((found.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-8 * largest);
-      EXPECT_LT((found.motion - expected.motion).norm(), 1e-8 * expected.motion.norm());
-      EXPECT_NEAR(found.energy_curvature / expected.energy_curvature, 1, 1e-8);
-    }
+  // The crowned foot with hanging nodes, in the contact too; the other with linear elements on no other mesh.
+  expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
+  expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
 
 TEST(Multigrid, IterationsDoNotGrow)
 {
+  expect_iterations_that_do_not_grow(GlassProfile(), { 24, 2, 1 }, 1, 2);
+}
+
+TEST(MultigridLong, AgreesWithTheFactorisation)
+{
+  for (const unsigned int degree : { 1u, 2u })
+  {
+    expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, degree);
+    expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1, 1 }, degree);
+  }
+}
+
+TEST(MultigridLong, IterationsDoNotGrow)
+{
+  // More levels, and quadratic elements on them, are for multigrid_benchmark (docs/method/solid_at_scale.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
-    for (const unsigned int degree : { 1u, 2u })
-    {
-      unsigned int before = 0;
-      // More levels, and quadratic elements on them, are for multigrid_benchmark
-      // (docs/method/solid_at_scale.md).
-      const unsigned int finest = degree == 1 ? 2 : 1;
-      for (unsigned int refinements = 1; refinements <= finest; ++refinements)
-      {
-        FootCase foot(profile, { 48, 2, 2, refinements }, solved_by(LinearSolver::multigrid, degree, 1e-8));
-        const WinklerInterface mat(1e11);
-        const ContactSolution contact = solve_nested(foot, mat, load_at(1.3));
-        const unsigned int iterations = solve_linear(foot, mat, contact, load_at(1.3)).linear_iterations;
-        EXPECT_LE(iterations, 25u) << "Q" << degree << ", " << refinements << " refinements";
-        if (before > 0)
-        {
-          EXPECT_LE(iterations, before + 2) << "Q" << degree << ", " << refinements << " refinements";
-        }
-        before = iterations;
-      }
-    }
+  {
+    expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);
+    expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 2, 1);
+  }
 }
 
 TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)

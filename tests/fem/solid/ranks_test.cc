@@ -149,7 +149,7 @@ TEST(Ranks, ContactByMultigridIsThatOfOneRank)
 
 TEST(Ranks, SoIsContactOnAMeshWithoutCoarserOnes)
 {
-  expect_the_same_on_all_ranks({ 48, 4, 4 }, 1);
+  expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }
 
 // Oracle: the whole surface, on one rank.

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 
 namespace stemware::pipeline
@@ -217,21 +219,52 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   return with_values(Study(), "the list of effects", values);
 }
 
+/// The files that studies name, and the results of all bases: most effects have one of a few.
 class EntryEffects : public testing::TestWithParam<Effect>
 {
+protected:
+  static void SetUpTestSuite();
+  static void TearDownTestSuite() { shared.reset(); }
+
+  static Json results_of_base()
+  {
+    const Study study = study_of(GetParam(), false, shared->scratch);
+    const std::string text = study_as_prm(study);
+    const auto known = shared->of_bases.find(text);
+    return known != shared->of_bases.end() ? known->second
+                                           : shared->of_bases[text] = results_of(study, shared->scratch);
+  }
+
+  static Json results_with_the_value()
+  {
+    return results_of(study_of(GetParam(), true, shared->scratch), shared->scratch);
+  }
+
+private:
+  struct Shared
+  {
+    const test::ScratchFolder scratch;
+    std::map<std::string, Json> of_bases; ///< by the study as a file
+  };
+  static inline std::unique_ptr<Shared> shared;
 };
 
-TEST_P(EntryEffects, ChangeWhatTheyAreFor)
+void EntryEffects::SetUpTestSuite()
 {
-  const test::ScratchFolder scratch;
+  shared = std::make_unique<Shared>();
+  const test::ScratchFolder &scratch = shared->scratch;
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.2\n3, 0.4\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
   const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
   scratch.write("thick.csv", plate + "0.034,0.006\n0.006,0.006\n0.006,0.02\n0,0.02\n");
   scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
-  const Json before = results_of(study_of(GetParam(), false, scratch), scratch);
-  const Json after = results_of(study_of(GetParam(), true, scratch), scratch);
+}
+
+TEST_P(EntryEffects, ChangeWhatTheyAreFor)
+{
+  const Json before = results_of_base();
+  const Json after = results_with_the_value();
   // Of a number: more than what the solvers leave, 1e-9, and less than what Stem height does, 8e-6.
   constexpr double least = 1e-7;
   if (const Json::json_pointer changed(GetParam().changed); changed.empty())

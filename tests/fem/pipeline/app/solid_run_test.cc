@@ -72,7 +72,9 @@ const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Load harmonics=4",
                                                     "Contact/Goal=torque",
                                                     "Contact/Goal tolerance=1",
-                                                    "Contact/Friction coupling=none" };
+                                                    "Contact/Friction coupling=none",
+                                                    "Load/Coupling=one-way",
+                                                    "Motion/Tilt=neglected" };
 
 /// Runs @p verb on such a foot, behind @p launcher.
 Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string> &verb,

@@ -6,16 +6,42 @@
 #include <chrono>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <tbb/parallel_for.h>
 #include <thread>
 #include <vector>
 
 namespace stemware::pipeline
 {
+namespace
+{
+
+/// For a while without the limit to which whoever runs the tests may hold them.
+class WithoutThreadLimit
+{
+public:
+  WithoutThreadLimit()
+  {
+    if (const char *const given = std::getenv(name))
+      before = given;
+    ::unsetenv(name);
+  }
+  ~WithoutThreadLimit()
+  {
+    if (!before.empty())
+      ::setenv(name, before.c_str(), 1);
+  }
+
+private:
+  static constexpr const char *name = "DEAL_II_NUM_THREADS";
+  std::string before;
+};
+
+} // namespace
 
 TEST(Parallel, DoesEachOnceWithAsManyThreadsAsToldAtMost)
 {
-  unsetenv("DEAL_II_NUM_THREADS"); // with which whoever runs the tests may hold them to fewer
+  const WithoutThreadLimit unlimited;
   for (const unsigned int n_threads : { 1u, 2u, 3u })
   {
     std::vector<std::atomic<unsigned int>> n_calls(50);
@@ -40,7 +66,7 @@ TEST(Parallel, DoesEachOnceWithAsManyThreadsAsToldAtMost)
 
 TEST(Parallel, DoesTwoAtATime)
 {
-  unsetenv("DEAL_II_NUM_THREADS");
+  const WithoutThreadLimit unlimited;
   std::atomic<unsigned int> n_begun = 0;
   parallel_for_each(2, 2,
                     [&](std::size_t)

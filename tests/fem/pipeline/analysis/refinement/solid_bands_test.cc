@@ -117,6 +117,20 @@ TEST(SolidBands, OfAFootOnAMat)
   expect_within_both(solid, revolution, "tau_at_spin_1");
 }
 
+// The same of linear elements, under a given moment: in seconds.
+TEST(SolidBands, OfALinearFootOnAMat)
+{
+  Study study = solid_study(fem::GlassShape::foot, { 16, 2, 1 });
+  study.contact.degree = 1;
+  study.load.moment_ratio = 0.6;
+  study.contact.friction_coupling = FrictionCoupling::none;
+  Study finer = revolved(study);
+  finer.contact.degree = 2;
+  const ErrorBands solid = bands_of(study), revolution = bands_of(finer);
+  for (const char *key : { "omega_terminal", "a2", "b3", "tau_at_spin_1" })
+    expect_within_both(solid, revolution, key, 30);
+}
+
 // With re-entrant corners, where the error falls with the first order; its band is that of cells twice as
 // large.
 TEST(SolidBands, OfAStepOnAMat)
