@@ -45,6 +45,7 @@ void run(const StudyOptions &options)
   const ErrorBands bands =
     estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
   add_bands(bands, spin.budget);
+  spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.
