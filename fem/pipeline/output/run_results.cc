@@ -147,11 +147,12 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
                            { "omega_terminal", spin.all().omega_terminal().value() },
                            { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
-                           { "omega_terminal_profile_error", json_number(spin_error(spin.profile_scatter)) },
                            { "omega_terminal_first_harmonic",
                              json_number(spin.rows.front().omega_terminal()) },
                            { "harmonic_effect", json_number(spin.budget.harmonics.absolute) },
                            { "harmonic_effect_relative", json_number(spin.budget.harmonics.relative) } };
+  if (const auto error = spin_error(spin.profile_scatter))
+    findings.key_figures["omega_terminal_profile_error"] = *error;
   return findings;
 }
 
