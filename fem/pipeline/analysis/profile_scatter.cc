@@ -52,6 +52,8 @@ std::optional<ProfileScatter> profile_scatter(const Study &given, const SpinRow 
     return std::nullopt;
   // Two digits of a derivative need neither a mesh for a goal, nor three dimensions, nor a mean over phases.
   Study study = given;
+  if (!abilities(study.contact.body).is_of_revolution)
+    study.contact.degree = ContactSection().degree;
   study.contact.body = BodyKind::revolution;
   study.contact.halved.clear();
   study.model.waviness = false;
