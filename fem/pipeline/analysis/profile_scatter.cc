@@ -48,7 +48,7 @@ std::optional<ProfileScatter> profile_scatter(const Study &given, const SpinRow 
 {
   const auto &circle = given.glass.rim_circle;
   if (!circle || !circle->has_scatter() || !all.terminal || given.load.source == LoadSource::file ||
-      !given.contact.mesh_file.empty())
+      !given.contact.mesh_file.empty() || std::abs(all.terminal->omega) < 1e-9 * spin_unit(given))
     return std::nullopt;
   // Two digits of a derivative need neither a mesh for a goal, nor three dimensions, nor a mean over phases.
   Study study = given;

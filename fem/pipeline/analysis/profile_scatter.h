@@ -25,7 +25,8 @@ struct ProfileScatter
 /// sigma^2 = g^T C g, g from the study solved again with a rim that is one standard error larger and smaller.
 /// The crown is changed in its curvature, by half of it at most, so that g is finite where the points leave
 /// the crown open. A solid foot is followed on the body of revolution. @p all is the answer of @p study.
-/// Nothing where no value of the rim has a scatter that matters. Does not throw for a study that fails.
+/// Nothing where no value of the rim has a scatter, or the glass does not spin. Does not throw for a study
+/// that fails.
 std::optional<ProfileScatter> profile_scatter(const Study &study, const SpinRow &all,
                                               fem::ComplianceCache &cache,
                                               Progress &progress = silent_progress());
