@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 namespace stemware::fem
@@ -76,18 +75,5 @@ private:
   std::vector<unsigned int> lower_lines, upper_lines, stem_lines;
   double edge = 0, fillet_end = 0, stem_start = 0;
 };
-
-/// A circle through the points of a rim [m].
-struct RimCircle
-{
-  double contact_radius = 0; ///< of its lowest point
-  double crown_radius = 0;
-  unsigned int n_points = 0;
-};
-
-/// The circle nearest to the points of @p polyline within @p land_width / 2 of the lowest one (least squares
-/// of r^2 + z^2 - 2 a r - 2 b z - c); nothing where fewer than three points are there or where they bulge
-/// downwards by less than a thousandth of their extent.
-std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyline, double land_width);
 
 } // namespace stemware::fem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/profile_scatter.h"
 #include "fem/pipeline/analysis/study_rows.h"
 
 #include <cstddef>
@@ -80,6 +81,8 @@ struct SpinStudy
   /// takes minutes (a solid body in balance at every spin).
   std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
+  /// Of a drawn profile whose points scatter, where somebody asked for it: profile_scatter().
+  std::optional<ProfileScatter> profile_scatter = {};
 
   const SpinRow &all() const { return rows.back(); }
   /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be

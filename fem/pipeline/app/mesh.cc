@@ -4,12 +4,15 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/output/mesh_results.h"
+#include "fem/pipeline/output/profile_results.h"
 #include "fem/pipeline/output/publish.h"
+#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
@@ -101,6 +104,8 @@ void mesh(const MeshOptions &options)
   std::optional<Study> study;
   if (!options.study.study_file.empty())
     study = read_study(options.study.study_file, options.study.overrides);
+  if (const std::string note = study ? profile_note(*study) : ""; !note.empty())
+    console() << wrapped(note, "Profile   ") << std::endl;
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
   std::optional<ResultsFolder> folder;
   if (!options.study.output.empty())
@@ -122,9 +127,12 @@ void mesh(const MeshOptions &options)
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);
   constexpr double azimuth = 0.02; // between two sectors of any usual mesh
-  const Results results = tabulate(
+  Results results = tabulate(
     findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh), fem::section_cells(mesh, azimuth) },
     options.writes);
+  if (study && study->glass.profile.section)
+    for (nlohmann::ordered_json *part : { &results.findings.summary, &results.findings.key_figures })
+      (*part)["profile"] = profile_summary(*study);
   if (folder)
     publish(options.study, study, results, *folder, stopwatch);
   else if (options.study.json && is_first_rank())

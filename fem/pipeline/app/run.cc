@@ -46,6 +46,7 @@ void run(const StudyOptions &options)
     estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
   take_reported_numbers(report.load, spin.budget, bands);
   add_bands(bands, spin.budget);
+  spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.

@@ -1,6 +1,7 @@
 #include "fem/pipeline/output/answer.h"
 
 #include "fem/pipeline/output/budget_tables.h"
+#include "fem/pipeline/output/profile_results.h"
 #include "fem/pipeline/output/render/number_format.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -52,8 +53,13 @@ std::string terminal_spin_sentence(const Study &study, const SpinStudy &spin,
 {
   const std::string beginning = one_way_beginning(study);
   const double omega = spin.all().omega_terminal().value();
+  const std::optional<double> band = band_of(bands, "omega_terminal"),
+                              error = spin_error(spin.profile_scatter);
+  const bool profile_is_wider = error && *error > band.value_or(0);
   return beginning + (beginning.empty() ? "The" : "the") + " glass spins " + sense_of(study, omega) + ", " +
-         duration_of_a_turn(omega) + ": " + with_band(omega, band_of(bands, "omega_terminal")) + " rad/s.";
+         duration_of_a_turn(omega) + ": " +
+         (profile_is_wider ? with_error(omega, *error) + " rad/s (scatter of the profile)."
+                           : with_band(omega, band) + " rad/s.");
 }
 
 /// Of a glass that stands at rest and tips on the way.

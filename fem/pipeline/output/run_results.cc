@@ -8,6 +8,8 @@
 #include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
+#include "fem/pipeline/output/plots/rim_fit_plots.h"
+#include "fem/pipeline/output/profile_results.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/output/run_tables.h"
@@ -175,6 +177,8 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                                                    : Json(nullptr) } };
   if (!bands.empty())
     findings.summary["error_bands"] = band_summary(bands);
+  if (study.glass.profile.section)
+    findings.summary["profile"] = profile_summary(study, report.load, spin.profile_scatter);
   if (goal)
     findings.summary["goal"] = goal_summary(study, *goal, report.foot.value(), bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
@@ -184,6 +188,8 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                              json_number(spin.rows.front().omega_terminal()) },
                            { "harmonic_effect", json_number(spin.budget.harmonics.absolute) },
                            { "harmonic_effect_relative", json_number(spin.budget.harmonics.relative) } };
+  if (const auto error = spin_error(spin.profile_scatter))
+    findings.key_figures["omega_terminal_profile_error"] = *error;
   return findings;
 }
 
@@ -239,6 +245,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
     { rows.with("Terminal spin in models of increasing detail",
                 "step title omega_terminal difference relative_difference band remark") }
   };
+  add_scatter_row(spin.profile_scatter, "title", section.tables.back());
   if (is_spin(study, spin.all().omega_terminal().value_or(0))) // else all bars are rounding
     section.plots = { waterfall_plot(budget, rounding), effects_plot(budget, rounding) };
   if (budget.rows.back().name == "harmonics" && !budget.omega.empty() && !spin.all().fall)
@@ -373,10 +380,17 @@ ReportSection foot_section(const Study &study, const FootReport &foot)
   if (study.contact.mesh_file.empty())
     lengths.crown_radius = study.glass.profile.crown_radius;
   std::tie(lengths.load_inner_radius, lengths.load_outer_radius) = loaded_band(foot.footprint);
-  return { "The foot",
-           "",
-           { section_plot(foot.section, lengths), rim_plot(foot.section, lengths),
-             view_from_below_plot(foot.footprint, lengths, study.motion.orbit) } };
+  ReportSection section = { "The foot",
+                            "",
+                            { section_plot(foot.section, lengths), rim_plot(foot.section, lengths),
+                              view_from_below_plot(foot.footprint, lengths, study.motion.orbit) } };
+  if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
+  {
+    section.plots.push_back(rim_circle_plot(*circle));
+    section.plots.push_back(rim_residual_plot(*circle));
+    section.tables = { rim_table(study) };
+  }
+  return section;
 }
 
 ReportSection contact_section(const Study &study, const FootReport &foot)
@@ -434,10 +448,13 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
                  const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files,
                  const std::optional<GoalOutcome> &goal)
 {
-  Report report = { title(study),
-                    run_answer(study, spin, bands),
-                    { budget_section(study, contact, spin), load_section(study, contact.load, bands),
-                      spin_section(study, contact, spin) } };
+  Report report = {
+    title(study),
+    joined({ run_answer(study, spin, bands),
+             profile_remark(study, contact.load, spin.profile_scatter, band_of(bands, "omega_terminal")) }),
+    { budget_section(study, contact, spin), load_section(study, contact.load, bands),
+      spin_section(study, contact, spin) }
+  };
   if (const auto section = terminal_spins_section(spin))
     report.sections.push_back(*section);
   if (spin.spin_up.driven)
@@ -477,6 +494,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   Budget steps = spin.budget;
   steps.rows = named_steps(spin.budget.rows);
   results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };
+  add_scatter_row(spin.profile_scatter, "console_title", *results.console.back().table);
   results.findings = findings_of(study, report, spin, bands, goal);
   results.fields = own_fields(report).fields;
   return results;

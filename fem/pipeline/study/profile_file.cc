@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -52,14 +54,23 @@ double lowest_radius(const std::vector<fem::SectionVertex> &points)
   return (inner + outer) / 2;
 }
 
+/// Whether @p value was given and is not that of the points.
+bool is_given(const Study &study, const char *entry, double value, const std::optional<double> &fitted)
+{
+  return study.given_entries.count(entry) > 0 &&
+         !(fitted && std::abs(value - *fitted) <= 1e-12 * std::abs(value));
+}
+
 void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
 {
   fem::GlassProfile &profile = study.glass.profile;
-  const bool has_radius = study.given_entries.count(contact_radius_entry) > 0;
-  const bool has_crown = study.given_entries.count(crown_radius_entry) > 0;
-  if (has_radius && has_crown)
-    return;
-  const auto circle = fem::fit_rim_circle(points, profile.land_width);
+  auto circle = fem::fit_rim_circle(points, profile.land_width);
+  const auto fitted = [&](double fem::RimCircle::*radius)
+  { return circle ? std::optional((*circle).*radius) : std::nullopt; };
+  const bool has_radius =
+    is_given(study, contact_radius_entry, profile.contact_radius, fitted(&fem::RimCircle::contact_radius));
+  const bool has_crown =
+    is_given(study, crown_radius_entry, profile.crown_radius, fitted(&fem::RimCircle::crown_radius));
   require(
     circle || has_crown,
     fmt::format(FMT_STRING("{}: no circle fits the points within half of Glass/Land width = {} m of the "
@@ -70,7 +81,22 @@ void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
     profile.contact_radius = circle ? circle->contact_radius : lowest_radius(points);
   if (!has_crown)
     profile.crown_radius = circle->crown_radius;
-  study.glass.n_rim_points = circle ? circle->n_points : 0;
+  if (!circle || (has_radius && has_crown))
+    return;
+  if (has_radius)
+    circle->covariance[0] = { 0, 0 }, circle->covariance[1][0] = 0;
+  if (has_crown)
+    circle->covariance[1] = { 0, 0 }, circle->covariance[0][1] = 0;
+  study.glass.rim_circle = std::make_shared<const fem::RimCircle>(*circle);
+}
+
+/// "29.76 ± 0.12 mm", "4.4 ± 0.9 mm": the error to two digits, to one where that begins with 4 or more.
+std::string millimetres(double value, double error)
+{
+  const double power = std::floor(std::log10(1e3 * error));
+  const int digits = 1e3 * error / std::pow(10, power) < 3.55 ? 2 : 1;
+  const int decimals = std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
+  return fmt::format(FMT_STRING("{:.{}f} ± {:.{}f} mm"), 1e3 * value, decimals, 1e3 * error, decimals);
 }
 
 } // namespace
@@ -94,7 +120,7 @@ void attach_profile(Study &study)
 {
   fem::GlassProfile &profile = study.glass.profile;
   profile.section.reset();
-  study.glass.n_rim_points = 0;
+  study.glass.rim_circle.reset();
   if (profile.shape != fem::GlassShape::profile)
     return;
   const std::string &file = study.glass.profile_file;
@@ -118,12 +144,46 @@ std::string profile_note(const Study &study)
   const GlassSection &glass = study.glass;
   if (!glass.profile.section)
     return "";
-  return fmt::format(
-    FMT_STRING("{} points; contact radius {:.6g} m, crown radius {:.6g} m{}"), glass.n_profile_points,
-    glass.profile.contact_radius, glass.profile.crown_radius,
-    glass.n_rim_points == 0
-      ? ""
-      : fmt::format(FMT_STRING(", from a circle through {} points of the land"), glass.n_rim_points));
+  const std::string rim = fitted_rim(study);
+  std::string note = fmt::format(FMT_STRING("{} points; "), glass.n_profile_points) +
+                     (!rim.empty() ? rim
+                                   : fmt::format(FMT_STRING("contact radius {:.6g} m, crown radius {:.6g} m"),
+                                                 glass.profile.contact_radius, glass.profile.crown_radius));
+  if (!glass.rim_circle)
+    return note;
+  const fem::RimCircle &circle = *glass.rim_circle;
+  if (rim.empty())
+    note += fmt::format(FMT_STRING(", from a circle through {} points of the land"), circle.points.size());
+  if (circle.freedom == 0)
+    note += ", which say nothing about their scatter";
+  if (circle.n_repeated > 0)
+    note += fmt::format(FMT_STRING("; {} that stand twice count once"), circle.n_repeated);
+  if (crown_is_open(circle))
+    note +=
+      "; the crown is not determined: more points, or Glass/Crown radius measured by other means, would "
+      "say more";
+  return note;
+}
+
+std::string fitted_rim(const Study &study)
+{
+  const GlassSection &glass = study.glass;
+  if (!glass.rim_circle || !glass.rim_circle->has_scatter())
+    return "";
+  const fem::RimCircle &circle = *glass.rim_circle;
+  std::string text;
+  if (circle.contact_radius_error() > 0)
+    text += "R = " + millimetres(circle.contact_radius, circle.contact_radius_error());
+  if (circle.crown_radius_error() > 0)
+    text +=
+      (text.empty() ? "crown " : ", crown ") + millimetres(circle.crown_radius, circle.crown_radius_error());
+  return text + fmt::format(FMT_STRING(" (rms {} µm, {} points)"),
+                            to_short_text(rounded(1e6 * circle.scatter, 2)), circle.points.size());
+}
+
+bool crown_is_open(const fem::RimCircle &circle)
+{
+  return circle.has_scatter() && circle.crown_radius_error() >= circle.crown_radius / 2;
 }
 
 } // namespace stemware::pipeline

@@ -9,11 +9,13 @@
 #include "fem/geometry/glass_profile.h"
 #include "fem/geometry/meridian_mesh.h"
 #include "fem/geometry/mesh_io.h"
+#include "fem/geometry/rim_circle.h"
 #include "fem/pipeline/study/waviness_text.h"
 #include "fem/solid/solid_body.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -42,7 +44,9 @@ struct GlassSection
   fem::GlassProfile profile;
   std::string profile_file;          ///< points of the section, for the shape profile
   unsigned int n_profile_points = 0; ///< that it has
-  unsigned int n_rim_points = 0; ///< of the land, to which a circle was fitted for contact or crown radius
+  /// Through the points of the land, where contact or crown radius follow from it; what the study was given
+  /// has no error there.
+  std::shared_ptr<const fem::RimCircle> rim_circle = {};
   fem::ElasticMaterial material;
   Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 };

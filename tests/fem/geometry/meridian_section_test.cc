@@ -161,23 +161,6 @@ TEST(MeridianSection, RefusesWhatIsNoFootAndNamesTheLine)
             std::string::npos);
 }
 
-TEST(RimCircle, IsTheOneThroughItsPoints)
-{
-  Polyline polyline = { { 0, 0.503, 1 } };
-  for (const double angle : { -0.5, -0.2, -0.05, 0.1, 0.3, 0.5 })
-    polyline.push_back({ 0.03123 + 0.0021 * std::sin(angle), 0.5 + 0.0021 * (1 - std::cos(angle)), 2 });
-  polyline.push_back({ 0.036, 0.502, 3 });
-  const auto circle = fit_rim_circle(polyline, 0.004);
-  ASSERT_TRUE(circle);
-  EXPECT_NEAR(circle->contact_radius, 0.03123, 1e-12);
-  EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
-  EXPECT_EQ(circle->n_points, 6u);
-
-  EXPECT_FALSE(
-    fit_rim_circle(in_millimetres({ { 0, 2 }, { 28, 0 }, { 29, 0 }, { 30, 0 }, { 36, 1 } }), 0.004));
-  EXPECT_FALSE(fit_rim_circle(in_millimetres({ { 0, 2 }, { 28, 0 }, { 29, 0.1 }, { 36, 1 } }), 0.004));
-}
-
 TEST(DrawnProfile, MeshFillsThePolygon)
 {
   const Polyline polyline = in_millimetres(plain_foot);

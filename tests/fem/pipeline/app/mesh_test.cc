@@ -199,4 +199,20 @@ TEST(MeshVerb, RefusesWhatItCannotDo)
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "study.prm" });
 }
 
+/// The cookbook's points are those of a crown of 3 mm at 30 mm, rounded to 0.1 um.
+TEST(MeshOfAProfile, SaysHowWellThePointsFixTheRim)
+{
+  const ScratchFolder scratch;
+  const Ended ended = stemware(scratch, { "mesh", STEMWARE_COOKBOOKS "/own_profile.prm", "--json" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.err.find("Profile   44 points; R = 30.00"), std::string::npos) << ended.err;
+  const auto profile = nlohmann::json::parse(ended.out)["profile"];
+  EXPECT_EQ(profile["rim_points"], 9);
+  EXPECT_NEAR(profile["contact_radius"].get<double>(), 0.030,
+              3 * profile["contact_radius_error"].get<double>());
+  EXPECT_NEAR(profile["crown_radius"].get<double>(), 0.003, 3 * profile["crown_radius_error"].get<double>());
+  EXPECT_LT(profile["scatter"].get<double>(), 0.1e-6);
+  EXPECT_GT(profile["scatter"].get<double>(), 0.01e-6);
+}
+
 } // namespace stemware::test
