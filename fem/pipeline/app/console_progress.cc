@@ -21,6 +21,9 @@ std::string size_of(const fem::FootDescription &foot)
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
+  if (foot.mesh_report) // moment ratios are over Glass/Contact radius
+    text += fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
+                        foot.mesh_report->rim_radius);
   if (foot.mesh_report && !foot.mesh_report->round_rim)
     text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
                         100 * foot.mesh_report->land_area_deficit);
