@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
@@ -103,7 +104,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
                          found.torques[5], torque_noise });
   const double slope = (found.torques[4] - found.torques[2]) / (probe.spins[4] - probe.spins[2]);
   const double moved = -(found.torques[3] - own.torques[3]) / slope;
-  const double spin_noise = noise.relative * motion.orbit_speed / study.glass.profile.contact_radius;
+  const double spin_noise = noise.relative * spin_scale(study);
   quantities.push_back(
     { "omega_terminal", "terminal spin", "rad/s", row.terminal->omega + moved, spin_noise });
   const double time = motion.yaw_inertia / std::abs(slope);
