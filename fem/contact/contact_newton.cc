@@ -377,7 +377,8 @@ void require_balance(const ContactSolution &solution, const ContactControl &cont
     return;
   std::ostringstream message;
   message << "the normal forces miss the prescribed resultants by " << solution.force_residual << " of N and "
-          << solution.moment_residual << " of N R; allowed is " << control.resultant_tolerance << ".";
+          << solution.moment_residual << " of N R; allowed is " << control.resultant_tolerance
+          << "; refine the land, give elements of a higher degree, or reduce the load's moment.";
   throw ContactFailure(ContactOutcome::unbalanced, message.str());
 }
 

@@ -174,23 +174,26 @@ void add_curves(const Study &study, const std::vector<LoadedRow> &by_harmonics, 
 } // namespace
 
 std::optional<double> relative_to(const std::optional<double> &reference,
-                                  const std::optional<double> &difference, double spin_unit)
+                                  const std::optional<double> &difference, double spin_scale)
 {
-  if (!reference || !difference || std::abs(*reference) < 1e-9 * spin_unit)
+  const double rounding = 1e-9 * spin_scale;
+  if (!reference || !difference || std::abs(*reference) < rounding)
     return std::nullopt;
-  if (const double changed = *reference + *difference;
-      changed * *reference < 0 && std::abs(changed) >= 1e-9 * spin_unit)
+  if (std::abs(*difference) < rounding)
+    return 0;
+  const double other = *reference + *difference;
+  if (std::abs(other) < rounding || *reference * other < 0)
     return std::nullopt;
-  return *difference / *reference + 0.; // no -0
+  return *difference / *reference;
 }
 
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
-                               double spin_unit)
+                               double spin_scale)
 {
   HarmonicEffect effect;
   if (first && all)
     effect.absolute = *all - *first;
-  effect.relative = relative_to(first, effect.absolute, spin_unit);
+  effect.relative = relative_to(first, effect.absolute, spin_scale);
   return effect;
 }
 
@@ -241,7 +244,8 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
       answer_without(variant, foot.get(), by_harmonics.back().row, study.table.is_hard(), cache));
     progress.pieces_done("budget", ++n_done, n_pieces);
   }
-  budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_unit(study));
+  budget.harmonics =
+    harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
   add_curves(study, by_harmonics, budget);
   return budget;
 }

@@ -42,8 +42,7 @@ struct WithoutRow
 struct HarmonicEffect
 {
   std::optional<double> absolute = {}; ///< [rad/s]; nothing where one of the two has no terminal spin
-  std::optional<double>
-    relative = {}; ///< to the first alone; nothing where that does not spin, or the sign changes
+  std::optional<double> relative = {}; ///< to the first alone, relative_to()
 };
 
 /// What each step from the paper's model to the study's does to the terminal spin.
@@ -66,15 +65,15 @@ struct Budget
   std::vector<double> omega, torque_all, torque_first;
 };
 
-/// @p difference relative to @p reference; nothing where one is missing, the difference changes the sign of
-/// the spin, or the reference does not spin, |reference| < 1e-9 @p spin_unit (spin_unit() of the study, all
-/// in rad/s).
+/// @p difference relative to @p reference, 0 where it is rounding; nothing where one is missing, or where the
+/// reference and the spin that differs from it by so much are not two spins in one sense. Below 1e-9
+/// @p spin_scale (spin_scale() of the study, all in rad/s) a spin is rounding.
 std::optional<double> relative_to(const std::optional<double> &reference,
-                                  const std::optional<double> &difference, double spin_unit);
+                                  const std::optional<double> &difference, double spin_scale);
 
 /// The effect from the terminal spins of the first harmonic alone and of all harmonics [rad/s].
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
-                               double spin_unit);
+                               double spin_scale);
 
 /// The chain of models of a study, without torques: rows 1, 2, 2a and 3 are solved here, those of the
 /// harmonics are @p by_harmonics, the first alone in front and all of them last, with what they have. @p foot

@@ -233,7 +233,7 @@ const SpinRow *Comparison::find(ring::Closure closure, const std::string &load, 
 HarmonicEffect Comparison::harmonic_effect(ring::Closure closure, const std::string &load) const
 {
   const SpinRow *first = find(closure, load, 1), *all = find(closure, load);
-  return first && all ? pipeline::harmonic_effect(first->omega_terminal(), all->omega_terminal(), spin_unit)
+  return first && all ? pipeline::harmonic_effect(first->omega_terminal(), all->omega_terminal(), spin_scale)
                       : HarmonicEffect();
 }
 
@@ -242,7 +242,7 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
 {
   const std::vector<ComparedLoad> loads = compared_loads(study, foot, cache);
   Comparison comparison;
-  comparison.spin_unit = spin_unit(study);
+  comparison.spin_scale = spin_scale(study);
   std::vector<std::vector<std::vector<SpinRow>>> rows;
   for (const ComparedLoad &load : loads)
   {
@@ -255,7 +255,7 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
   const std::optional<double> paper = comparison.rows.front().omega_terminal();
   for (SpinRow &row : comparison.rows)
     if (paper && row.terminal)
-      row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_unit);
+      row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_scale);
   progress.stage_done("comparison");
   add_error_bands(study, foot, cache, comparison.rows);
   for (const auto &of_closure : rows.back())

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 struct Comparison
 {
   std::vector<SpinRow> rows;
-  double spin_unit = 0; ///< spin_unit() of the study [rad/s]
+  double spin_scale = 0; ///< spin_scale() of the study [rad/s]
   /// budget_rows() of the study on the last load, two-way where there is an elastic foot.
   std::vector<BudgetRow> budget;
 

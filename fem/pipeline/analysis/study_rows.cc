@@ -49,6 +49,23 @@ double spin_unit(const Study &study)
   return study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
 }
 
+double spin_scale(const Study &study)
+{
+  const double unit = spin_unit(study);
+  if (study.load.source == LoadSource::file)
+    return unit;
+  try
+  {
+    const fem::Resultants load = study.required_resultants();
+    const double share = std::abs(load.moment_x) / (load.normal_force * study.glass.profile.contact_radius);
+    return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
+  }
+  catch (const BadInput &) // a model of the chain that tips
+  {
+    return unit;
+  }
+}
+
 double shown_spin(const Study &study, const SpinRow &row, double fastest)
 {
   if (std::abs(fastest) >= 0.01 * spin_unit(study))

@@ -21,8 +21,13 @@ struct LoadedRow
   std::optional<BalancedLoad> load = {}; ///< nothing where the study has none; SpinRow::reason says why
 };
 
-/// v / R with the contact radius of the study's glass [rad/s]: spins below 1e-9 of it are rounding.
+/// v / R with the contact radius of the study's glass [rad/s].
 double spin_unit(const Study &study);
+
+/// The spin that the moment M_Nx at rest leads to in first order, 2 |M_Nx| / (N R) times spin_unit(), from
+/// 1e-6 to all of that [rad/s]; all of it where there is no such moment, or a file has the load. Spins below
+/// 1e-9 of it, and differences of spins, are rounding.
+double spin_scale(const Study &study);
 
 /// A spin to show the torque of @p row up to [rad/s]: @p fastest, or, of a glass that hardly spins up, a
 /// tenth of spin_unit() in the direction in which it is turned.

@@ -29,7 +29,7 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
     result.rows.push_back(answer.row);
   }
   result.budget = budget_rows(study, foot, result.rows);
-  result.harmonics = harmonic_effect(result.rows.front().omega_terminal(), terminal.omega, spin_unit(study));
+  result.harmonics = harmonic_effect(result.rows.front().omega_terminal(), terminal.omega, spin_scale(study));
 
   constexpr unsigned int n_most_shown = 3;
   const std::vector<double> shown = shown_spins(study, solved);

@@ -34,18 +34,24 @@ namespace
 /// What `mesh` is told.
 struct MeshOptions
 {
-  StudyOptions study;              ///< study_file and output may be empty
+  StudyOptions study;              ///< output may be empty: no folder
   std::string check;               ///< a mesh file to look at; empty: the study's own mesh
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
+/// Whether a study is asked for, its own mesh or one to compare the file with; without both it is the default
+/// study's.
+bool has_study(const MeshOptions &options)
+{
+  return !options.study.study_file.empty() || options.check.empty();
+}
+
 /// What can be refused before any mesh is made.
 void check_options(const MeshOptions &options)
 {
-  if (options.study.study_file.empty() && options.check.empty())
-    throw BadInput("Say which mesh: a study file whose mesh is to be made, or --check with a mesh file.");
-  if (options.study.study_file.empty() && !options.study.overrides.empty())
-    throw BadInput("--set changes a study; name the study file, or leave --set away.");
+  if (!has_study(options) && !options.study.overrides.empty())
+    throw BadInput("--set changes a study, but --check alone looks at a file; name the study file too, or "
+                   "leave --set away.");
   for (const std::string &file : options.writes)
   {
     const std::string extension = fs::path(file).extension();
@@ -102,7 +108,7 @@ void mesh(const MeshOptions &options)
   direct_console(options.study.quiet, options.study.json);
   check_options(options);
   std::optional<Study> study;
-  if (!options.study.study_file.empty())
+  if (has_study(options))
     study = read_study(options.study.study_file, options.study.overrides);
   if (const std::string note = study ? profile_note(*study) : ""; !note.empty())
     console() << wrapped(note, "Profile   ") << std::endl;
@@ -145,19 +151,18 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<MeshOptions>();
   CLI::App *verb = program.add_subcommand("mesh", "Write the three-dimensional mesh of a foot, or check one");
-  verb->add_option("STUDY", options->study.study_file, "Study file, .prm or .json, whose mesh it is");
+  add_study_option(*verb, options->study, "whose mesh it is");
   verb->add_option("--check", options->check, "Looks at a mesh file instead")->type_name("FILE.msh");
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
     ->type_name("FILE.msh|FILE.vtu")
     ->allow_extra_args(false);
-  verb
-    ->add_option("--output", options->study.output, "Folder for report.html and summary.json; default: none")
-    ->type_name("DIR");
+  add_output_option(*verb, options->study, "Folder for report.html and summary.json; default: none");
   options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
   verb->footer(R"(Examples:
-  stemware mesh my_glass.prm                                  what the study's mesh is like
+  stemware mesh                                               what the default study's mesh is like
+  stemware mesh my_glass.prm                                  what this study's is like
   stemware mesh my_glass.prm --write foot.msh --write foot.vtu
   stemware mesh my_glass.prm --write fine.msh --set "Contact/Azimuthal cells=96"
   stemware mesh --check my_foot.msh                           can it be used? (exit code 1: no)

@@ -29,6 +29,8 @@ void write_new_study(const NewOptions &options)
 {
   const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
   const Preset &table = preset_of(table_presets(), "--table", options.table);
+  require(options.file.find_first_not_of(" \t") != std::string::npos,
+          "The name of the study file is empty; write stemware new my_glass.prm.");
   require(std::filesystem::path(options.file).extension() == ".prm",
           "A study file ends in .prm, but " + shortened_path(options.file) +
             " does not; write stemware new my_glass.prm.");

@@ -7,6 +7,7 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
@@ -40,12 +41,41 @@ std::string why_no_study(const std::string &text)
                       : "";
 }
 
-/// Values that no glass has, and the entries that have no effect, where the verb asks nothing but the study:
-/// the cases of a sweep have studies of their own.
-void note_strange_entries(Study study, const std::string &verb)
+/// Likewise of an empty name of a folder, and of blanks, which no listing would show.
+std::string why_no_folder(const std::string &text)
+{
+  return text.find_first_not_of(" \t\r\n") == std::string::npos
+           ? "the name of the folder is empty; give a path, or leave --output away for the default"
+           : "";
+}
+
+/// Values that no glass has. A slip of a unit is behind most of what follows.
+void note_implausible_values(const Study &study)
 {
   for (const std::string &note : implausible_notes(study))
     console() << wrapped(note, "Check     ") << std::endl;
+}
+
+/// Refuses a glass that would tip, with the values that no glass has: they are the likelier trouble.
+void require_standing_glass(const Study &study)
+{
+  try
+  {
+    study.required_resultants();
+  }
+  catch (const BadInput &tipping)
+  {
+    const std::string strange = implausible_list(study);
+    if (strange.empty())
+      throw;
+    throw BadInput("Outside of what glasses have: " + strange + ". " + tipping.what());
+  }
+}
+
+/// The entries that have no effect, where the verb asks nothing but the study: the cases of a sweep have
+/// studies of their own.
+void note_idle_entries(Study study, const std::string &verb)
+{
   if (verb == "sweep" || verb == "slide") // a slide names its own
     return;
   if (verb == "compare") // asks for every moment balance
@@ -56,18 +86,27 @@ void note_strange_entries(Study study, const std::string &verb)
 
 } // namespace
 
+void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role)
+{
+  verb
+    .add_option("STUDY", options.study_file,
+                "Study file, .prm or .json, - for standard input" + (role.empty() ? "" : ", " + role) +
+                  ";\ndefault: the default study")
+    ->check(why_no_study);
+}
+
+void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help)
+{
+  verb.add_option("--output", options.output, help)->type_name("DIR")->check(why_no_folder);
+}
+
 void add_study_options(CLI::App &verb, StudyOptions &options)
 {
   options.verb = verb.get_name();
-  verb
-    .add_option("STUDY", options.study_file,
-                "Study file, .prm or .json, - for standard input;\ndefault: the default study")
-    ->check(why_no_study);
-  verb
-    .add_option("--output", options.output,
-                "Folder of the results; default: results/<name of the study>" +
-                  std::string(options.verb == "run" ? "" : "-" + options.verb))
-    ->type_name("DIR");
+  add_study_option(verb, options);
+  add_output_option(verb, options,
+                    "Folder of the results; default: results/<name of the study>" +
+                      std::string(options.verb == "run" ? "" : "-" + options.verb));
   add_override_option(verb, options);
   add_console_options(verb, options);
 }
@@ -101,8 +140,6 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
-  if (options.verb != "slide")   // no hand leads it
-    study.required_resultants(); // refuses a glass that would tip
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place
@@ -112,9 +149,12 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
+  note_implausible_values(study);
+  if (options.verb != "slide") // no hand leads it
+    require_standing_glass(study);
   if (const std::string note = profile_note(study); !note.empty())
     console() << wrapped(note, "Profile   ") << std::endl;
-  note_strange_entries(study, options.verb);
+  note_idle_entries(study, options.verb);
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
   return study;

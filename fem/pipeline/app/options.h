@@ -15,6 +15,12 @@ class App;
 namespace stemware::pipeline
 {
 
+/// Declares STUDY alone, to be stored in @p options; @p role says what the study is for.
+void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role = "");
+
+/// Declares --output alone, with that help.
+void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help);
+
 /// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 

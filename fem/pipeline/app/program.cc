@@ -34,10 +34,14 @@ int run_program(int argc, char *argv[])
     add_defaults_verb(program, chosen);
     add_help_verb(program, chosen);
     if (const auto exit_code = parse_command_line(program, argc, argv))
+    {
+      require_printed();
       return static_cast<int>(*exit_code);
+    }
 
     // 2. Do it.
     chosen();
+    require_printed();
     return static_cast<int>(ExitCode::success);
   }
   catch (...)

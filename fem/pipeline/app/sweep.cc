@@ -214,7 +214,7 @@ void sweep(const SweepOptions &options)
 
   // 3. The results, all at once.
   ResultsFolder folder(options.results_place());
-  const FinishedCases finished = cases.all();
+  const FinishedCases finished = reported(cases.all());
   const SweepFindings found = find_out(plan, finished);
   const Results results = is_first_rank() ? tabulate(plan, finished, found) : Results();
   publish(options, plan.base, results, folder, stopwatch);

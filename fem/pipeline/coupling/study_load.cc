@@ -207,6 +207,17 @@ struct Band
     outer = std::max(outer, state.outer_radius);
   }
 
+  /// A contact on nodes of a hard table may lie on one circle of them. Rings of a band without a width would
+  /// extrapolate by a million widths to the nodes beside, which then decide the balance: the band takes in
+  /// those that are @p cell away.
+  void include_nodes_beside(double cell)
+  {
+    if (outer - inner > 1e-3 * cell)
+      return;
+    inner -= cell;
+    outer += cell;
+  }
+
   double inner;
   double outer;
 };
@@ -216,12 +227,11 @@ struct Band
 /// the band only algebraically, and there are as many as lines across the contact have nodes.
 unsigned int rings_for(const Band &band, double eps, unsigned int least)
 {
-  constexpr unsigned int most = 25;
   const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
   if (share >= 0.5)
-    return std::max(least, most);
+    return most_rings;
   const double wanted = std::ceil(std::log(1e-10) / std::log(share));
-  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most)));
+  return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most_rings)));
 }
 
 /// As many harmonics as the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as fast
@@ -240,6 +250,7 @@ unsigned int harmonics_for(double eps)
 void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
 {
   Band band(at_rest);
+  band.include_nodes_beside(foot.body().description().contact_cell_size);
   const ring::Motion &motion = study.motion.orbit;
   const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
   {

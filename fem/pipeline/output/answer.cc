@@ -23,11 +23,11 @@ std::string faster_or_slower(double change)
 
 /// " (moment balance: +17.9 %)"; empty where one of the spins does not exist, or the first is rounding.
 std::string change_in_brackets(const std::string &name, const SpinRow &from, const SpinRow &to,
-                               double spin_unit)
+                               double spin_scale)
 {
   const auto before = from.omega_terminal(), after = to.omega_terminal();
   const auto change =
-    before && after ? relative_to(before, *after - *before, spin_unit) : std::optional<double>();
+    before && after ? relative_to(before, *after - *before, spin_scale) : std::optional<double>();
   return change ? " (" + name + ": " + format::change(*change) + ")" : "";
 }
 
@@ -112,7 +112,7 @@ std::string largest_step_sentence(const Study &study, const Budget &budget)
   if (!row)
     return "";
   const std::optional<double> relative =
-    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_unit(study));
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
   return "The largest other step from the paper's model to this " +
          std::string(is_one_way(study) ? "one-way one" : "one") + " is \"" + row->name +
          "\": " + format::signed_significant<3>(*row->difference) + " rad/s" +
@@ -177,10 +177,10 @@ std::string spin_of(const SpinRow &row)
          (row.standing == Standing::formal ? ", formally" : "");
 }
 
-/// "-0.0295 rad/s, -0.81 %"; "0" for less than 1e-9 @p spin_unit.
-std::string effect_text(const HarmonicEffect &effect, double spin_unit)
+/// "-0.0295 rad/s, -0.81 %"; "0" for less than 1e-9 @p spin_scale.
+std::string effect_text(const HarmonicEffect &effect, double spin_scale)
 {
-  if (std::abs(*effect.absolute) < 1e-9 * spin_unit)
+  if (std::abs(*effect.absolute) < 1e-9 * spin_scale)
     return "0";
   return format::signed_significant<3>(*effect.absolute) + " rad/s" +
          (effect.relative ? ", " + format::change(*effect.relative) : "");
@@ -230,7 +230,8 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
     return "";
   const std::string subject = harmonics_subject(study);
   if (!is_spin(study, *effect.absolute))
-    return subject + "do not change that.";
+    return subject + "change that by less than " + format::significant<2>(1e-9 * spin_scale(study)) +
+           " rad/s.";
   const std::string size = format::signed_significant<3>(*effect.absolute) + " rad/s";
   return subject + (effect.relative ? "make it " + faster_or_slower(*effect.relative) + " (" + size + ")."
                                     : "change it by " + size + ".");
@@ -310,16 +311,16 @@ std::string comparison_answer(const Comparison &comparison)
   {
     const HarmonicEffect effect = comparison.harmonic_effect(closure, load);
     return spin_of(*comparison.find(closure, load)) +
-           (effect.absolute ? " (harmonics: " + effect_text(effect, comparison.spin_unit) + ")" : "");
+           (effect.absolute ? " (harmonics: " + effect_text(effect, comparison.spin_scale) + ")" : "");
   };
   if (std::none_of(comparison.rows.begin(), comparison.rows.end(),
                    [&](const SpinRow &row)
-                   { return std::abs(row.omega_terminal().value_or(0)) >= 1e-9 * comparison.spin_unit; }))
+                   { return std::abs(row.omega_terminal().value_or(0)) >= 1e-9 * comparison.spin_scale; }))
     return "The glass does not spin up, whatever its load and its moment balance.";
   return "With the paper's moment balance a first-harmonic load reaches " + spin_of(first(Closure::paper)) +
          "; with the friction that this balance leaves out, " + spin_of(first(Closure::full)) +
          change_in_brackets("moment balance", first(Closure::paper), first(Closure::full),
-                            comparison.spin_unit) +
+                            comparison.spin_scale) +
          ". All harmonics of the " + name_of_load(load) + " reach, with the paper's balance, " +
          all_harmonics(Closure::paper) + ", and with the complete balance " + all_harmonics(Closure::full) +
          ".";

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 /// A spin that nothing is related to [rad/s].
 double rounding_of_spins(const Study &study)
 {
-  return 1e-9 * spin_unit(study);
+  return 1e-9 * spin_scale(study);
 }
 
 /// "formal", or why something is missing; empty for what stands as it is.
@@ -64,7 +64,7 @@ Table budget_table(const Study &study, const Budget &budget)
   const auto relative = [&](const Row &row)
   {
     const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
-    return relative_to(above, row.difference, spin_unit(study));
+    return relative_to(above, row.difference, spin_scale(study));
   };
   const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
   Table table = {
@@ -142,7 +142,8 @@ Table without_table(const Study &study, const Budget &budget)
              column(quantity::spin_difference, rows, &Row::difference, rounding_of_spins(study)),
              column(
                quantity::relative_difference, rows,
-               [&](const Row &row) { return relative_to(complete, row.difference, spin_unit(study)); }, 1e-9),
+               [&](const Row &row) { return relative_to(complete, row.difference, spin_scale(study)); },
+               1e-9),
              column(quantity::budget_state, rows, &Row::reason),
              column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) } };
 }

@@ -114,7 +114,7 @@ ReportSection chain_section(const Study &study, const Budget &budget)
   return { "From the paper's model to this study's",
            "Each row adds one thing to the model of the row above; its difference is what that thing does. A "
            "load is called formal where it is negative somewhere: the table would have to pull.",
-           { waterfall_plot(budget, 1e-9 * spin_unit(study)) },
+           { waterfall_plot(budget, 1e-9 * spin_scale(study)) },
            { shown_budget_table(study, budget)
                .with("Terminal spin in models of increasing detail",
                      "step title omega_terminal difference relative_difference band remark") } };

@@ -140,7 +140,7 @@ Table console_overview(const Comparison &comparison, Closure own)
     quantity::harmonic_effect.with(&Quantity::label, "harmonics,\nclosure " + ring::to_string(own)),
     of_all_harmonics(own),
     [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; },
-    1e-9 * comparison.spin_unit));
+    1e-9 * comparison.spin_scale));
   return table;
 }
 

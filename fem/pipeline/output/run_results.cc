@@ -101,11 +101,18 @@ Json fall_summary(const std::optional<Fall> &fall)
   return { { "omega", fall->omega }, { "moment_ratio", fall->state.moment_ratio } };
 }
 
+/// M_Nx of the load of which SpinRow::at_rest is: of a wavy rim or table the mean over the phases, as its
+/// torque.
+double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
+{
+  return spin.phases ? spin.all().at_rest.value().load.moment().x() : report.load.moment.x();
+}
+
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
   return { { "tau_at_rest", all.at_rest.value().friction.torque },
-           { "tau_closed_form", study.motion.orbit.friction_at_rest() * report.load.moment.x() },
+           { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
            { "lean_torque_at_rest", all.at_rest->lean_torque },
            { "standing", to_string(standing_of(report, spin)) },
            { "fall", fall_summary(all.fall) },
@@ -230,7 +237,7 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
 {
   const Budget &budget = spin.budget;
   const Table rows = shown_budget_table(study, budget);
-  const double rounding = 1e-9 * spin_unit(study);
+  const double rounding = 1e-9 * spin_scale(study);
   ReportSection section = {
     "From the paper's model to this study's",
     joined({ lift_off_remarks(study, report, spin), layer_remark(study, report.load.half_width()),

@@ -1,5 +1,6 @@
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/render/number_format.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,8 +108,22 @@ std::string sweep_harmonic_sentence(const SweepPlan &plan, const SweepFindings &
          slower + ".";
 }
 
+/// Whether the moment is given in some of the cases, so that no balance asks for it.
+bool has_given_moment(const SweepPlan &plan)
+{
+  bool is_given = plan.base.load.is_static() || plan.base.load.source == LoadSource::file;
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+    if (plan.entries[i].path == "Load/Moment ratio")
+      is_given = std::any_of(plan.cases.begin(), plan.cases.end(),
+                             [=](const std::vector<std::string> &values)
+                             { return parse_number(values[i]).value_or(-1) >= 0; });
+  return is_given;
+}
+
 std::string sweep_closure_sentence(const SweepPlan &plan, const SweepFindings &findings)
 {
+  if (has_given_moment(plan))
+    return "";
   if (findings.spin_changes_sign())
     return absolute_range_sentence(
       plan, "For scale: what the paper's moment balance leaves out changes the spin of a first-harmonic load",

@@ -54,15 +54,47 @@ const std::vector<PlausibleRange> &plausible_ranges()
   return ranges;
 }
 
-std::string implausible_note(const std::string &path, double value)
+namespace
+{
+
+/// The range that @p value of an entry is outside of; null where it has none, or a value that it may have.
+const PlausibleRange *range_left_by(const std::string &path, double value)
 {
   const auto &ranges = plausible_ranges();
   const auto range = std::find_if(ranges.begin(), ranges.end(),
                                   [&](const PlausibleRange &candidate) { return candidate.path == path; });
-  if (range == ranges.end() || value == 0 || (range->least <= value && value <= range->most))
+  const bool is_fine = range == ranges.end() || value == 0 || (range->least <= value && value <= range->most);
+  return is_fine ? nullptr : &*range;
+}
+
+/// " m", empty for pure numbers.
+std::string unit_behind_number(const std::string &path)
+{
+  const std::string si = unit_of(path);
+  return si == "1" ? "" : ' ' + si;
+}
+
+/// Paths and values of the quantities that a study was given and that have an effect.
+std::vector<std::pair<std::string, double>> given_quantities(const Study &study)
+{
+  const std::vector<std::string> idle = idle_entries(study);
+  Study copy = study;
+  std::vector<std::pair<std::string, double>> given;
+  for (const StudyEntry &entry : study_entries(copy))
+    if (entry.is_quantity && study.given_entries.count(entry.path()) > 0 &&
+        std::find(idle.begin(), idle.end(), entry.path()) == idle.end())
+      given.emplace_back(entry.path(), entry.json().get<double>());
+  return given;
+}
+
+} // namespace
+
+std::string implausible_note(const std::string &path, double value)
+{
+  const PlausibleRange *range = range_left_by(path, value);
+  if (range == nullptr)
     return "";
-  const std::string si = unit_of(path), number = to_short_text(value);
-  const std::string unit = si == "1" ? "" : ' ' + si;
+  const std::string si = unit_of(path), number = to_short_text(value), unit = unit_behind_number(path);
   std::string meant;
   for (const std::string &usual : usual_units(si))
     if (const auto other = parse_quantity(number + ' ' + usual, si);
@@ -75,15 +107,22 @@ std::string implausible_note(const std::string &path, double value)
 
 std::vector<std::string> implausible_notes(const Study &study)
 {
-  const std::vector<std::string> idle = idle_entries(study);
-  Study copy = study;
   std::vector<std::string> notes;
-  for (const StudyEntry &entry : study_entries(copy))
-    if (entry.is_quantity && study.given_entries.count(entry.path()) > 0 &&
-        std::find(idle.begin(), idle.end(), entry.path()) == idle.end())
-      if (const std::string note = implausible_note(entry.path(), entry.json().get<double>()); !note.empty())
-        notes.push_back(note);
+  for (const auto &[path, value] : given_quantities(study))
+    if (const std::string note = implausible_note(path, value); !note.empty())
+      notes.push_back(note);
   return notes;
+}
+
+std::string implausible_list(const Study &study)
+{
+  std::string list;
+  for (const auto &[path, value] : given_quantities(study))
+    if (const PlausibleRange *range = range_left_by(path, value))
+      list += fmt::format(FMT_STRING("{}{} = {}{} ({} to {}{})"), list.empty() ? "" : ", ", path,
+                          to_short_text(value), unit_behind_number(path), to_short_text(range->least),
+                          to_short_text(range->most), unit_behind_number(path));
+  return list;
 }
 
 } // namespace stemware::pipeline

@@ -27,4 +27,8 @@ std::string implausible_note(const std::string &path, double value);
 /// Such a sentence for each entry that the study was given (Study::given_entries) and that has an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
+/// The same entries in one line, with what glasses have: "Motion/Mass = 300 kg (0.02 to 2 kg), Motion/Orbit
+/// speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
+std::string implausible_list(const Study &study);
+
 } // namespace stemware::pipeline

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 
 namespace stemware::pipeline
@@ -72,6 +73,19 @@ std::string sections_text(const Entries &entries, const Entries &comments)
   return text + "end\n";
 }
 
+/// What people call a glass or a table, and the preset that comes nearest.
+const Entries other_names = {
+  { "goblet", "wine glass" },    { "red wine", "Bordeaux" },
+  { "flute", "champagne" },      { "sparkling", "champagne" },
+  { "whisky", "tumbler" },       { "water glass", "tumbler" },
+  { "lead crystal", "crystal" }, { "wood", "oak" },
+  { "hardwood", "oak" },         { "table", "oak" },
+  { "stone", "marble" },         { "granite", "marble" },
+  { "metal", "steel" },          { "pane", "window glass" },
+  { "felt", "tablecloth" },      { "cloth", "tablecloth" },
+  { "cotton", "tablecloth" },    { "fabric", "tablecloth" },
+};
+
 /// A name as it is compared.
 std::string plain(const std::string &name)
 {
@@ -79,6 +93,20 @@ std::string plain(const std::string &name)
   std::replace_if(
     text.begin(), text.end(), [](char letter) { return letter == '-' || letter == '_'; }, ' ');
   return text;
+}
+
+/// The one of @p names that somebody may mean by @p word: by another name, by a part of its name, or
+/// misspelt.
+std::optional<std::string> meant_by(const std::string &word, const std::vector<std::string> &names)
+{
+  const std::string wanted = plain(word);
+  for (const auto &[other, name] : other_names)
+    if (plain(other) == wanted && std::find(names.begin(), names.end(), name) != names.end())
+      return name;
+  for (const std::string &name : names)
+    if (wanted.size() > 2 && plain(name).find(wanted) != std::string::npos)
+      return name;
+  return likeliest(wanted, names);
 }
 
 } // namespace
@@ -207,8 +235,9 @@ const Preset &preset_of(const std::vector<Preset> &presets, const std::string &o
   std::string all;
   for (const std::string &known : names)
     all += (known == names.front() ? "" : known == names.back() ? " or " : ", ") + known;
-  throw BadInput(
-    fmt::format(FMT_STRING("{} \"{}\" is not known; give one of {}."), option, shortened(name), all));
+  const std::optional<std::string> meant = meant_by(name, names);
+  throw BadInput(fmt::format(FMT_STRING("{} \"{}\" is not known; {}give one of {}."), option, shortened(name),
+                             meant ? "did you mean \"" + *meant + "\"? Else " : "", all));
 }
 
 std::string new_study_text(const Preset &glass, const Preset &table, const std::string &file)

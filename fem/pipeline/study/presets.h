@@ -21,7 +21,7 @@ const std::vector<Preset> &glass_presets();
 const std::vector<Preset> &table_presets();
 
 /// The preset of that name; upper and lower case are equal, and so are blanks and hyphens. Throws BadInput
-/// with the names that there are; @p option is named as where it comes from.
+/// with the names that there are, and the one that may be meant; @p option is named as where it comes from.
 const Preset &preset_of(const std::vector<Preset> &presets, const std::string &option,
                         const std::string &name);
 

@@ -51,7 +51,12 @@ const std::map<std::string, NamedUnit> named_units = {
   { "degrees", { { { 0, 0, 0, 1, 0 }, 0, M_PI / 180 }, false } },
   { "°", { { { 0, 0, 0, 1, 0 }, 0, M_PI / 180 }, false } },
   { "min", { { { 0, 0, 1, 0, 0 }, 0, 60 }, false } },
+  { "h", { { { 0, 0, 1, 0, 0 }, 2, 36 }, false } },
   { "inch", { { { 0, 1, 0, 0, 0 }, -4, 254 }, false } },
+  { "in", { { { 0, 1, 0, 0, 0 }, -4, 254 }, false } },
+  { "ft", { { { 0, 1, 0, 0, 0 }, -4, 3048 }, false } },
+  { "oz", { { { 1, 0, 0, 0, 0 }, -12, 28349523125. }, false } },
+  { "lb", { { { 1, 0, 0, 0, 0 }, -8, 45359237 }, false } },
   { "bar", { { { 1, -1, -2, 0, 0 }, 5, 1 }, false } },
   { "%", { { { 0, 0, 0, 0, 0 }, -2, 1 }, false } },
   { "1", { { { 0, 0, 0, 0, 0 }, 0, 1 }, false } },
@@ -174,25 +179,26 @@ std::optional<double> shifted(const std::string &number, int decimal)
 struct Kind
 {
   std::string unit;
-  std::string name;    ///< "a mass"
-  std::string example; ///< a value that a study may have
-  std::vector<std::string> usual;
+  std::string name;                      ///< "a mass"
+  std::string example;                   ///< a value that a study may have
+  std::vector<std::string> usual;        ///< units beside that, the commonest first
+  std::vector<std::string> further = {}; ///< units that are taken too
 };
 
 const std::vector<Kind> kinds = {
-  { "kg", "a mass", "300 g", { "g" } },
-  { "m", "a length", "30 mm", { "mm", "cm", "um" } },
-  { "s", "a time", "500 ms", { "ms" } },
-  { "m/s", "a speed", "35 cm/s", { "cm/s", "mm/s" } },
-  { "m/s^2", "an acceleration", "9.81 m/s^2", { "mm/s^2" } },
-  { "N", "a force", "3 N", { "mN" } },
-  { "Pa", "a modulus or pressure", "70 GPa", { "GPa", "MPa", "kPa" } },
-  { "Pa/m", "a pressure per length", "10 GPa/m", { "GPa/m", "MPa/mm", "MPa/m" } },
-  { "N m", "a moment of force", "1.4 mN m", { "mN m" } },
-  { "kg m^2", "a moment of inertia", "3000 g cm^2", { "g cm^2" } },
+  { "kg", "a mass", "300 g", { "g" }, { "mg", "oz", "lb" } },
+  { "m", "a length", "30 mm", { "mm", "cm", "um" }, { "nm", "in", "ft" } },
+  { "s", "a time", "500 ms", { "ms" }, { "us", "min", "h" } },
+  { "m/s", "a speed", "35 cm/s", { "cm/s", "mm/s" }, { "km/h" } },
+  { "m/s^2", "an acceleration", "9.81 m/s^2", { "mm/s^2" }, { "cm/s^2" } },
+  { "N", "a force", "3 N", { "mN" }, { "kN" } },
+  { "Pa", "a modulus or pressure", "70 GPa", { "GPa", "MPa", "kPa" }, { "N/mm^2", "bar" } },
+  { "Pa/m", "a pressure per length", "10 GPa/m", { "GPa/m", "MPa/mm", "MPa/m" }, { "N/mm^3" } },
+  { "N m", "a moment of force", "1.4 mN m", { "mN m" }, { "N mm" } },
+  { "kg m^2", "a moment of inertia", "3000 g cm^2", { "g cm^2" }, { "kg cm^2" } },
   { "rad", "an angle", "5 deg", { "deg" } },
   { "rad/s", "a spin", "-3.6 rad/s", { "deg/s" } },
-  { "B", "an amount of memory", "8 GB", { "GB", "MB" } },
+  { "B", "an amount of memory", "8 GB", { "GB", "MB" }, { "kB" } },
   { "1", "a pure number", "0.3", { "%" } },
 };
 
@@ -207,6 +213,20 @@ const Kind *kind_of(const Dimension &dimension)
 Unit known_unit(const std::string &unit)
 {
   return parse_unit(unit.empty() ? "1" : unit).value();
+}
+
+/// " in kg, g, mg, oz or lb"; of a pure number ", also in %".
+std::string units_of(const Kind &kind)
+{
+  std::vector<std::string> units = { kind.unit };
+  units.insert(units.end(), kind.usual.begin(), kind.usual.end());
+  units.insert(units.end(), kind.further.begin(), kind.further.end());
+  if (kind.unit == "1")
+    return ", also in %";
+  std::string text;
+  for (std::size_t i = 0; i < units.size(); ++i)
+    text += (i == 0 ? " in " : i + 1 == units.size() ? " or " : ", ") + units[i];
+  return text;
 }
 
 } // namespace
@@ -255,8 +275,8 @@ std::string trouble_with_unit(const std::string &text, const std::string &unit)
   if (!given && parts.unit.front() == ',')
     return " has a comma; write decimals with a point, and nothing between thousands.";
   if (!given)
-    return fmt::format(FMT_STRING(" has an unknown unit, \"{}\"; give {}{}{}"), shortened(parts.unit), name,
-                       example, alone);
+    return fmt::format(FMT_STRING(" has an unknown unit, \"{}\"; give {}{}{}{}"), shortened(parts.unit), name,
+                       needed ? units_of(*needed) : "", example, alone);
   if (given->dimension == known_unit(unit).dimension)
     return "";
   const Kind *found = kind_of(given->dimension);

@@ -22,7 +22,8 @@ std::string unit_behind(const std::string &text);
 std::vector<std::string> with_shared_unit(std::vector<std::string> texts);
 
 /// The end of a sentence that begins with "Motion/Mass = 30 mm", where @p text is a number whose unit is not
-/// known or has not the dimension of @p unit: what is wrong and what to write. Empty for every other text.
+/// known or has not the dimension of @p unit: what is wrong and what to write, with the units that there are.
+/// Empty for every other text.
 std::string trouble_with_unit(const std::string &text, const std::string &unit);
 
 /// The units in which people give a quantity of that SI unit: "g", "mg" for "kg", the usual one first.

@@ -43,21 +43,24 @@ void require_alike_lengths(const Study &study)
   const fem::GlassProfile &profile = study.glass.profile;
   const double radius = profile.contact_radius;
   constexpr double small = 1e-5, large = 300;
+  // Cells are as large as the body is thick: thinner ones would fill memory before they are counted.
+  constexpr double thinnest_foot = 0.01, thinnest_disc = 0.003;
   std::vector<Length> lengths = { { "Motion/Orbit radius", study.motion.orbit.orbit_radius, 0.01, 1e5 } };
   if (study.load.is_from_contact() && study.contact.mesh_file.empty())
     lengths.push_back({ "Glass/Land width", profile.land_width, small, large });
   if (study.load.is_from_contact() && study.contact.mesh_file.empty() &&
       profile.shape != fem::GlassShape::profile)
     lengths.insert(lengths.end(), { { "Glass/Foot radius", profile.foot_radius, small, large },
-                                    { "Glass/Foot thickness", profile.foot_thickness, small, large },
+                                    { "Glass/Foot thickness", profile.foot_thickness, thinnest_foot, large },
                                     { "Glass/Land height", profile.land_height, small, large },
                                     { "Glass/Stem radius", profile.stem_radius, small, large },
                                     { "Glass/Stem height", profile.stem_height, small, large } });
   if (study.load.is_from_contact() && profile.shape == fem::GlassShape::foot)
     lengths.push_back({ "Glass/Edge thickness", profile.edge_thickness, small, large });
   if (study.load.is_from_contact() && study.table.make().substrate)
-    lengths.insert(lengths.end(), { { "Table/Disc radius", study.table.disc.radius, small, large },
-                                    { "Table/Disc thickness", study.table.disc.thickness, small, large } });
+    lengths.insert(lengths.end(),
+                   { { "Table/Disc radius", study.table.disc.radius, small, large },
+                     { "Table/Disc thickness", study.table.disc.thickness, thinnest_disc, large } });
   for (const Length &length : lengths)
   {
     const double ratio = length.value / radius;
@@ -67,6 +70,21 @@ void require_alike_lengths(const Study &study)
                         length.entry, to_text(length.value), to_short_text(ratio), to_text(radius),
                         to_text(length.least), to_text(length.most)));
   }
+}
+
+/// A mat that is far stiffer than the glass is a hard table, but for rounding.
+void require_mat_that_yields(const Study &study)
+{
+  constexpr double most = 1e8;
+  const double of_glass = study.glass.material.young_modulus / study.glass.profile.contact_radius;
+  if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
+    require(
+      study.table.foundation_modulus <= most * of_glass,
+      fmt::format(FMT_STRING("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over "
+                             "Glass/Contact radius, but at most {} is allowed; write Table/Interface = hard "
+                             "for a table that does not yield."),
+                  to_text(study.table.foundation_modulus),
+                  to_short_text(study.table.foundation_modulus / of_glass), to_text(most)));
 }
 
 /// The lines resolve a load harmonic by more than two lines for each of its waves.
@@ -150,6 +168,7 @@ void check_study(const Study &study)
   require_able_body(study);
   require_known_waviness(study);
   require_alike_lengths(study);
+  require_mat_that_yields(study);
   require_resolved_load(study.contact);
   require_goal_with_estimate(study);
   require_load_file(study.load);

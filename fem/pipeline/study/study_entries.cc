@@ -211,9 +211,9 @@ void add_contact(EntryList &list, ContactSection &contact)
              "Azimuths at which a body of revolution meets the table, more than twice the harmonics; without "
              "effect on a solid body");
   list.count(
-    "Rings", contact.rings, 1, 64,
+    "Rings", contact.rings, 1, most_rings,
     "Circles that take the pressure over, with all its radial moments below that number; 1: one ring "
-    "of the radius that the moment asks for");
+    "of the radius that the moment asks for. More than 25 would magnify rounding");
   list.count("Load harmonics", contact.load_harmonics, 0, 1000,
              "Harmonics of each ring's load; 0: as many as the lines resolve and the torque asks for");
   list.choice(

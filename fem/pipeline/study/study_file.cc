@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace stemware::pipeline
@@ -115,8 +116,8 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Section/Entry=value of --set.
-void apply(const std::string &override_text, const std::vector<StudyEntry> &entries)
+/// Section/Entry=value of --set; returns the entry's path.
+std::string apply(const std::string &override_text, const std::vector<StudyEntry> &entries)
 {
   const auto equal_sign = override_text.find('=');
   require(equal_sign != std::string::npos && override_text.find('/') < equal_sign,
@@ -124,6 +125,21 @@ void apply(const std::string &override_text, const std::vector<StudyEntry> &entr
             "\" is not an assignment; write --set \"Section/Entry=value\".");
   const std::string path = boost::trim_copy(override_text.substr(0, equal_sign));
   assign(entries, "--set: ", path, boost::trim_copy(override_text.substr(equal_sign + 1)));
+  return path;
+}
+
+/// All of --set, each of its entries once, as in a study file.
+void apply_all(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
+{
+  std::map<std::string, std::string> text_of;
+  for (const std::string &text : overrides)
+  {
+    const std::string path = apply(text, entries);
+    const auto [before, is_first] = text_of.emplace(path, text);
+    require(is_first,
+            fmt::format(FMT_STRING("--set gives {} twice, with \"{}\" and \"{}\"; leave one of them."), path,
+                        shortened(before->second), shortened(text)));
+  }
 }
 
 /// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
@@ -168,8 +184,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   for (std::string *path : paths_of(study))
     if (!path->empty())
       *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
-  for (const std::string &override_text : overrides)
-    apply(override_text, entries);
+  apply_all(overrides, entries);
   attach_profile(study);
   check_study(study);
   return study;

@@ -13,9 +13,9 @@ namespace stemware::pipeline
 
 /// Reads a study file (.prm or .json; entries that it does not state keep their defaults; an empty name: the
 /// default study; "-": standard input of the first rank, as .json where it begins with a brace), applies @p
-/// overrides, each "Section/Entry=value", and checks the whole. Relative paths in the file start at its
-/// folder, those of overrides where the program was started. Throws BadInput with one sentence about the
-/// first thing that is wrong.
+/// overrides, each "Section/Entry=value" of another entry, and checks the whole. Relative paths in the file
+/// start at its folder, those of overrides where the program was started. Throws BadInput with one sentence
+/// about the first thing that is wrong.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
 /// Gives entries of @p study other values, each "Section/Entry" with its text, and checks the whole. Throws

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -122,7 +123,7 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   { return (at.torques[4].all - at.torques[2].all) / (probe.spins[4] - probe.spins[2]); };
   const double slope = slope_of(found);
   const double moved = -(found.torques[3].all - own.torques[3].all) / slope;
-  const double spin_noise = noise.relative * motion.orbit_speed / study.glass.profile.contact_radius;
+  const double spin_noise = noise.relative * spin_scale(study);
   quantities.push_back(
     { "omega_terminal", "terminal spin", "rad/s", row.terminal->omega + moved, spin_noise });
   const double reported =

@@ -109,10 +109,14 @@ std::optional<Fall> add_spin(const Study &study, const std::shared_ptr<ElasticFo
   const SpinRow first_row = truncated_row(study, foot, load, question, 1).row;
   const std::optional<double> first = first_row.omega_terminal();
   const std::vector<BudgetRow> budget = budget_rows(study, foot, { first_row, all });
-  const double unit = spin_unit(study);
+  const double unit = spin_scale(study);
   const HarmonicEffect harmonics = harmonic_effect(first, all.omega_terminal(), unit);
-  const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper);
-  const std::optional<double> full = first_harmonic_spin(study, ring::Closure::full);
+  // With a given moment no balance acts.
+  const bool has_balance = !study.load.is_static() && study.load.source != LoadSource::file;
+  const auto balanced_spin = [&](ring::Closure closure)
+  { return has_balance ? first_harmonic_spin(study, closure) : std::nullopt; };
+  const std::optional<double> paper = balanced_spin(ring::Closure::paper),
+                              full = balanced_spin(ring::Closure::full);
   list.add(all.at_rest->friction.torque);
   list.add(all.omega_terminal());
   list.add(first);

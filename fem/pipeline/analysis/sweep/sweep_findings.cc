@@ -37,6 +37,16 @@ QuantitySample sample_of(const FinishedCases &cases, std::size_t quantity)
   return sample;
 }
 
+/// Whether some values are positive and others negative, beyond rounding.
+bool has_both_signs(const std::vector<double> &values)
+{
+  if (values.empty())
+    return false;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double rounding = 1e-9 * std::max(std::abs(*least), std::abs(*most));
+  return *least<-rounding && * most> rounding;
+}
+
 QuantityFindings find_out(const SweepPlan &plan, const QuantitySample &sample)
 {
   QuantityFindings findings;
@@ -84,10 +94,18 @@ const QuantityFindings *SweepFindings::about(const std::string &quantity) const
 bool SweepFindings::spin_changes_sign() const
 {
   const QuantityFindings *spin = about("terminal spin");
-  if (spin == nullptr)
-    return false;
-  const double rounding = 1e-9 * std::max(std::abs(spin->least), std::abs(spin->most));
-  return spin->least < -rounding && spin->most > rounding;
+  return spin != nullptr && has_both_signs({ spin->least, spin->most });
+}
+
+FinishedCases reported(FinishedCases cases)
+{
+  const QuantitySample spins = sample_of(cases, quantity_index("terminal spin"));
+  if (!has_both_signs(spins.values))
+    return cases;
+  for (auto &[index, result] : cases)
+    if (result.is_solved())
+      result.values[quantity_index("closure effect")].reset();
+  return cases;
 }
 
 SweepFindings find_out(const SweepPlan &plan, const FinishedCases &cases)

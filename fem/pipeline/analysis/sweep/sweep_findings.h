@@ -48,6 +48,10 @@ struct SweepFindings
   bool spin_changes_sign() const;
 };
 
+/// The cases as they are reported: without "closure effect" where the terminal spin has one sign in some and
+/// the other in others. Per cent of a spin that passes through zero tell nothing about what was left out.
+FinishedCases reported(FinishedCases cases);
+
 /// Ranges of all quantities; for random samples their bands and sensitivities too, spreads by factors
 /// counting in the logarithm.
 SweepFindings find_out(const SweepPlan &plan, const FinishedCases &cases);

@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 
 #include "fem/pipeline/analysis/sweep/varied_entry.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/manifest.h"
@@ -44,6 +45,71 @@ void require_allowed(std::size_t n_cases, const SweepRequest &request)
                       n_cases, n_cases < 172800 ? "hours" : "days", request.most_cases, n_cases));
 }
 
+/// The entry of a study that takes one value after the other, to see whether it does.
+class TriedEntry
+{
+public:
+  /// @p option is named as where the values come from.
+  TriedEntry(const std::string &option, const std::string &path)
+      : option(option)
+      , entries(study_entries(study))
+      , entry(entry_at(entries, option + ": ", path))
+  {
+  }
+  TriedEntry(const TriedEntry &) = delete;
+  TriedEntry &operator=(const TriedEntry &) = delete;
+
+  /// The value as a study file writes it. Throws BadInput where the entry does not take it, or the file that
+  /// it names is not there.
+  std::string take(const std::string &value)
+  {
+    assign(entries, option + ": ", entry.path(), value);
+    for (const std::string &file : pipeline::files_of(study))
+      require_regular_file(option + ": " + entry.path() + " = " + shortened_path(file), file);
+    return entry.text();
+  }
+
+private:
+  const std::string option;
+  Study study;
+  const std::vector<StudyEntry> entries;
+  const StudyEntry &entry;
+};
+
+/// Each value is one that the entry takes, and stands once.
+void require_values(const VariedEntry &varied, const std::string &unit)
+{
+  TriedEntry entry("--vary", varied.path);
+  std::set<std::string> seen;
+  for (const std::string &value : varied.values)
+  {
+    const std::string range = range_meant_by(value, unit);
+    require(range.empty(), fmt::format(FMT_STRING("--vary: {} = {} is not a number; did you mean \"{}={}\"?"),
+                                       varied.path, value, varied.path, range));
+    require(seen.insert(entry.take(value)).second,
+            fmt::format(FMT_STRING("--vary: {} = {} stands twice; give each value once, and a range from one "
+                                   "number to another."),
+                        varied.path, shortened(value)));
+  }
+}
+
+/// Each sample of a spread is one that the entry takes: without those that are not, the rest would be biased.
+void require_samples(const Spread &spread, const std::vector<std::string> &values)
+{
+  TriedEntry entry("--random", spread.path);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    try
+    {
+      entry.take(values[i]);
+    }
+    catch (const BadInput &refusal)
+    {
+      throw BadInput(fmt::format(FMT_STRING("{} That is sample {} of the spread ({}); narrow it, or write "
+                                            "\"{}=median*/factor\", which stays above 0."),
+                                 refusal.what(), i + 1, spread.description(), spread.path));
+    }
+}
+
 SweepPlan make_grid(const SweepRequest &request)
 {
   const std::vector<std::string> &requests = request.varied;
@@ -57,6 +123,7 @@ SweepPlan make_grid(const SweepRequest &request)
     plan.entries.push_back(
       { varied.path, find_entry("--vary", varied.path).unit, varied.values, varied.by_factors });
     require_allowed(plan.cases.size() * varied.values.size(), request);
+    require_values(varied, plan.entries.back().unit);
     std::vector<std::vector<std::string>> cases;
     for (const auto &before : plan.cases)
       for (const std::string &value : varied.values)
@@ -91,6 +158,13 @@ SweepPlan make_sample(const SweepRequest &request)
     for (const double value : sample)
       values.push_back(to_text(value));
     plan.cases.push_back(values);
+  }
+  for (std::size_t i = 0; i < plan.spreads.size(); ++i)
+  {
+    std::vector<std::string> values;
+    for (const std::vector<std::string> &sample : plan.cases)
+      values.push_back(sample[i]);
+    require_samples(plan.spreads[i], values);
   }
   return plan;
 }

@@ -49,7 +49,8 @@ struct SweepPlan
 };
 
 /// The plan without its base. Throws BadInput, with one sentence, for requests that cannot be understood,
-/// entries that do not exist or cannot be sampled, and more cases than are allowed.
+/// entries that do not exist or cannot be sampled, values that an entry does not take or that stand twice,
+/// and more cases than are allowed.
 SweepPlan make_plan(const SweepRequest &request);
 
 /// How the cases came about, for sweep.json.

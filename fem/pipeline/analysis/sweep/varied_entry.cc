@@ -50,6 +50,8 @@ std::vector<std::string> range_values(const std::string &text, const std::vector
                                       const std::string &unit)
 {
   const bool is_log = parts.size() == 4 && parts.back() == "log";
+  if (parts.size() == 2)
+    refuse_range(text, "is not a range (did you mean \"" + shortened(text) + ":5\", five values?)");
   if (parts.size() != 3 && !is_log)
     refuse_range(text, "is not a range");
   const std::vector<std::string> ends = with_shared_unit({ parts[0], parts[1] });
@@ -80,6 +82,23 @@ std::vector<std::string> range_values(const std::string &text, const std::vector
 }
 
 } // namespace
+
+std::string range_meant_by(const std::string &value, const std::string &unit)
+{
+  constexpr std::size_t longest = 60;
+  if (unit.empty() || value.size() > longest)
+    return "";
+  for (const std::string mark : { "..", " to ", "\u2013", "-" })
+    for (std::size_t at = value.find(mark, 1); at != std::string::npos; at = value.find(mark, at + 1))
+    {
+      const std::vector<std::string> ends = { boost::trim_copy(value.substr(0, at)),
+                                              boost::trim_copy(value.substr(at + mark.size())) };
+      const std::vector<std::string> numbers = with_shared_unit(ends);
+      if (parse_quantity(numbers[0], unit) && parse_quantity(numbers[1], unit))
+        return ends[0] + ':' + ends[1] + ":5";
+    }
+  return "";
+}
 
 std::pair<std::string, std::string> split_assignment(const std::string &option, const std::string &text)
 {

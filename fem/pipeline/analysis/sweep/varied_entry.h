@@ -28,6 +28,10 @@ struct VariedEntry
 /// for anything else; whether the entry exists and takes the values is not looked at.
 VariedEntry parse_varied_entry(const std::string &text);
 
+/// The range that somebody may mean by a value in @p unit that is none: "0.1:0.5:5" for "0.1-0.5", "0.1..0.5"
+/// and "0.1 to 0.5". Empty for everything else.
+std::string range_meant_by(const std::string &value, const std::string &unit);
+
 /// "Section/Entry=rest" in its two parts, without blanks around them. @p option is named in the BadInput that
 /// is thrown for texts without them.
 std::pair<std::string, std::string> split_assignment(const std::string &option, const std::string &text);

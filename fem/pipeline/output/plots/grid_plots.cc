@@ -24,6 +24,7 @@ struct Drawing
   std::string caption;
   CaseValue value;
   bool is_effect = false; ///< a difference between the spins of all harmonics and of the first alone
+  bool is_spin = false;
 };
 
 CaseValue value_of(const std::string &quantity)
@@ -41,7 +42,7 @@ CaseValue amplitude_of(unsigned int n)
 std::vector<Drawing> drawings()
 {
   return { { "terminal_spin", heading_with_unit(quantity::omega_terminal),
-             "Terminal spin under all harmonics of the load", value_of("terminal spin") },
+             "Terminal spin under all harmonics of the load", value_of("terminal spin"), false, true },
            { "absolute_harmonic_effect", "harmonic effect (rad/s)",
              "What the harmonics of the load beyond the first add to the terminal spin",
              value_of("absolute harmonic effect"), true },
@@ -137,6 +138,39 @@ std::vector<bool> jumps_of(const std::vector<double> &y)
   return jumps;
 }
 
+/// Intervals in which a spin changes its sign, together with the values between that are zero, where they are
+/// too wide to tell how: the curve changes more than four times as much there as over the intervals beside,
+/// or there are none beside.
+std::vector<bool> unresolved_changes_of_sign(const std::vector<double> &y)
+{
+  constexpr double factor = 4;
+  std::vector<bool> unresolved(y.empty() ? 0 : y.size() - 1, false);
+  double largest = 0;
+  for (const double value : y)
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+  const auto is_zero = [&](std::size_t i) { return std::abs(y[i]) <= 1e-9 * largest; };
+  const auto step = [&](std::size_t i) { return std::abs(y[i + 1] - y[i]); };
+  for (std::size_t first = 0; first + 1 < y.size(); ++first)
+  {
+    std::size_t last = first + 1;
+    while (last + 1 < y.size() && is_zero(last))
+      ++last;
+    if (is_zero(first) || !(y[first] * y[last] < 0))
+      continue;
+    double beside = 0, smallest = step(first);
+    for (std::size_t i = first; i < last; ++i)
+      smallest = std::min(smallest, step(i));
+    if (first > 0 && std::isfinite(step(first - 1)))
+      beside = step(first - 1);
+    if (last + 1 < y.size() && std::isfinite(step(last)))
+      beside = std::max(beside, step(last));
+    if (smallest > factor * beside)
+      std::fill(unresolved.begin() + static_cast<std::ptrdiff_t>(first),
+                unresolved.begin() + static_cast<std::ptrdiff_t>(last), true);
+  }
+  return unresolved;
+}
+
 /// The curve with a gap in each of the intervals.
 Curve broken(const Curve &whole, const std::vector<bool> &jumps)
 {
@@ -163,18 +197,33 @@ Curve curve_over(const SweepPlan &plan, const FinishedCases &cases, const Roles 
   return curve;
 }
 
-/// A curve with gaps where it jumps; an effect jumps where one of its two spins does.
+/// A curve with gaps where it jumps, and where a spin changes its sign; an effect has those of its two spins.
+/// Says in @p caption where there is a gap of the second kind.
 Curve broken_curve(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
-                   const Drawing &drawing)
+                   const Drawing &drawing, std::string &caption)
 {
   const Curve whole = curve_over(plan, cases, roles, across, drawing.value);
   std::vector<bool> jumps = jumps_of(whole.y);
+  const auto add = [&](const std::vector<bool> &more)
+  { std::transform(jumps.begin(), jumps.end(), more.begin(), jumps.begin(), std::logical_or<>()); };
+  std::vector<std::vector<double>> spins;
+  if (drawing.is_spin)
+    spins = { whole.y };
   if (drawing.is_effect)
     for (const char *spin : { "terminal spin", "terminal spin of the first harmonic alone" })
-    {
-      const std::vector<bool> more = jumps_of(curve_over(plan, cases, roles, across, value_of(spin)).y);
-      std::transform(jumps.begin(), jumps.end(), more.begin(), jumps.begin(), std::logical_or<>());
-    }
+      spins.push_back(curve_over(plan, cases, roles, across, value_of(spin)).y);
+  const std::string remark =
+    " Points without a line: the spin changes its sign between them, and they are too "
+    "far apart to tell how.";
+  for (const std::vector<double> &spin : spins)
+  {
+    const std::vector<bool> unresolved = unresolved_changes_of_sign(spin);
+    add(jumps_of(spin));
+    add(unresolved);
+    if (std::find(unresolved.begin(), unresolved.end(), true) != unresolved.end() &&
+        caption.find(remark) == std::string::npos)
+      caption += (caption.back() == '.' ? "" : ".") + remark;
+  }
   return broken(whole, jumps);
 }
 
@@ -187,7 +236,7 @@ Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles 
   const std::size_t n_curves = roles.across ? plan.entries[*roles.across].values.size() : 1;
   for (std::size_t across = 0; across < n_curves; ++across)
   {
-    Curve curve = broken_curve(plan, cases, roles, across, drawing);
+    Curve curve = broken_curve(plan, cases, roles, across, drawing, plot.caption);
     if (roles.across)
       curve.title =
         axis_of(plan.entries[*roles.across]).label + " = " + plan.entries[*roles.across].values[across];
@@ -213,7 +262,8 @@ Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
          std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
          std::pair("first harmonic on a ring", "terminal spin of the closure's first harmonic") })
   {
-    plot.curves.push_back(broken_curve(plan, cases, {}, 0, { "", "", "", value_of(quantity) }));
+    plot.curves.push_back(
+      broken_curve(plan, cases, {}, 0, { "", "", "", value_of(quantity), false, true }, plot.caption));
     plot.curves.back().title = title;
     plot.curves.back().style = style_of(plan.entries[0].values.size());
   }

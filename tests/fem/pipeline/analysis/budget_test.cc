@@ -73,9 +73,39 @@ TEST(Budget, AnEffectIsRelativeToASpinOnly)
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
+  // A difference of rounding is none; a glass that is at rest, or turns the other way, has no per cent.
+  EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
+  EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
+  EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-8);
+  EXPECT_FALSE(relative_to(-1, 1.5, unit));
+  EXPECT_NEAR(*relative_to(-1, 0.5, unit), -0.5, 1e-15);
   EXPECT_FALSE(harmonic_effect(std::nullopt, -3, unit).absolute);
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).absolute);
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).relative);
+}
+
+TEST(Budget, RoundingIsMeasuredByTheSpinThatTheMomentLeadsTo)
+{
+  // 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho of a hand dz above the centre of mass.
+  Study study;
+  const ring::Motion &motion = study.motion.orbit;
+  const auto expected = [&]
+  {
+    const double moment = motion.force_offset * motion.mass * motion.orbit_speed * motion.orbit_speed /
+                          motion.orbit_radius,
+                 radius = study.glass.profile.contact_radius;
+    return 2 * std::abs(moment) / (motion.mass * motion.gravity * radius) * motion.orbit_speed / radius;
+  };
+  for (const double speed : { 0.35, 0.1, 0.01 })
+  {
+    study.motion.orbit.orbit_speed = speed;
+    EXPECT_NEAR(spin_scale(study), expected(), 1e-12 * expected()) << speed;
+  }
+  study.motion.orbit.orbit_speed = 1e-4;
+  EXPECT_NEAR(spin_scale(study), 1e-6 * spin_unit(study), 1e-18);
+  study.motion.orbit.force_offset = 0; // nothing to measure by
+  EXPECT_EQ(spin_scale(study), spin_unit(study));
+  EXPECT_EQ(spin_scale(study_of_given_load()), spin_unit(study_of_given_load()));
 }
 
 TEST(Budget, RowsOfALoadFile)

@@ -164,6 +164,74 @@ TEST(BadInput, SettingsThatContradictEachOtherAreRefused)
   expect_contradiction("Glass/Shape=foot", "Glass/Stem height=0.003", "a longer stem");
 }
 
+TEST(BadInput, AnEntryIsSetOnceOnTheCommandLineToo)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("study.prm", coarse_study());
+  expect_refused(scratch, { "run", file, "--set", "Motion/Mass=0.3", "--set", "Motion/Mass=0.4" }, 1,
+                 "--set gives Motion/Mass twice, with \"Motion/Mass=0.3\" and \"Motion/Mass=0.4\"");
+}
+
+TEST(BadInput, FoldersWithoutANameAreRefused)
+{
+  const ScratchFolder scratch;
+  const std::string file = scratch.write("study.prm", coarse_study());
+  for (const char *verb : { "run", "truncate", "compare", "converge", "sweep", "slide" })
+    for (const char *name : { "", "   " })
+      expect_refused(scratch, { verb, file, "--output", name }, 1, "the name of the folder is empty");
+  expect_refused(scratch, { "new", "" }, 1, "The name of the study file is empty");
+}
+
+TEST(BadInput, ASlipOfUnitsBehindATippingGlassIsNamedFirst)
+{
+  const ScratchFolder scratch;
+  const std::vector<std::string> slips = { "run",
+                                           "--set",
+                                           "Motion/Centre of mass height=80",
+                                           "--set",
+                                           "Motion/Friction coefficient=3",
+                                           "--set",
+                                           "Motion/Orbit speed=35" };
+  const Ended ended = stemware(scratch, slips);
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_NE(ended.out.find("Check     Motion/Centre of mass height = 80 m is outside 0.01 to 0.3 m"),
+            std::string::npos)
+    << ended.out;
+  const auto named = ended.err.find("Motion/Centre of mass height = 80 m (0.01 to 0.3 m)");
+  EXPECT_LT(named, ended.err.find("but the foot tips at 2")) << ended.err;
+  EXPECT_NE(ended.err.find("Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)"), std::string::npos) << ended.err;
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+/// The exit code and standard error of a command of the shell; $S is the program.
+Ended shell(const ScratchFolder &scratch, const std::string &command)
+{
+  return RunningProgram({ "/bin/sh", "-c", "S=" STEMWARE_PROGRAM "; " + command }, scratch.path()).end();
+}
+
+TEST(BadInput, OutputThatIsLostEndsInAFailure)
+{
+  const ScratchFolder scratch;
+  scratch.write("study.prm", "subsection Load\n  set Source = first harmonic\nend\n");
+  for (const char *command : { "$S run study.prm --json --quiet > /dev/full", "$S run study.prm > /dev/full",
+                               "$S defaults > /dev/full", "$S --help > /dev/full" })
+  {
+    const Ended ended = shell(scratch, command);
+    EXPECT_EQ(ended.exit_code, 3) << command;
+    EXPECT_NE(ended.err.find("Standard output has not taken all that was printed"), std::string::npos)
+      << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  }
+  EXPECT_TRUE(std::filesystem::exists(scratch / "results/study/summary.json"));
+  std::filesystem::remove_all(scratch / "results");
+  const Ended closed = shell(scratch, "$S run study.prm --json --quiet >&-");
+  EXPECT_EQ(closed.exit_code, 3);
+  EXPECT_NE(closed.err.find("--json prints on standard output, which is closed"), std::string::npos)
+    << closed.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
+  EXPECT_EQ(shell(scratch, "$S run study.prm --quiet > /dev/full").exit_code, 0); // prints nothing
+}
+
 TEST(BadInput, MissingStudyFileIsRefused)
 {
   const ScratchFolder scratch;

@@ -78,9 +78,12 @@ TEST(HandHeight, ThroughZeroHasNoHugePercentageAndNoFalseLine)
   // Nowhere a number above 10^6 %, and none at all in the answer: the spin changes its sign.
   EXPECT_LT(largest_percentage(read_text(scratch / "results/report.html")), 1e6);
   EXPECT_EQ(largest_percentage(ended.out), 0) << ended.out;
-  for (const char *column : { "harmonic effect (%)", "closure effect (%)" })
-    for (std::size_t i = 0; i < table.n_rows(); ++i)
-      EXPECT_TRUE(table.text(i, column).empty() || std::abs(table.number(i, column)) < 1e6) << column;
+  for (std::size_t i = 0; i < table.n_rows(); ++i)
+  {
+    const std::string column = "harmonic effect (%)";
+    EXPECT_TRUE(table.text(i, column).empty() || std::abs(table.number(i, column)) < 1e6);
+    EXPECT_EQ(table.text(i, "closure effect (%)"), "");
+  }
 
   // All harmonics are one line to where the foot tips; the others are broken on both sides of zero, where
   // they differ by 5 rad/s and more.

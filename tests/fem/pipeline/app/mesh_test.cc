@@ -182,6 +182,19 @@ TEST(MeshVerb, LeavesAReportWhereItIsTold)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "bad.msh", "oval", "own", "study.prm" }));
 }
 
+TEST(MeshVerb, WithoutAStudyItIsTheDefaultStudysMesh)
+{
+  const ScratchFolder scratch;
+  const std::string empty = scratch.write("empty.prm", "# defaults\n");
+  const Ended alone = stemware(scratch, { "mesh", "--json", "--quiet" }),
+              named = stemware(scratch, { "mesh", empty, "--json", "--quiet" });
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_EQ(alone.out, named.out);
+  const std::vector<std::string> finer = { "mesh", "--json", "--quiet", "--set",
+                                           "Contact/Azimuthal cells=32" };
+  EXPECT_NE(stemware(scratch, finer).out, named.out);
+}
+
 TEST(MeshVerb, RefusesWhatItCannotDo)
 {
   const ScratchFolder scratch;
@@ -192,7 +205,7 @@ TEST(MeshVerb, RefusesWhatItCannotDo)
     EXPECT_EQ(ended.exit_code, exit_code);
     EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
   };
-  refused({ "mesh" }, 1, "Say which mesh");
+  refused({ "mesh", "--output", "" }, 1, "the name of the folder is empty");
   refused({ "mesh", "--check", meshes + "/flat_foot.msh", "--set", "Glass/Land width=1" }, 1, "--set");
   refused({ "mesh", study, "--write", "foot.stl" }, 1, "ends in neither .msh nor .vtu");
   refused({ "mesh", study, "--write", "no/such/folder/foot.msh" }, 3, "cannot be written");

@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,33 @@ TEST(NewStudy, NamesAreTakenInAnyCaseAndWithHyphens)
 {
   EXPECT_EQ(pipeline::preset_of(table_presets(), "--table", "Cork-Mat").name, "cork mat");
   EXPECT_EQ(pipeline::preset_of(glass_presets(), "--glass", "bordeaux").name, "Bordeaux");
+}
+
+TEST(NewStudy, OtherNamesOfPresetsAreGuessed)
+{
+  const auto refusal = [](const std::vector<Preset> &presets, const std::string &name) -> std::string
+  {
+    try
+    {
+      return pipeline::preset_of(presets, "--preset", name).name;
+    }
+    catch (const pipeline::BadInput &error)
+    {
+      return error.what();
+    }
+  };
+  for (const auto &[name, meant] : { std::pair("wineglass", "wine glass"), std::pair("glass", "wine glass"),
+                                     std::pair("flute", "champagne"), std::pair("bordaux", "Bordeaux") })
+    EXPECT_NE(refusal(glass_presets(), name).find("did you mean \"" + std::string(meant) + "\"?"),
+              std::string::npos)
+      << refusal(glass_presets(), name);
+  for (const auto &[name, meant] :
+       { std::pair("wood", "oak"), std::pair("felt", "tablecloth"), std::pair("glass", "window glass"),
+         std::pair("cork", "cork mat"), std::pair("marbel", "marble") })
+    EXPECT_NE(refusal(table_presets(), name).find("did you mean \"" + std::string(meant) + "\"?"),
+              std::string::npos)
+      << refusal(table_presets(), name);
+  EXPECT_EQ(refusal(table_presets(), "a bed of nails").find("did you mean"), std::string::npos);
 }
 
 class PresetPair : public testing::TestWithParam<std::pair<std::string, std::string>>

@@ -71,7 +71,7 @@ TEST(ComparisonByHand, SaysWhatTheEffectOfHarmonicsIsCountedFrom)
 TEST(ComparisonByHand, AGlassThatDoesNotSpinHasNoPercentages)
 {
   Comparison comparison = comparison_by_hand();
-  comparison.spin_unit = 10;
+  comparison.spin_scale = 10;
   for (SpinRow &row : comparison.rows)
     if (row.terminal)
       row.terminal->omega = 1e-12;

@@ -93,11 +93,14 @@ TEST(SweepFindings, CasesThatFallOverAreNoFailures)
   EXPECT_NE(case_table(plan, cases).columns.size(), 0u);
 }
 
-/// nan among the values of the plot of the terminal spin, in a sweep of the moment ratio from -1 to 1.
-std::size_t n_gaps(const std::function<double(double)> &spin_at)
+/// nan among the values of the plot of the terminal spin, in a sweep of an entry from -1 to 1; with the
+/// caption in
+/// @p caption.
+std::size_t n_gaps(const std::function<double(double)> &spin_at,
+                   const std::string &varied = "Motion/Force offset=-1:1:41", std::string *caption = nullptr)
 {
   SweepRequest request;
-  request.varied = { "Load/Moment ratio=-1:1:41" };
+  request.varied = { varied };
   const SweepPlan plan = make_plan(request);
   FinishedCases cases;
   for (std::size_t i = 0; i < plan.cases.size(); ++i)
@@ -106,6 +109,8 @@ std::size_t n_gaps(const std::function<double(double)> &spin_at)
     for (const Plot &plot : section.plots)
       if (plot.name == "terminal_spin")
       {
+        if (caption)
+          *caption = plot.caption;
         std::size_t n = 0;
         for (auto at = plot.data.find(" nan"); at != std::string::npos; at = plot.data.find(" nan", at + 1))
           ++n;
@@ -123,24 +128,62 @@ TEST(SweepFindings, CurvesBreakWhereTheyJumpAndNowhereElse)
   EXPECT_EQ(n_gaps([](double x) { return 0.1 / (1.1 + x); }), 0u);  // steep at its end
   EXPECT_EQ(n_gaps([&](double x) { return 5 * sign(x) + x; }), 2u); // on both sides of a value at 0
   EXPECT_EQ(n_gaps([&](double x) { return 5 * sign(x - 0.01) + x; }), 1u);
-  EXPECT_EQ(n_gaps([&](double x) { return 1e-15 * x + sign(x - 0.01); }), 0u); // nothing to compare with
+  EXPECT_EQ(n_gaps([&](double x) { return 1e-15 * x + std::abs(sign(x - 0.01) + 2); }),
+            0u); // no slope beside
+}
+
+TEST(SweepFindings, ACoarseCurveIsNotDrawnThroughAChangeOfSign)
+{
+  // The spin of the first harmonic of docs/cookbooks/hand_height.prm: every step through zero is seven times
+  // the one before, and nothing lies behind.
+  const auto hand = [](double height)
+  {
+    return height > 0.015    ? std::nan("")
+           : height > 0.005  ? 8.
+           : height > -0.005 ? 0
+                             : -4.4 - 60 * (height + 0.01);
+  };
+  std::string caption;
+  const std::string coarse = "Motion/Force offset=-0.08:0.02:11",
+                    remark = "Points without a line: the spin changes";
+  EXPECT_EQ(n_gaps(hand, coarse, &caption), 1u + 2u); // the case that fails, and both sides of 0
+  EXPECT_NE(caption.find(remark), std::string::npos) << caption;
+  EXPECT_EQ(n_gaps([](double x) { return x > 0 ? 3. : -2.; }, "Motion/Force offset=-1,1"), 1u);
+  EXPECT_EQ(n_gaps([](double x) { return 5 * x + 0.1; }, "Motion/Force offset=-1:1:4", &caption), 0u);
+  EXPECT_EQ(caption.find(remark), std::string::npos) << caption;
+  EXPECT_EQ(n_gaps([](double x) { return std::max(-3 * x, 0.); }, coarse), 0u); // comes to rest
+}
+
+TEST(SweepFindings, PerCentOfTheBalanceIsLeftOutWhereTheSpinChangesItsSign)
+{
+  const std::size_t closure = quantity_index("closure effect");
+  FinishedCases cases = { { 0, with_spin(-3, 1) }, { 1, with_spin(2, 1) } };
+  cases[0].values[closure] = 17.9;
+  cases[1].values[closure] = 1135.8;
+  for (const auto &[index, result] : reported(cases))
+    EXPECT_FALSE(result.values[closure]) << index;
+  cases[1].values[quantity_index("terminal spin")] = -2;
+  EXPECT_EQ(reported(cases).at(1).values[closure], 1135.8);
 }
 
 TEST(SweepFindings, SpinsThatChangeSignAreComparedInRadiansPerSecond)
 {
   SweepRequest request;
-  request.varied = { "Load/Moment ratio=-1,1" };
-  const SweepPlan plan = make_plan(request);
+  request.varied = { "Motion/Force offset=-1,1" };
+  SweepPlan plan = make_plan(request);
   FinishedCases cases = { { 0, with_spin(-3, 1e9) }, { 1, with_spin(2, -1e9) } };
   cases[0].values[quantity_index("absolute harmonic effect")] = 0.25;
   cases[1].values[quantity_index("absolute harmonic effect")] = -0.125;
   const SweepFindings findings = find_out(plan, cases);
   EXPECT_TRUE(findings.spin_changes_sign());
-  EXPECT_EQ(sweep_answer(plan, findings),
-            "In 2 cases the glass spins up to between -3 rad/s (Load/Moment ratio = -1) and 2 rad/s "
-            "(Load/Moment ratio = 1). The harmonics of the load beyond the first change it by between -0.125 "
-            "rad/s (Load/Moment ratio = 1) and +0.25 rad/s (Load/Moment ratio = -1). For scale: what the "
-            "paper's moment balance leaves out changes the spin of a first-harmonic load by +0.5 rad/s.");
+  EXPECT_EQ(
+    sweep_answer(plan, findings),
+    "In 2 cases the glass spins up to between -3 rad/s (Motion/Force offset = -1 m) and 2 rad/s "
+    "(Motion/Force offset = 1 m). The harmonics of the load beyond the first change it by between -0.125 "
+    "rad/s (Motion/Force offset = 1 m) and +0.25 rad/s (Motion/Force offset = -1 m). For scale: what the "
+    "paper's moment balance leaves out changes the spin of a first-harmonic load by +0.5 rad/s.");
+  plan.base.load.moment_ratio = 0.5; // no balance acts
+  EXPECT_EQ(sweep_answer(plan, findings).find("paper's moment balance"), std::string::npos);
   EXPECT_FALSE(find_out(grid_of_four(), four_cases()).spin_changes_sign());
 }
 

@@ -54,6 +54,12 @@ TEST(QuantityText, OtherUnitsAreWithinRounding)
   EXPECT_NEAR(*parse_quantity("-90\u00b0", "rad"), -1.5707963267948966, 1e-15);
   EXPECT_NEAR(*parse_quantity("2 min", "s"), 120, 1e-12);
   EXPECT_NEAR(*parse_quantity("1 inch", "m"), 0.0254, 1e-17);
+  EXPECT_NEAR(*parse_quantity("1 in", "m"), 0.0254, 1e-17);
+  EXPECT_NEAR(*parse_quantity("1 ft", "m"), 12 * 0.0254, 1e-16);
+  EXPECT_NEAR(*parse_quantity("36 km/h", "m/s"), 10, 1e-14);
+  EXPECT_NEAR(*parse_quantity("2 h", "s"), 7200, 1e-11);
+  EXPECT_NEAR(*parse_quantity("1 lb", "kg"), 0.45359237, 1e-16);
+  EXPECT_NEAR(*parse_quantity("16 oz", "kg"), 0.45359237, 1e-16);
   EXPECT_NEAR(*parse_quantity("360 deg/s", "rad/s"), 6.283185307179586, 1e-14);
 }
 
@@ -100,10 +106,15 @@ TEST(QuantityText, AWrongUnitIsNamedInOneSentence)
   EXPECT_EQ(refusal("Motion/Mass", "30 mm"),
             "--set: Motion/Mass = 30 mm is a length, but a mass is needed, such as "
             "300 g; a number alone is in kg.");
-  EXPECT_EQ(refusal("Glass/Contact radius", "30 mmm"),
-            "--set: Glass/Contact radius = 30 mmm has an unknown unit, \"mmm\"; give a length, such as 30 "
-            "mm; a number "
-            "alone is in m.");
+  EXPECT_EQ(
+    refusal("Glass/Contact radius", "30 mmm"),
+    "--set: Glass/Contact radius = 30 mmm has an unknown unit, \"mmm\"; give a length in m, mm, cm, um, "
+    "nm, in or ft, such as 30 mm; a number alone is in m.");
+  EXPECT_NE(refusal("Motion/Orbit speed", "1 mph").find("a speed in m/s, cm/s, mm/s or km/h, such as"),
+            std::string::npos);
+  EXPECT_NE(
+    refusal("Motion/Friction coefficient", "1 permille").find("a pure number, also in %, such as 0.3."),
+    std::string::npos);
   EXPECT_EQ(
     refusal("Motion/Friction coefficient", "0.3 N"),
     "--set: Motion/Friction coefficient = 0.3 N is a force, but a pure number is needed, such as 0.3.");

@@ -118,14 +118,32 @@ TEST(StudyChecks, ALoadFileHasAMomentOfItsOwn)
     "Moment ratio at -1.");
 }
 
+TEST(StudyChecks, SizesThatWouldRunWithoutEndAreRefused)
+{
+  EXPECT_EQ(refusal_of({ { "Glass/Foot thickness", "40 um" } }),
+            "Glass/Foot thickness = 4e-5 m is 0.00133333 times Glass/Contact radius = 0.03 m, but from 0.01 "
+            "to 300 is "
+            "allowed; give both in one unit.");
+  EXPECT_NE(refusal_of({ { "Table/Substrate", "elastic" }, { "Table/Disc thickness", "20 um" } })
+              .find("Table/Disc thickness = 2e-5 m is"),
+            std::string::npos);
+  EXPECT_EQ(
+    refusal_of({ { "Table/Foundation modulus", "1e30" } }),
+    "Table/Foundation modulus = 1e30 Pa/m is 4.28571e17 times Glass/Young modulus over Glass/Contact radius, "
+    "but at most 1e8 is allowed; write Table/Interface = hard for a table that does not yield.");
+  EXPECT_EQ(refusal_of({ { "Glass/Foot thickness", "0.3 mm" } }), "");
+  EXPECT_EQ(refusal_of({ { "Table/Foundation modulus", "1e20" } }), "");
+}
+
 TEST(StudyChecks, NumbersThatAreNotAllowed)
 {
   for (const auto &[entry, value] : Settings{ { "Motion/Grip torque", "-1e-3" },
                                               { "Motion/Tilt", "yes" },
                                               { "Table/Layer thickness", "-0.005" },
                                               { "Contact/Rings", "0" },
-                                              { "Contact/Rings", "65" } })
+                                              { "Contact/Rings", "26" } })
     EXPECT_NE(refusal_of({ { entry, value } }), "") << entry << " = " << value;
+  EXPECT_EQ(refusal_of({ { "Contact/Rings", "25" } }), "");
 }
 
 TEST(StudyChoices, AGivenMomentIsOneWayAndDoesNotTilt)

@@ -81,6 +81,14 @@ TEST(SweepCase, SaysWhereTheFingersHoldTheGlass)
   EXPECT_FALSE(held["harmonic effect"]);
 }
 
+TEST(SweepCase, AGivenMomentLeavesNoBalanceToCompare)
+{
+  Study study = quick_contact_study();
+  EXPECT_NEAR(*SolvedCase(study)["closure effect"], 17.8875, 1e-3); // per cent, of two first harmonics
+  study.load.moment_ratio = 0.5;
+  EXPECT_FALSE(SolvedCase(study)["closure effect"]);
+}
+
 TEST(SweepCase, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
 {
   for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })

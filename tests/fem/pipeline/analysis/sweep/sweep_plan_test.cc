@@ -52,18 +52,18 @@ TEST(SweepPlan, CasesAreTheBaseWithOtherValues)
   EXPECT_EQ(plan.base.motion.orbit.mass, Study().motion.orbit.mass);
 }
 
-TEST(SweepPlan, ACaseWithAValueThatIsNotAllowedSaysSoItself)
+TEST(SweepPlan, ACaseWhoseValuesDoNotGoTogetherSaysSoItself)
 {
-  const SweepPlan plan = grid({ "Load/Moment ratio=1.5,2.5" });
-  EXPECT_EQ(plan.study_of(0).load.moment_ratio, 1.5);
+  const SweepPlan plan = grid({ "Contact/Load harmonics=8,200" });
+  EXPECT_EQ(plan.study_of(0).contact.load_harmonics, 8u);
   try
   {
     plan.study_of(1);
-    FAIL() << "a glass beyond tipping was taken";
+    FAIL() << "more harmonics than the lines resolve were taken";
   }
   catch (const BadInput &refusal)
   {
-    EXPECT_NE(std::string(refusal.what()).find("--vary: Load/Moment ratio = 2.5 is not allowed"),
+    EXPECT_NE(std::string(refusal.what()).find("Contact/Load harmonics = 200 needs more than 400"),
               std::string::npos)
       << refusal.what();
   }
@@ -128,6 +128,38 @@ INSTANTIATE_TEST_SUITE_P(
     std::pair(SweepRequest{ {}, { "Motion/Mass=300 g+-15" }, 200, 1 }, "a unit behind its first number only"),
     std::pair(SweepRequest{ {}, { "Motion/Mass=300+-15 mm" }, 200, 1 }, "is a length, but a mass is needed"),
     std::pair(SweepRequest{ {}, { "Motion/Mass=1+-0.1" }, 1, 1 }, "--samples 1 is not allowed"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.1-0.5" }, {}, 200, 1 },
+              "= 0.1-0.5 is not a number; did you mean \"Motion/Mass=0.1:0.5:5\"?"),
+    std::pair(SweepRequest{ { "Motion/Mass=100 - 500 g" }, {}, 200, 1 },
+              "did you mean \"Motion/Mass=100:500 g:5\"?"),
+    std::pair(SweepRequest{ { "Motion/Force offset=-5e-2--1e-2" }, {}, 200, 1 },
+              "did you mean \"Motion/Force offset=-5e-2:-1e-2:5\"?"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.1..0.5" }, {}, 200, 1 },
+              "did you mean \"Motion/Mass=0.1:0.5:5\"?"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.1:0.5" }, {}, 200, 1 },
+              "did you mean \"Motion/Mass=0.1:0.5:5\", five values?"),
+    std::pair(SweepRequest{ { "Motion/Mass=1,abc,3" }, {}, 200, 1 },
+              "--vary: Motion/Mass = abc is not allowed; give a number greater than 0"),
+    std::pair(SweepRequest{ { "Motion/Mass=1,nan,3" }, {}, 200, 1 }, "Motion/Mass = nan is not allowed"),
+    std::pair(SweepRequest{ { "Motion/Mass=1,,3" }, {}, 200, 1 }, "Motion/Mass = (nothing) is not allowed"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.3 kg,5 mm" }, {}, 200, 1 }, "is a length, but a mass"),
+    std::pair(SweepRequest{ { "Glass/Shape=foot,step,cup" }, {}, 200, 1 },
+              "Glass/Shape = cup is not allowed; give step, foot or profile"),
+    std::pair(SweepRequest{ { "Load/Moment ratio=1.5,2.5" }, {}, 200, 1 },
+              "Load/Moment ratio = 2.5 is not allowed"),
+    std::pair(SweepRequest{ { "Motion/Mass=0:1:3" }, {}, 200, 1 }, "Motion/Mass = 0 is not allowed"),
+    std::pair(SweepRequest{ { "Load/Moment ratio=1:2:3" }, {}, 200, 1 },
+              "Load/Moment ratio = 2 is not allowed"),
+    std::pair(SweepRequest{ { "Contact/Harmonics=4:16:6" }, {}, 200, 1 },
+              "Contact/Harmonics = 6.4 is not allowed; give a whole number"),
+    std::pair(SweepRequest{ { "Contact/Rings=5,40" }, {}, 200, 1 }, "Contact/Rings = 40 is not allowed"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.3:0.3:5" }, {}, 200, 1 }, "Motion/Mass = 0.3 stands twice"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.2,0.3,200 g" }, {}, 200, 1 }, "Motion/Mass = 0.2 stands twice"),
+    std::pair(SweepRequest{ { "Motion/Closure=paper,Paper" }, {}, 200, 1 },
+              "Motion/Closure = Paper stands twice"),
+    std::pair(SweepRequest{ { "Load/File=no_such.dat" }, {}, 200, 1 }, "no_such.dat does not exist"),
+    std::pair(SweepRequest{ {}, { "Motion/Mass=-1..1" }, 200, 1 }, "of the spread (uniform, -1 to 1)"),
+    std::pair(SweepRequest{ {}, { "Motion/Mass=0.3+-0.3" }, 200, 1 }, "which stays above 0"),
     std::pair(SweepRequest{ {}, { "Contact/Harmonics=4..16" }, 200, 1 }, "cannot be drawn from a spread"),
     std::pair(SweepRequest{ {}, { "Motion/Closure=1..2" }, 200, 1 }, "cannot be drawn from a spread")));
 
