@@ -23,6 +23,8 @@ std::string to_string(ContactOutcome outcome)
     return "unbalanced contact forces";
   case ContactOutcome::linear_solver_failed:
     return "linear solver failed";
+  case ContactOutcome::inverted_cells:
+    return "cells inside out";
   case ContactOutcome::overflow:
     return "overflow";
   }

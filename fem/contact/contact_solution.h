@@ -20,6 +20,7 @@ enum class ContactOutcome
   too_many_steps, ///< the allowed number of Newton steps was not enough
   unbalanced,     ///< the resultants of the normal forces miss the prescribed ones
   linear_solver_failed, ///< the body could not solve its linear system
+  inverted_cells,       ///< halving cells of the mesh turns others inside out
   overflow              ///< forces or displacements left the range of floating-point numbers
 };
 

@@ -1,5 +1,7 @@
 #include "fem/solid/conforming_mapping.h"
 
+#include "fem/contact/contact_solution.h"
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -39,9 +41,10 @@ void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_
     }
   n_inverted = Utilities::MPI::sum(n_inverted, dof_handler.get_communicator());
   if (n_inverted > 0)
-    throw std::runtime_error("Halving some cells turns " + std::to_string(n_inverted) +
-                             " others inside out: the mesh follows the round rim too coarsely; give it more "
-                             "cells round the rim (Contact/Azimuthal cells).");
+    throw ContactFailure(ContactOutcome::inverted_cells,
+                         "Halving some cells turns " + std::to_string(n_inverted) +
+                           " others inside out: the mesh follows the round rim too coarsely; give it more "
+                           "cells round the rim (Contact/Azimuthal cells).");
 }
 
 } // namespace

@@ -87,7 +87,7 @@ TEST(Sweep, HasTheDigitsOfSeparateRuns)
     EXPECT_EQ(table.number(row, "torque at rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment ratio (1)"), one["load"]["moment_ratio"]);
     EXPECT_EQ(table.number(row, "contact fraction (1)"), one["load"]["contact_fraction"]);
-    EXPECT_EQ(table.number(row, "least load (N/rad)"), one["load"]["minimum"]);
+    EXPECT_EQ(table.number(row, "least load at rest (N/rad)"), one["load"]["minimum"]);
     EXPECT_EQ(table.number(row, "ring radius (m)"), one["load"]["ring_radius"]);
     EXPECT_EQ(table.number(row, "a_0 (N/rad)"), one["load"]["a"][0]);
     EXPECT_EQ(table.number(row, "a_2/a_0 (1)"),
