@@ -135,13 +135,10 @@ double ratio_on(const FootResolution &resolution, unsigned int degree, double fr
   return found.error.correction / (truth - found.value);
 }
 
+// Of the three tests that take long, in seconds: one mesh, linear elements, with friction.
 TEST(MeshEstimate, IsTheErrorOnACoarseMesh)
 {
-  for (const unsigned int n : { 12u, 16u, 24u })
-    for (const unsigned int degree : { 1u, 2u })
-      for (const double friction : { 0., 0.3 })
-        std::cout << "RATIO " << n << " " << degree << ' ' << friction << ": "
-                  << ratio_on({ n, 2, 1 }, degree, friction) << std::endl;
+  EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
 }
 
 TEST(MeshEstimate, KnowsFrictionAndLinearElements)

@@ -183,7 +183,8 @@ void expect_iterations_that_do_not_grow(const GlassProfile &profile, FootResolut
 
 TEST(Multigrid, AgreesWithTheFactorisation)
 {
-  // The crowned foot with hanging nodes, in the contact too; the other with linear elements on no other mesh.
+  // The crowned foot with hanging nodes, in the contact too; the flat one with quadratic elements over linear
+  // ones.
   expect_the_increment_of_the_factorisation(GlassProfile(), { 12, 2, 1, 1, 1 }, 1);
   expect_the_increment_of_the_factorisation(flat_profile(), { 12, 2, 1 }, 2);
 }
