@@ -53,6 +53,59 @@ double truncated_spin(const ScratchFolder &scratch, const std::vector<std::strin
   return read_summary(scratch / "results")["truncation"].back()["omega_terminal"].get<double>();
 }
 
+TEST(SolidRun, OnOneCircleOfNodesTheBalanceIsThatOfARing)
+{
+  // A thick foot of linear elements on a hard table touches with the nodes at the contact radius alone.
+  // Without tilt the balance is then that of a first harmonic on the ring, a closed form: the second row of
+  // the budget.
+  const ScratchFolder scratch;
+  const std::string study = scratch.write("thick.prm", R"(
+subsection Motion
+  set Mass = 0.566464
+  set Centre of mass height = 0.0531084
+  set Force offset = -0.0794324
+  set Orbit radius = 0.0797628
+  set Orbit speed = 0.0522861
+  set Orbit sense = clockwise
+  set Friction coefficient = 0.0294098
+  set Tilt = neglected
+end
+subsection Glass
+  set Contact radius = 0.0448206
+  set Foot radius = 0.0482618
+  set Foot thickness = 0.00854572
+  set Land width = 0.00558439
+  set Land height = 0.00192998
+  set Crown radius = 0.00536798
+  set Stem radius = 0.0055316
+  set Stem height = 0.00478865
+  set Young modulus = 3.63862 GPa
+  set Poisson ratio = 0.245367
+  set Underside rise = 0.00136932
+  set Edge thickness = 0.00151386
+  set Fillet radius = 0
+end
+subsection Table
+  set Interface = hard
+end
+subsection Contact
+  set Friction coupling = none
+  set Body = solid
+  set Azimuthal cells = 24
+  set Radial cells = 2
+  set Foot layers = 1
+  set Degree = 1
+end
+)");
+  const Ended ended = stemware(scratch, { "truncate", study, "--output", "results" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const auto budget = read_summary(scratch / "results")["budget"];
+  ASSERT_EQ(budget[1]["step"], "2");
+  const double ring = budget[1]["omega_terminal"];
+  EXPECT_NEAR(ring, 0.0144540, 1e-7);
+  EXPECT_NEAR(budget[2]["omega_terminal"].get<double>(), ring, 1e-7 * ring); // n <= 1 of the contact
+}
+
 TEST(SolidRun, TerminalSpinIsThatOfTheBodyOfRevolution)
 {
   const ScratchFolder scratch;

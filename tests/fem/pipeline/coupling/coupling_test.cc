@@ -2,9 +2,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/balanced_states.h"
 #include "fem/pipeline/coupling/load_curve.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/unilateral_foundation.h"
-#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -177,47 +175,6 @@ TEST(BalancedLoad, ThatIsConstantLooksAtNothing)
   EXPECT_EQ(constant.at(3, { 0.4, 1.2 }).difference(load), 0);
   EXPECT_FALSE(constant.follows_spin());
   EXPECT_EQ(constant.phases(), nullptr);
-}
-
-TEST(BalancedContact, OnOneCircleOfNodesIsThatOfTheRing)
-{
-  // A thick foot of linear elements on a hard table touches with the nodes at the contact radius alone.
-  // Without tilt the balance of such a load is that of a first harmonic on the ring, a closed form.
-  Study study;
-  ring::Motion &motion = study.motion.orbit;
-  motion.mass = 0.566464;
-  motion.centre_of_mass_height = 0.0531084;
-  motion.force_offset = -0.0794324;
-  motion.orbit_radius = 0.0797628;
-  motion.orbit_speed = 0.0522861;
-  motion.orbit_sense = ring::OrbitSense::clockwise;
-  motion.friction_coefficient = 0.0294098;
-  study.motion.tilt = false;
-  fem::GlassProfile &profile = study.glass.profile;
-  profile.contact_radius = 0.0448206;
-  profile.foot_radius = 0.0482618;
-  profile.foot_thickness = 0.00854572;
-  profile.land_width = 0.00558439;
-  profile.land_height = 0.00192998;
-  profile.crown_radius = 0.00536798;
-  profile.stem_radius = 0.0055316;
-  profile.stem_height = 0.00478865;
-  profile.underside_rise = 0.00136932;
-  profile.edge_thickness = 0.00151386;
-  profile.fillet_radius = 0;
-  study.glass.material = { 3.63862e9, 0.245367 };
-  study.table.interface = TableInterface::hard;
-  study.contact.body = BodyKind::solid;
-  study.contact.friction_coupling = FrictionCoupling::none;
-  study.contact.degree = 1;
-  study.contact.resolution.azimuthal_cells = 24;
-  study.contact.resolution.radial_cells = 2;
-  study.contact.resolution.foot_layers = 1;
-  const test::SolvedStudy solved(study);
-  const BalancedLoad ring = first_harmonic_load(study, ring::Closure::full);
-  const double expected = terminal_spin(ring, motion).spin.omega;
-  EXPECT_NEAR(expected, 0.014453983, 1e-9);
-  EXPECT_NEAR(solved.omega(), expected, 1e-6 * expected); // the harmonics beyond the first: 9e-7
 }
 
 } // namespace
