@@ -5,6 +5,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -40,6 +41,12 @@ Failure present_failure()
   catch (const fem::ContactFailure &failure)
   {
     return { std::string("No contact solution: ") + failure.what(), ExitCode::numerical_failure, true };
+  }
+  catch (const std::filesystem::filesystem_error &failure)
+  {
+    return { failure.path1().string() + " cannot be made, read or written (" + failure.code().message() +
+               "); make room, or choose another folder with --output.",
+             ExitCode::output_failure };
   }
   catch (const std::bad_alloc &)
   {
