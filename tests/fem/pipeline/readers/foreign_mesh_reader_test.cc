@@ -21,7 +21,7 @@ using Mesh = dealii::Triangulation<3, 3>;
 
 void make_small_foot(Mesh &mesh)
 {
-  fem::make_foot_mesh(Study().glass.profile, { 12, 2, 1 }, mesh);
+  fem::make_foot_mesh(fem::GlassProfile(), { 12, 2, 1 }, mesh);
 }
 
 const std::string &written(const std::string &extension)

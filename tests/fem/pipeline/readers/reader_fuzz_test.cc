@@ -172,14 +172,14 @@ std::string text_in_docs(const std::string &name)
 std::string small_mesh(const std::string &extension)
 {
   dealii::Triangulation<3> mesh;
-  fem::make_foot_mesh(Study().glass.profile, { 4, 1, 1 }, mesh);
+  fem::make_foot_mesh(fem::GlassProfile(), { 8, 2, 1 }, mesh);
   return fem_tests::mesh_text(mesh, extension);
 }
 
 std::string small_gmsh_4()
 {
   dealii::Triangulation<3> mesh;
-  fem::make_foot_mesh(Study().glass.profile, { 4, 1, 1 }, mesh);
+  fem::make_foot_mesh(fem::GlassProfile(), { 8, 2, 1 }, mesh);
   return fem_tests::gmsh_text_of_second_order(mesh, true);
 }
 
