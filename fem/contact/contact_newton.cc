@@ -53,6 +53,7 @@ public:
       , motion(start.motion)
       , normal_displacement(start.normal_displacement)
       , n_steps(start.n_steps)
+      , n_linear_iterations(start.n_linear_iterations)
   {
     evaluate();
   }
@@ -334,10 +335,8 @@ private:
     last_step_length = step_length;
     steadiness = increment.steadiness;
     n_linear_iterations += increment.linear_iterations;
-    if (control.checkpoint)
-      control.checkpoint({ motion, normal_displacement, n_steps });
     const unsigned int n_loaded_now = n_loaded(); // all parts count, whoever reports
-    if (!control.progress)
+    if (!control.progress && !control.checkpoint)
       return;
     ContactIteration iteration;
     iteration.number = n_steps;
@@ -346,7 +345,10 @@ private:
     iteration.residual = residual();
     iteration.step_length = step_length;
     iteration.linear_iterations = increment.linear_iterations;
-    control.progress(iteration);
+    if (control.checkpoint)
+      control.checkpoint({ motion, normal_displacement, n_steps, n_linear_iterations }, iteration);
+    if (control.progress)
+      control.progress(iteration);
   }
 
   ElasticBody &body;
@@ -364,8 +366,8 @@ private:
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
   double equilibrium = 0;             ///< the body's relative residual under the contact forces
   unsigned int n_steps;
+  unsigned int n_linear_iterations;
   unsigned int n_changed = 0;
-  unsigned int n_linear_iterations = 0;
   double last_step_length = 1;
   double steadiness = 1; ///< of the last increment
 };

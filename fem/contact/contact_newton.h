@@ -29,6 +29,7 @@ struct ContactStart
   Eigen::Vector3d motion;
   Eigen::VectorXd normal_displacement; ///< at the contact nodes [m]
   unsigned int n_steps = 0;            ///< Newton steps taken before, of a solve that goes on
+  unsigned int n_linear_iterations = 0; ///< and what they took
 };
 
 /// Stopping rule and limits of the contact driver.
@@ -51,7 +52,7 @@ struct ContactControl
   bool set_matters = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
   /// Called after each step, before `progress`, with where the solve could go on; may be empty.
-  std::function<void(const ContactStart &)> checkpoint;
+  std::function<void(const ContactStart &, const ContactIteration &)> checkpoint;
   /// Asked after each step: whether what has been found is enough, whatever the tolerances on the residual
   /// say; may be empty.
   std::function<bool(const ContactSolution &)> is_enough;

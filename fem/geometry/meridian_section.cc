@@ -63,6 +63,11 @@ Polyline ordered(Polyline polyline)
          "to the axis in the stem's cut.";
     refuse(message.str());
   }
+  // The time to leave out what lies on straight lines grows with the square of a zigzag's points.
+  constexpr std::size_t most_points = 10000;
+  if (polyline.size() > most_points)
+    refuse("a profile of " + std::to_string(polyline.size()) +
+           " points is finer than any mesh; give at most 10000, one every few micrometres.");
   const double tolerance = file_rounding * largest_radius(polyline);
   const auto coincide = [=](const SectionVertex &one, const SectionVertex &other)
   { return std::hypot(one.radius - other.radius, one.height - other.height) <= tolerance; };

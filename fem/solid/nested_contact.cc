@@ -60,14 +60,18 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
   const std::shared_ptr<const InterfaceLaw> softer = interface.softened(softening);
   try
   {
-    std::optional<ContactStart> start = checkpoint ? checkpoint->restore(*coarse) : std::nullopt;
+    std::optional<ContactStart> start;
+    if (checkpoint)
+      if (const auto kept = checkpoint->restore(*coarse))
+        start = kept->start;
     if (!start)
       start = coarse->is_coarsest()
                 ? start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius)
                 : start_from_coarser_mesh(*coarse, *softer, softening, demand, radius, checkpoint);
     ContactControl control = coarse_control(softening);
     if (checkpoint)
-      control.checkpoint = [&](const ContactStart &at) { checkpoint->save(*coarse, at); };
+      control.checkpoint = [&](const ContactStart &at, const ContactIteration &)
+      { checkpoint->save(*coarse, at, {}); };
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
       solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius, control,
@@ -78,7 +82,7 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
       hardened({ solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion },
                surface, softening);
     if (checkpoint)
-      checkpoint->save(body, next);
+      checkpoint->save(body, next, {});
     return next;
   }
   catch (const ContactFailure &)

@@ -212,11 +212,23 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
     }
   std::optional<ContactCheckpoint> checkpoint;
   std::optional<ContactStart> start;
+  std::vector<ContactIteration> history; // of this solve, with the steps before it was stopped
   if (!setup.checkpoint_folder.empty())
   {
-    checkpoint.emplace(setup.checkpoint_folder, setup.problem + text_of(demand, slip));
-    control.checkpoint = [&](const ContactStart &at) { checkpoint->save(body, at); };
-    start = checkpoint->restore(body);
+    checkpoint.emplace(setup.checkpoint_folder, setup.checkpoint_owner,
+                       setup.problem + text_of(demand, slip));
+    control.checkpoint = [&](const ContactStart &at, const ContactIteration &step)
+    {
+      history.push_back(step);
+      checkpoint->save(body, at, history);
+    };
+    if (const auto kept = checkpoint->restore(body))
+    {
+      start = kept->start;
+      history = kept->history;
+      for (const ContactIteration &step : history)
+        control.progress(step);
+    }
   }
   if (!start)
     start = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, radius,

@@ -1,9 +1,14 @@
 #include "fem/pipeline/coupling/driven_load.h"
 
+#include "fem/contact/contact_newton.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/numbers.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/hand_drive.h"
+
+#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -14,13 +19,26 @@ ring::TimedTorqueFunction driven_torque(const Study &study, const std::shared_pt
   const ring::Motion &motion = study.motion.orbit;
   if (!study.load.is_from_contact())
     return ring::driven_torque(study.motion.closure, motion, study.glass.profile.contact_radius, speeds);
-  return
-    [foot, speeds, motion, tilts = study.tilts(), moments = moment_balance(study)](double time, double omega)
+  return [foot, speeds, motion, tilts = study.tilts(), moments = moment_balance(study),
+          file = study.motion.orbit_speed_file](double time, double omega)
   {
     ContactBalance balance = { moments, tilts };
     balance.moments.motion = speeds.motion_at(motion, time);
-    const LeaningLoad load = BalancedContact(foot, balance).at(omega);
-    return ring::wrench(balance.moments.motion, load.rings, omega).torque + load.lean_torque();
+    try
+    {
+      const LeaningLoad load = BalancedContact(foot, balance).at(omega);
+      return ring::wrench(balance.moments.motion, load.rings, omega).torque + load.lean_torque();
+    }
+    catch (const fem::ContactFailure &failure)
+    {
+      if (failure.outcome != fem::ContactOutcome::tipping)
+        throw;
+      throw BadInput(fmt::format(
+        FMT_STRING("Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the "
+                   "glass falls over; give lower speeds, or more rows where the speed changes."),
+        shortened_path(file), to_short_text(time), to_short_text(balance.moments.motion.orbit_speed),
+        to_short_text(balance.moments.motion.orbit_acceleration)));
+    }
   };
 }
 

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -45,6 +46,12 @@ Failure present_failure()
   catch (const ring::NoBalance &failure)
   {
     return { failure.what(), ExitCode::numerical_failure, true };
+  }
+  catch (const std::filesystem::filesystem_error &failure)
+  {
+    return { failure.path1().string() + " cannot be made, read or written (" + failure.code().message() +
+               "); make room, or choose another folder with --output.",
+             ExitCode::output_failure };
   }
   catch (const std::bad_alloc &)
   {

@@ -92,9 +92,10 @@ fem::SolidSetup solid_setup(const Study &study)
   if (study.model.friction_in_foot)
     set_friction(study, setup);
   setup.checkpoint_folder = study.contact.checkpoint_folder;
-  if (!setup.checkpoint_folder.empty())
-    fem::ContactCheckpoint(setup.checkpoint_folder, ""); // says before the work where it cannot be made
-  setup.problem = study_as_prm(study);
+  setup.checkpoint_owner = study.contact.checkpoint_owner;
+  if (!setup.checkpoint_folder.empty()) // says before the work where it cannot be used
+    fem::ContactCheckpoint(setup.checkpoint_folder, setup.checkpoint_owner, "");
+  setup.problem = study_identity(study);
   for (const fem::MarkedCells &marked : study.contact.halved)
     setup.problem += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
   return setup;

@@ -6,6 +6,7 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
@@ -20,16 +21,32 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Blanks part columns only where nothing else does: "r (mm), z (mm)".
+/// What parts the columns of a line: semicolons or tabs, or else commas, or else blanks ("r (mm), z (mm)").
+std::string separators_of(const std::string &line)
+{
+  for (const char *marks : { ";\t", "," })
+    if (line.find_first_of(marks) != std::string::npos)
+      return marks;
+  return " ";
+}
+
 std::vector<std::string> cells_of(const std::string &line)
 {
-  const bool has_marks = line.find_first_of(",;\t") != std::string::npos;
+  const std::string separators = separators_of(line);
   std::vector<std::string> cells;
-  boost::split(cells, line, boost::is_any_of(has_marks ? ",;\t" : " "),
-               has_marks ? boost::token_compress_off : boost::token_compress_on);
+  boost::split(cells, line, boost::is_any_of(separators),
+               separators == " " ? boost::token_compress_on : boost::token_compress_off);
   for (std::string &cell : cells)
     boost::trim_if(cell, boost::is_any_of(" \"'"));
   return cells;
+}
+
+/// The number of a cell, in which the comma of "4,007;3,058" is a decimal one.
+std::optional<double> number_in_cell(std::string cell)
+{
+  if (std::count(cell.begin(), cell.end(), ',') == 1 && cell.find('.') == std::string::npos)
+    boost::replace_first(cell, ",", ".");
+  return parse_number(cell);
 }
 
 /// The unit behind the column's name, "r (mm)", "r [mm]" or "r mm", in units of SI.
@@ -62,10 +79,16 @@ std::vector<FileRow> read_column_file(const std::string &setting, const std::str
     const std::vector<std::string> cells = cells_of(line.text);
     std::vector<double> numbers, given_units;
     for (std::size_t i = 0; i < cells.size() && cells.size() == columns.size(); ++i)
-      if (const auto number = parse_number(cells[i]))
+      if (const auto number = number_in_cell(cells[i]))
         numbers.push_back(*number * units[i]);
       else if (const auto unit = unit_in(cells[i], columns[i]); unit && may_be_header)
         given_units.push_back(*unit);
+    if (may_be_header && numbers.empty() && given_units.size() < columns.size() &&
+        cells.size() == columns.size())
+      throw BadInput(fmt::format(
+        FMT_STRING("{}, line {}: the header \"{}\" does not name the columns {} with "
+                   "units of theirs; write \"{}\", or leave the header out."),
+        setting, line.number, shortened(line.text), fmt::join(names, ", "), fmt::join(header, ", ")));
     may_be_header = false;
     if (given_units.size() == columns.size())
       units = given_units;

@@ -81,7 +81,15 @@ public:
     const auto parse = [](const std::string &text)
     { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
     append(name, value, "a path without # and line ends, or nothing", help, parse,
-           [](const std::string &text) { return text; });
+           [](const std::string &text) { return text; })
+      .path_value = &value;
+  }
+
+  /// The path of a folder that the program may make.
+  void folder(const std::string &name, std::string &value, const std::string &help)
+  {
+    path(name, value, help);
+    entries.back().is_folder = true;
   }
 
   /// How a surface is out of flat.

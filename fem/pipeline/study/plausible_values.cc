@@ -4,9 +4,11 @@
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -103,6 +105,25 @@ std::string implausible_note(const std::string &path, double value)
   return fmt::format(FMT_STRING("{} = {}{} is outside {} to {}{} for a glass; {}."), path, number, unit,
                      to_short_text(range->least), to_short_text(range->most), unit,
                      meant.empty() ? "check number and unit" : meant);
+}
+
+void require_conceivable(const Study &study)
+{
+  constexpr double far = 1e9;
+  Study copy = study;
+  for (const StudyEntry &entry : study_entries(copy))
+    for (const PlausibleRange &range : plausible_ranges())
+    {
+      if (range.path != entry.path() || study.given_entries.count(range.path) == 0)
+        continue;
+      const double value = std::abs(entry.json().get<double>());
+      const double most = std::max(std::abs(range.least), range.most), least = std::max(range.least, 0.);
+      require(value <= far * most && (value == 0 || value >= least / far),
+              fmt::format(FMT_STRING("{} = {} {} is more than a billion times outside {} to {} {}, {}; check "
+                                     "number and unit."),
+                          range.path, to_short_text(entry.json().get<double>()), entry.unit,
+                          to_short_text(range.least), to_short_text(range.most), entry.unit, range.reason));
+    }
 }
 
 std::vector<std::string> implausible_notes(const Study &study)

@@ -24,6 +24,10 @@ const std::vector<PlausibleRange> &plausible_ranges();
 /// may be left out.
 std::string implausible_note(const std::string &path, double value);
 
+/// Throws BadInput with one sentence where a value that the study was given is more than a billion times
+/// outside its range: no unit is meant there, and the computation would overflow.
+void require_conceivable(const Study &study);
+
 /// Such a sentence for each entry that the study was given (Study::given_entries) and that has an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 

@@ -131,6 +131,7 @@ struct ContactSection
   std::string mesh_file; ///< empty: the mesh is generated from the glass
   fem::MeshMarks mesh_marks;
   std::string checkpoint_folder; ///< empty: no checkpoint is kept
+  std::string checkpoint_owner;  ///< the study as it was given, whose variants share the folder; not an entry
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;

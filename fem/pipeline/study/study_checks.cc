@@ -1,4 +1,5 @@
 #include "fem/pipeline/study/orbit_speed_file.h"
+#include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
@@ -165,6 +166,7 @@ void require_known_waviness(const Study &study)
 
 void check_study(const Study &study)
 {
+  require_conceivable(study);
   require_able_body(study);
   require_known_waviness(study);
   require_alike_lengths(study);

@@ -229,11 +229,11 @@ void add_contact(EntryList &list, ContactSection &contact)
               "What the cells that matter are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",
               "Error left of the goal, over its value");
-  list.path(
+  list.folder(
     "Checkpoint folder", contact.checkpoint_folder,
     "Folder for the state of a long contact solve of a refined solid body, kept after each Newton step: "
-    "the same study goes on from there when it was killed; empty: none. A relative path starts at the "
-    "study file");
+    "the same study goes on from there when it was killed; empty: none. The state of another study is kept "
+    "and said. A relative path starts at the study file");
   list.number("Memory limit", contact.memory_limit, positive, "B", "More is refused before the work");
 }
 

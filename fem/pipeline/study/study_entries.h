@@ -20,6 +20,8 @@ struct StudyEntry
   std::string help;                             ///< sentences, units included
   std::string unit;                             ///< "1" for pure numbers, empty for words and paths
   bool is_quantity = false;                     ///< takes any number, not only whole ones
+  std::string *path_value = nullptr;            ///< where the entry is a path: its value
+  bool is_folder = false;                       ///< the path is that of a folder, and not of a file to read
   std::function<std::string()> text;            ///< the present value as a study file writes it
   std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
   std::function<bool(const std::string &)>

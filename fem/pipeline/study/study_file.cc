@@ -4,7 +4,9 @@
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -34,9 +36,10 @@ std::pair<std::string, bool> beginning_of(std::istream &stream)
   return { text, stream.good() || stream.eof() };
 }
 
-/// @p text, once it is known to be that of a study; @p origin begins the sentence.
-std::string checked_text(const std::string &origin, const std::string &text)
+/// @p bytes as text, once it is known to be that of a study; @p origin begins the sentence.
+std::string checked_text(const std::string &origin, const std::string &bytes)
 {
+  const std::string text = without_byte_order_mark(origin, bytes);
   require(text.size() <= longest_study, origin +
                                           " is longer than 1 MB; give a study file, which has a line for "
                                           "each entry.");
@@ -99,7 +102,7 @@ std::optional<std::string> repeated_name(const std::string &text)
 
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
 {
-  const auto sections = nlohmann::ordered_json::parse(text, nullptr, false);
+  const nlohmann::ordered_json sections = parse_json(file, text);
   require(sections.is_object(),
           file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
   if (const auto name = repeated_name(text))
@@ -157,11 +160,14 @@ void forget_stated_defaults(Study &study)
       study.given_entries.erase(own[i].path());
 }
 
-/// The entries that name files.
-std::vector<std::string *> paths_of(Study &study)
+/// The paths that the study gives: of the files that it reads, and, with @p folders too, of folders.
+std::vector<std::string *> paths_of(Study &study, bool folders)
 {
-  return { &study.motion.orbit_speed_file, &study.glass.profile_file, &study.contact.mesh_file,
-           &study.load.file };
+  std::vector<std::string *> paths;
+  for (const StudyEntry &entry : study_entries(study))
+    if (entry.path_value && !entry.path_value->empty() && (folders || !entry.is_folder))
+      paths.push_back(entry.path_value);
+  return paths;
 }
 
 } // namespace
@@ -181,12 +187,12 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   else if (!file.empty())
     read_prm(file, contents(file), entries);
   forget_stated_defaults(study);
-  for (std::string *path : paths_of(study))
-    if (!path->empty())
-      *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
+  for (std::string *path : paths_of(study, true))
+    *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply_all(overrides, entries);
   attach_profile(study);
   check_study(study);
+  study.contact.checkpoint_owner = study_identity(study);
   return study;
 }
 
@@ -220,23 +226,30 @@ std::vector<std::string> files_of(const Study &study)
 {
   Study copy = study;
   std::vector<std::string> files;
-  for (const std::string *path : paths_of(copy))
-    if (!path->empty())
-      files.push_back(*path);
+  for (const std::string *path : paths_of(copy, false))
+    files.push_back(*path);
   return files;
 }
 
 Study with_paths_from(const std::filesystem::path &folder, Study study)
 {
-  for (std::string *path : paths_of(study))
-    if (!path->empty())
-      *path = std::filesystem::relative(*path, folder).string();
+  for (std::string *path : paths_of(study, true))
+    *path = std::filesystem::relative(*path, folder).string();
   return study;
 }
 
 std::string study_as_prm(const Study &study)
 {
   Study copy = study;
+  return prm_text(study_entries(copy), false);
+}
+
+std::string study_identity(const Study &study)
+{
+  Study copy = study;
+  copy.contact.checkpoint_folder.clear();
+  for (std::string *path : paths_of(copy, true))
+    *path = std::filesystem::absolute(*path).lexically_normal().string();
   return prm_text(study_entries(copy), false);
 }
 

@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
@@ -33,7 +34,9 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
   const auto order = parse_count(order_text);
   const auto amplitude = parse_quantity(amplitude_text, "m");
   const auto azimuth = azimuth_text ? parse_quantity(*azimuth_text, "rad") : 0.;
-  if (!order || *order < 2 || !amplitude || !azimuth)
+  constexpr double end_of_amplitudes = 1, end_of_azimuths = 1000;
+  if (!order || *order < 2 || !amplitude || !azimuth || !(std::abs(*amplitude) < end_of_amplitudes) ||
+      !(std::abs(*azimuth) < end_of_azimuths))
     return std::nullopt;
   return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
 }
@@ -42,7 +45,9 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 
 const char *const waviness_words =
   "harmonics \"n: amplitude @ azimuth\" (m, rad) separated by commas, such as 2: 5 um @ 20 deg, 3: 2e-6, "
-  "with n from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb), or nothing";
+  "with n from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb) and amplitudes "
+  "below "
+  "1 m, or nothing";
 
 std::optional<Waviness> parse_waviness(const std::string &text)
 {

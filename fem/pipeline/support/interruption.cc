@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/work_progress.h"
 
 #include <cerrno>
 #include <chrono>
@@ -24,6 +25,8 @@ struct Watch
   std::mutex mutex;
   std::function<void()> clean_up;
   std::function<std::string()> sentence;
+  std::string work_done;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::set<pid_t> children;
   bool first_rank = true; ///< asked in advance: MPI may be busy, or over, when the signal comes
 };
@@ -84,6 +87,15 @@ extern "C" void wake_up(int)
   errno = saved_errno;
 }
 
+std::string how_far()
+{
+  if (watch().work_done.empty())
+    return "";
+  const auto seconds = std::chrono::steady_clock::now() - watch().start;
+  return " after " + rough_duration(std::chrono::duration<double>(seconds).count()) + "; " +
+         watch().work_done + " done";
+}
+
 [[noreturn]] void end_program()
 {
   // Kept until the end, so that the working thread cannot publish results, or report that its folder is gone,
@@ -97,7 +109,7 @@ extern "C" void wake_up(int)
   // time to tidy up.
   if (!watch().first_rank)
     std::this_thread::sleep_for(std::chrono::seconds(1));
-  const std::string usual = "interrupted; no results were written.";
+  const std::string usual = "interrupted" + how_far() + "; no results were written.";
   const std::string message = "\nstemware: " + (watch().sentence ? watch().sentence() : usual) + "\n";
   if (watch().first_rank) [[maybe_unused]]
     const auto n_written = ::write(STDERR_FILENO, message.data(), message.size());
@@ -147,6 +159,12 @@ void clean_up_on_interruption(std::function<void()> clean_up)
 void say_on_interruption(std::function<std::string()> sentence)
 {
   watch().sentence = std::move(sentence);
+}
+
+void note_work_done(const std::string &work)
+{
+  const auto lock = postpone_interruption();
+  watch().work_done = work;
 }
 
 void kill_on_interruption(pid_t child)

@@ -27,6 +27,10 @@ void clean_up_on_interruption(std::function<void()> clean_up);
 /// the thread that does the clean-up. The caller holds the lock.
 void say_on_interruption(std::function<std::string()> sentence);
 
+/// How far the work is, for that sentence: "interrupted after 35 s; contact, 3 of 20 error bands done; no
+/// results were written." Takes the lock.
+void note_work_done(const std::string &work);
+
 /// A child process that is killed on interruption, before the clean-up, until it is spared. The caller holds
 /// the lock.
 void kill_on_interruption(pid_t child);

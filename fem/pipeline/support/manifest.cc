@@ -1,6 +1,7 @@
 #include "fem/pipeline/support/manifest.h"
 
 #include "fem/pipeline/support/folders.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/crc.hpp>
@@ -24,11 +25,11 @@ constexpr char seal[] = "crc64";
 
 bool is_sealed(const std::string &text)
 {
-  Json object = Json::parse(text, nullptr, false);
-  if (!object.is_object() || !object.contains(seal))
+  std::optional<Json> object = json_in(text);
+  if (!object || !object->is_object() || !object->contains(seal))
     return false;
-  object.erase(seal);
-  return sealed_text(object) == text;
+  object->erase(seal);
+  return sealed_text(*object) == text;
 }
 
 /// How the manifest describes a file with that content.
@@ -45,11 +46,11 @@ std::optional<Json> listed_files(const fs::path &folder)
   const fs::path file = folder / manifest_name;
   if (!is_plain_file(file))
     return std::nullopt;
-  const Json manifest = Json::parse(read_text_file(file), nullptr, false);
-  if (!manifest.is_object() || manifest.value("program", Json()) != "stemware" ||
-      !manifest.value("files", Json()).is_object())
+  const std::optional<Json> manifest = json_in(read_text_file(file));
+  if (!manifest || !manifest->is_object() || manifest->value("program", Json()) != "stemware" ||
+      !manifest->value("files", Json()).is_object())
     return std::nullopt;
-  return manifest["files"];
+  return (*manifest)["files"];
 }
 
 /// All that is in a folder and the folders in it, by relative path, sorted: a folder comes before what is in
@@ -84,9 +85,9 @@ bool is_older_summary(const fs::path &file)
 {
   if (!is_plain_file(file))
     return false;
-  const Json summary = Json::parse(read_text_file(file), nullptr, false);
-  return summary.is_object() && summary.contains("schema") && summary.contains("program") &&
-         summary.contains("files");
+  const std::optional<Json> summary = json_in(read_text_file(file));
+  return summary && summary->is_object() && summary->contains("schema") && summary->contains("program") &&
+         summary->contains("files");
 }
 
 } // namespace

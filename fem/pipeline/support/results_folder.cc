@@ -25,6 +25,17 @@ namespace
                 path.string(), error.message()));
 }
 
+/// Removes a file, or a folder and what is in it. Unlike fs::remove_all() with one open descriptor at a time:
+/// others may be what has run out.
+void remove_tree(const fs::path &path)
+{
+  std::error_code ignored;
+  if (is_plain_folder(path))
+    for (const std::string &name : names_in(path))
+      remove_tree(path / name);
+  fs::remove(path, ignored);
+}
+
 /// Deletes a folder that this process has made, and into which another of its threads may still be writing:
 /// out of its reach first, then again if a file came in between.
 void remove_own_folder(const fs::path &folder) noexcept
@@ -34,7 +45,14 @@ void remove_own_folder(const fs::path &folder) noexcept
   away += ".removed";
   fs::rename(folder, away, error);
   for (unsigned int attempt = 0; attempt < 10 && fs::exists(away, error); ++attempt)
-    fs::remove_all(away, error);
+    try
+    {
+      remove_tree(away);
+    }
+    catch (const fs::filesystem_error &)
+    {
+      // What cannot be looked at stays.
+    }
 }
 
 bool begins_with(const std::string &text, const std::string &start)
@@ -136,6 +154,7 @@ ResultsFolder::~ResultsFolder()
 
 void ResultsFolder::remove_partial() noexcept
 {
+  claim = FolderClaim(); // and its descriptor is free
   remove_own_folder(partial);
   remove_empty_folders(created_parents);
 }

@@ -120,6 +120,15 @@ void require_regular_file(const std::string &setting, const std::filesystem::pat
   require(std::filesystem::is_regular_file(status), setting + " is not a file; give the path of a file.");
 }
 
+std::string without_byte_order_mark(const std::string &origin, std::string text)
+{
+  require(text.compare(0, 2, "\xFF\xFE") != 0 && text.compare(0, 2, "\xFE\xFF") != 0,
+          origin + " is in UTF-16, two bytes a letter; save it as UTF-8.");
+  if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    text.erase(0, 3);
+  return text;
+}
+
 std::vector<TextLine> read_lines(const std::string &setting, const std::filesystem::path &file)
 {
   constexpr std::uintmax_t most_bytes = 16000000;
@@ -132,8 +141,8 @@ std::vector<TextLine> read_lines(const std::string &setting, const std::filesyst
   std::string text;
   for (unsigned int number = 1; std::getline(stream, text); ++number)
   {
-    if (number == 1 && text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-      text.erase(0, 3);
+    if (number == 1)
+      text = without_byte_order_mark(setting, text);
     boost::trim(text);
     if (!text.empty())
       lines.push_back({ text, number });

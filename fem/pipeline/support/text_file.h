@@ -29,6 +29,10 @@ std::string read_text_file(const std::filesystem::path &file);
 /// there and is no folder, pipe or device.
 void require_regular_file(const std::string &setting, const std::filesystem::path &file);
 
+/// @p text without the byte order mark that editors of Windows put before it. Throws BadInput with one
+/// sentence, which begins with @p origin, where that says UTF-16.
+std::string without_byte_order_mark(const std::string &origin, std::string text);
+
 /// A line of a text file.
 struct TextLine
 {

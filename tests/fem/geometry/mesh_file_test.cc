@@ -131,8 +131,7 @@ TEST(MeshFile, OfSecondOrderIsReadByItsCorners)
     EXPECT_EQ(report.n_contact_faces, expected.n_contact_faces);
     EXPECT_TRUE(report.round_rim);
     EXPECT_EQ(mesh.n_used_vertices(), drawn.n_used_vertices());
-    // deal.II passes on nine digits of an .inp.
-    EXPECT_NEAR(dealii::GridTools::volume(mesh) / dealii::GridTools::volume(first), 1, 1e-9);
+    EXPECT_NEAR(dealii::GridTools::volume(mesh) / dealii::GridTools::volume(first), 1, 1e-14);
   }
 }
 

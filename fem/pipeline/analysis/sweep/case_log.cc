@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/sweep/case_log.h"
 
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <nlohmann/json.hpp>
@@ -47,7 +48,7 @@ std::optional<std::pair<std::size_t, CaseResult>> case_of(const std::string &lin
 {
   try
   {
-    const Json json = Json::parse(line);
+    const Json json = json_in(line).value_or(Json());
     CaseResult result;
     result.outcome = json.at("outcome").get<std::string>();
     result.message = json.at("message").get<std::string>();

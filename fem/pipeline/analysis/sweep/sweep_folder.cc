@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
 
@@ -121,8 +122,8 @@ void SweepFolder::take()
 void SweepFolder::require_own() const
 {
   const Json plan =
-    Json::parse(is_plain_file(folder / plan_name) ? read_text_file(folder / plan_name) : "", nullptr, false);
-  const bool has_plan = plan.is_object() && plan.value("what", "") == what_it_is;
+    json_in(is_plain_file(folder / plan_name) ? read_text_file(folder / plan_name) : "").value_or(Json());
+  const bool has_plan = plan.is_object() && plan.value("what", Json()) == what_it_is;
   for (const std::string &name : names_in(folder))
     if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
       throw OutputFailure(
@@ -144,7 +145,8 @@ void SweepFolder::adopt(const Json &identity, bool restart)
   if (n_finished > 0)
     throw OutputFailure(fmt::format(FMT_STRING("The folder {} keeps {} finished cases of {}; choose another "
                                                "folder with --output, or add --restart to throw them away."),
-                                    folder.string(), n_finished, difference(Json::parse(kept), identity)));
+                                    folder.string(), n_finished,
+                                    difference(json_in(kept).value_or(Json::object()), identity)));
   for (const fs::path &log : logs_that_are_in(folder))
     fs::remove(log);
   write_durably(plan, wanted);

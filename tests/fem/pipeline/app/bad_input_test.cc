@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
              "Glass/Contact radius = nan is not allowed" },
     BadFile{ "nothing.prm", "subsection Glass\n  set Contact radius =\nend\n",
              "Glass/Contact radius = (nothing) is not allowed" },
-    BadFile{ "broken.json", "{\"Glass\": ", "is not a JSON object" },
+    BadFile{ "broken.json", "{\"Glass\": ", "line 1, column 11: the JSON ends before it is complete" },
     BadFile{ "entry.json", "{\"Glass\": {\"Contact radus\": 1}}", "did you mean Glass/Contact radius" },
     BadFile{ "value.json", "{\"Glass\": {\"Contact radius\": -1}}",
              "Glass/Contact radius = -1 is not allowed" }),

@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
 #include <functional>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace stemware::pipeline
 {
@@ -85,6 +88,27 @@ TEST(ResultsFolder, LeavesNothingWhenNotPublished)
     const ResultsFolder folder(scratch / "results/deep/paper");
     write_text_file(folder.working_folder() / "a", "1");
   }
+  EXPECT_EQ(names_in(scratch.path()), Names{});
+}
+
+TEST(ResultsFolder, LeavesNothingWhenDescriptorsHaveRunOut)
+{
+  const ScratchFolder scratch;
+  rlimit before;
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit few = { 100, before.rlim_max };
+  std::vector<int> descriptors;
+  {
+    const ResultsFolder folder(scratch / "results");
+    write_results(folder.working_folder(), "lost");
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+    for (int descriptor = 0; (descriptor = ::open("/dev/null", O_RDONLY)) >= 0;)
+      descriptors.push_back(descriptor);
+  }
+  for (const int descriptor : descriptors)
+    ::close(descriptor);
+  ::setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_FALSE(descriptors.empty());
   EXPECT_EQ(names_in(scratch.path()), Names{});
 }
 

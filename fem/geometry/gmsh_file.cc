@@ -1,0 +1,238 @@
+#include "fem/geometry/mesh_content.h"
+
+#include <cstdlib>
+#include <map>
+#include <utility>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+constexpr char advice[] =
+  "export hexahedra (Mesh.RecombineAll) of first or second order in format 2 or 4, ASCII.";
+
+/// What the elements of one of Gmsh's types are here.
+struct GmshType
+{
+  unsigned int n_nodes;
+  unsigned int n_corners; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
+};
+
+const std::map<long, GmshType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
+                                              { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
+                                              { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
+                                              { 12, { 27, 8 } }, { 17, { 20, 8 } } };
+
+GmshType type_of(long number)
+{
+  const auto type = gmsh_types.find(number);
+  if (type == gmsh_types.end())
+    throw UnreadableMesh("has elements of Gmsh's type " + std::to_string(number) + "; " + advice);
+  return type->second;
+}
+
+/// What stands between "$Name" and "$EndName", by name.
+std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
+{
+  std::map<std::string, std::string_view> sections;
+  while (true)
+  {
+    const std::size_t mark = text.find('$');
+    if (mark == std::string_view::npos)
+      return sections;
+    text.remove_prefix(mark + 1);
+    const std::string name(text.substr(0, std::min<std::size_t>(text.find_first_of(" \t\r\n"), 40)));
+    text.remove_prefix(name.size());
+    const std::size_t end = text.find("$End" + name);
+    if (end == std::string_view::npos)
+      throw UnreadableMesh("has no $End" + name.substr(0, 20) + "; export the mesh anew.");
+    const bool is_data = name != "MeshFormat" && name != "Entities" && name != "Nodes" && name != "Elements";
+    if (!sections.emplace(name, text.substr(0, end)).second && !is_data)
+      throw UnreadableMesh("has two sections $" + name.substr(0, 20) + "; export the mesh anew.");
+    text.remove_prefix(end + 4 + name.size());
+  }
+}
+
+/// Reads one file.
+class GmshReader
+{
+public:
+  explicit GmshReader(const std::string &text)
+      : sections(sections_of_gmsh(text))
+  {
+  }
+
+  MeshContent read()
+  {
+    read_format();
+    if (is_format_4 && sections.count("Entities") > 0)
+      read_surfaces();
+    is_format_4 ? read_nodes_4() : read_nodes_2();
+    is_format_4 ? read_elements_4() : read_elements_2();
+    content.points = std::move(points.points);
+    return std::move(content);
+  }
+
+private:
+  Words section(const std::string &name) const
+  {
+    const auto found = sections.find(name);
+    if (found == sections.end())
+      throw UnreadableMesh(std::string("is not a Gmsh .msh mesh of hexahedra; ") + advice);
+    return Words(found->second);
+  }
+
+  void read_format()
+  {
+    Words words = section("MeshFormat");
+    const std::string version(words.next());
+    is_format_4_0 = version == "4" || version == "4.0";
+    is_format_4 = is_format_4_0 || version == "4.1";
+    if (!is_format_4 && version != "2" && version != "2.0" && version != "2.1" && version != "2.2")
+      throw UnreadableMesh("is in Gmsh's format " + version.substr(0, 10) +
+                           "; save it in format 2 or 4 (Mesh.MshFileVersion = 2.2 or 4.1).");
+    if (words.next() != "0")
+      throw UnreadableMesh("is binary; save it in ASCII (Mesh.Binary = 0).");
+  }
+
+  /// The physical ids of the surfaces.
+  void read_surfaces()
+  {
+    Words words = section("Entities");
+    long n[3];
+    for (long &n_entities : n)
+      n_entities = words.whole_number();
+    words.whole_number(); // volumes
+    for (int dimension = 0; dimension < 3; ++dimension)
+      for (long i = 0; i < n[dimension]; ++i)
+      {
+        const long entity = words.whole_number();
+        for (int k = 0; k < (dimension == 0 && !is_format_4_0 ? 3 : 6); ++k)
+          words.number();
+        const long n_physical = words.whole_number();
+        for (long k = 0; k < n_physical; ++k)
+        {
+          const long id = std::labs(words.whole_number());
+          if (dimension == 2 && !physical_id.emplace(entity, id).second)
+            throw UnreadableMesh("has a surface with several physical ids; give each surface one.");
+        }
+        const long n_bounds = dimension == 0 ? 0 : words.whole_number();
+        for (long k = 0; k < n_bounds; ++k)
+          words.whole_number();
+      }
+  }
+
+  std::array<double, 3> point(Words &words) const
+  {
+    std::array<double, 3> x;
+    for (double &coordinate : x)
+      coordinate = words.number();
+    return x;
+  }
+
+  void read_nodes_2()
+  {
+    Words words = section("Nodes");
+    const long n = words.whole_number();
+    for (long i = 0; i < n; ++i)
+    {
+      const long number = words.whole_number();
+      points.add(number, point(words));
+    }
+  }
+
+  void read_nodes_4()
+  {
+    Words words = section("Nodes");
+    const long n_blocks = words.whole_number();
+    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // numbers of nodes, the least and the largest
+      words.whole_number();
+    for (long block = 0; block < n_blocks; ++block)
+    {
+      long head[4];
+      for (long &number : head)
+        number = words.whole_number();
+      const long dimension = head[is_format_4_0 ? 1 : 0], n_parameters = head[2] != 0 ? dimension : 0;
+      std::vector<long> numbers;
+      for (long i = 0; i < head[3] && !is_format_4_0; ++i)
+        numbers.push_back(words.whole_number());
+      for (long i = 0; i < head[3]; ++i)
+      {
+        const long number = is_format_4_0 ? words.whole_number() : numbers[static_cast<std::size_t>(i)];
+        points.add(number, point(words));
+        for (long k = 0; k < n_parameters; ++k)
+          words.number();
+      }
+    }
+  }
+
+  void read_elements_2()
+  {
+    Words words = section("Elements");
+    const long n = words.whole_number();
+    for (long i = 0; i < n; ++i)
+    {
+      words.whole_number(); // of the element
+      const GmshType type = type_of(words.whole_number());
+      const long n_tags = words.whole_number();
+      long id = 0;
+      for (long k = 0; k < n_tags; ++k)
+      {
+        const long tag = words.whole_number();
+        id = k == 0 ? std::labs(tag) : id;
+      }
+      add_element(type, id, words);
+    }
+  }
+
+  void read_elements_4()
+  {
+    Words words = section("Elements");
+    const long n_blocks = words.whole_number();
+    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
+      words.whole_number();
+    for (long block = 0; block < n_blocks; ++block)
+    {
+      long head[4];
+      for (long &number : head)
+        number = words.whole_number();
+      const GmshType type = type_of(head[2]);
+      const auto id = physical_id.find(head[is_format_4_0 ? 0 : 1]);
+      for (long i = 0; i < head[3]; ++i)
+      {
+        words.whole_number(); // of the element
+        add_element(type, id == physical_id.end() ? 0 : id->second, words);
+      }
+    }
+  }
+
+  void add_element(const GmshType &type, long id, Words &words)
+  {
+    nodes.clear();
+    for (unsigned int k = 0; k < type.n_nodes; ++k)
+      nodes.push_back(words.whole_number());
+    if (type.n_corners == 8)
+      content.hexahedra.push_back(corners_of<8>(points, nodes));
+    else if (type.n_corners == 4 && id != 0)
+      content.faces.push_back({ corners_of<4>(points, nodes), marked_id(id) });
+    content.is_second_order = content.is_second_order || (type.n_corners == 8 && type.n_nodes > 8);
+  }
+
+  std::map<std::string, std::string_view> sections;
+  bool is_format_4 = false, is_format_4_0 = false;
+  std::map<long, long> physical_id; ///< by the number of the surface
+  NumberedPoints points;
+  MeshContent content;
+  std::vector<long> nodes; ///< of one element
+};
+
+} // namespace
+
+MeshContent read_gmsh(const std::string &text)
+{
+  return GmshReader(text).read();
+}
+
+} // namespace stemware::fem

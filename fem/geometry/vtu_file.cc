@@ -1,0 +1,145 @@
+#include "fem/geometry/mesh_content.h"
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+using Tree = boost::property_tree::ptree;
+
+/// Arrays of a VTU file by their names.
+using Arrays = std::map<std::string, std::vector<double>>;
+
+Arrays arrays_of(const Tree &parent)
+{
+  Arrays arrays;
+  for (const auto &[key, node] : parent)
+  {
+    if (key != "DataArray")
+      continue;
+    if (node.get<std::string>("<xmlattr>.format", "") != "ascii")
+      throw UnreadableMesh(
+        "is a binary .vtu; save it in ASCII (ParaView: Save Data, Data Mode Ascii), or as .msh.");
+    std::vector<double> &values = arrays[node.get<std::string>("<xmlattr>.Name", "")];
+    Words words(node.data());
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+    {
+      const auto value = number_in(word);
+      if (!value)
+        throw UnreadableMesh("has an array in which not all entries are numbers; save it anew, in ASCII.");
+      values.push_back(*value);
+    }
+  }
+  return arrays;
+}
+
+/// A number of an array as an index below @p end.
+unsigned int to_index(double value, std::size_t end)
+{
+  if (!(value >= 0 && value < static_cast<double>(end)))
+    throw UnreadableMesh("names a point or a place that it does not have; save it anew, in ASCII.");
+  return static_cast<unsigned int>(value);
+}
+
+/// The cells of one piece.
+class VtuPiece
+{
+public:
+  explicit VtuPiece(const Tree &piece)
+  {
+    const Arrays points = arrays_of(piece.get_child("Points"));
+    const Arrays topology = arrays_of(piece.get_child("Cells"));
+    const Arrays data = piece.count("CellData") > 0 ? arrays_of(piece.get_child("CellData")) : Arrays();
+    if (points.empty() || points.begin()->second.size() % 3 != 0)
+      throw UnreadableMesh("has points without three coordinates; save it anew, in ASCII.");
+    for (auto x = points.begin()->second.begin(); x != points.begin()->second.end(); x += 3)
+      content.points.push_back({ x[0], x[1], x[2] });
+    nodes = topology.at("connectivity");
+    const std::vector<double> &types = topology.at("types"), &ends = topology.at("offsets");
+    const auto ids = data.find("boundary_id");
+    for (std::size_t i = 0; i < types.size(); ++i)
+      add_cell(types[i], ends.at(i), ids == data.end() ? 0 : ids->second.at(i));
+    if (content.hexahedra.empty())
+      throw UnreadableMesh("has no hexahedra; save hexahedra.");
+  }
+
+  MeshContent content;
+
+private:
+  void add_cell(double type, double end, double id)
+  {
+    // Number of nodes by type, corners first.
+    static const std::map<double, std::size_t> hexahedra = { { 12, 8 }, { 25, 20 }, { 29, 27 } },
+                                               quadrilaterals = { { 9, 4 }, { 23, 8 }, { 28, 9 } };
+    if (const auto found = hexahedra.find(type); found != hexahedra.end())
+    {
+      content.is_second_order = content.is_second_order || found->second > 8;
+      content.hexahedra.push_back(corners<8>(end, found->second));
+    }
+    else if (const auto found = quadrilaterals.find(type); found != quadrilaterals.end())
+    {
+      constexpr std::size_t end_of_ids = 1000000000;
+      const MarkedFace face = { corners<4>(end, found->second), to_index(id, end_of_ids) };
+      if (face.id != 0)
+        content.faces.push_back(face);
+    }
+    else
+    {
+      std::ostringstream number;
+      number << type;
+      throw UnreadableMesh(
+        "has cells of VTK's type " + number.str() +
+        "; save hexahedra (12, 25, 29) and, for the ids of faces, quadrilaterals (9, 23, 28).");
+    }
+  }
+
+  template <std::size_t n>
+  std::array<unsigned int, n> corners(double end, std::size_t n_nodes) const
+  {
+    const std::size_t begin = to_index(end - static_cast<double>(n_nodes), nodes.size());
+    std::array<unsigned int, n> corners;
+    for (std::size_t k = 0; k < n; ++k)
+      corners[k] = to_index(nodes.at(begin + k), content.points.size());
+    return corners;
+  }
+
+  std::vector<double> nodes;
+};
+
+} // namespace
+
+MeshContent read_vtu(const std::string &text)
+{
+  // The parser of XML calls itself for every level.
+  constexpr long most_tags = 2000;
+  if (std::count(text.begin(), text.end(), '<') > most_tags)
+    throw UnreadableMesh("has more than 2000 tags of XML; save one unstructured grid in ASCII.");
+  Tree tree;
+  try
+  {
+    std::istringstream stream(text);
+    boost::property_tree::read_xml(stream, tree);
+    const Tree &grid = tree.get_child("VTKFile.UnstructuredGrid");
+    if (grid.count("Piece") > 1)
+      throw UnreadableMesh("has " + std::to_string(grid.count("Piece")) +
+                           " pieces; save it as one (ParaView: the filter Merge Blocks, or Clean to Grid).");
+    return VtuPiece(grid.get_child("Piece")).content;
+  }
+  catch (const boost::property_tree::ptree_error &)
+  {
+  }
+  catch (const std::out_of_range &)
+  {
+  }
+  throw UnreadableMesh("is not a .vtu mesh of hexahedra; save an unstructured grid of one piece in ASCII.");
+}
+
+} // namespace stemware::fem

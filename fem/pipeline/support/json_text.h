@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// The JSON of @p text, which may come from anywhere. Throws BadInput with one sentence, which begins with
+/// @p origin and names line and column, where it is broken, or nested deeper than any file of a study.
+nlohmann::ordered_json parse_json(const std::string &origin, const std::string &text);
+
+/// The same for files that the program itself has written: nothing where they are broken.
+std::optional<nlohmann::ordered_json> json_in(const std::string &text);
+
+} // namespace stemware::pipeline
