@@ -1,58 +1,158 @@
-// A narrow ring pressed into a thick disc, against line contact on an elastic half-space (leading order in
-// width / radius).
+// Thick discs and layers against an elastic half-space and a bonded layer. Kinds of reference: closed forms
+// under quadrature (Boussinesq, Cerruti, the layer's transfer function), and the flat annular punch by other
+// code.
 #include "tests/fem/revolution/revolution_case.h"
+#include "tests/verification/half_space_formulas.h"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 using namespace stemware::revolution_tests;
+using namespace stemware::verification;
 
 namespace
 {
 
-/// Displacement of a rigid strip under q_n cos(n theta) per length over w_n = q_n/(pi E*) [2 ln(16 R/b) - 4
-/// sum_{k <= n} 1/(2k - 1)], the leading order for a flat strip of half-width b: farthest from 1 over n = 1
-/// ... 6.
-double deviation_from_line_load(unsigned int refinements)
+const ElasticMaterial wood{ 10e9, 0.3 };
+
+/// A land of equal cells.
+GlassProfile strip(double width)
 {
-  GlassProfile strip;
-  strip.land_width = 2e-4;
-  strip.crown_radius = 0;
-  TableDisc disc;
-  disc.radius = 0.3;
-  disc.thickness = 0.3;
-  const ElasticMaterial material{ 10e9, 0.3 };
-  const double modulus = material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
+  GlassProfile profile;
+  profile.land_width = width;
+  profile.crown_radius = 0;
+  return profile;
+}
+
+ContactCompliance compliance_of_disc(const TableDisc &disc, const ElasticMaterial &material,
+                                     const GlassProfile &profile, unsigned int refinements,
+                                     unsigned int n_harmonics)
+{
   MeridianResolution resolution = equal_cells(refinements);
   resolution.land_cells = 8;
   dealii::Triangulation<2> triangulation;
-  make_meridian_mesh(disc, strip, resolution, triangulation);
-  const ContactCompliance compliance = compute_compliance(triangulation, material, { 2, 6 });
+  make_meridian_mesh(disc, profile, resolution, triangulation);
+  return compute_compliance(triangulation, material, { 2, n_harmonics });
+}
 
-  double sum = 0;
-  double farthest = 0;
-  for (unsigned int n = 1; n <= 6; ++n)
-  {
-    sum += 1 / (2. * n - 1);
-    // Force per radian that moves the whole strip by one metre.
-    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(compliance.n_nodes());
-    const double force = Eigen::LLT<Eigen::MatrixXd>(compliance.harmonics[n].normal).solve(ones).sum();
-    const double line_load = force / strip.contact_radius;
-    const double half_width = strip.land_width / 2;
-    const double displacement =
-      line_load / (M_PI * modulus) * (2 * std::log(16 * strip.contact_radius / half_width) - 4 * sum);
-    farthest = std::max(farthest, std::abs(1 / displacement - 1));
-  }
-  return farthest;
+/// int N_i r dr over the quadratic elements in @p band, Simpson's rule on N_i r of degree three: what a unit
+/// pressure puts on the nodes, and the weights of the mean displacement.
+Eigen::VectorXd nodes_of(const ContactCompliance &compliance, Band band)
+{
+  const Eigen::VectorXd &radii = compliance.radii;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(radii.size());
+  for (Eigen::Index first = 0; first + 2 < radii.size(); first += 2)
+    if (radii(first + 1) > band.inner && radii(first + 1) < band.outer)
+      for (const Eigen::Index node : { 0, 1, 2 })
+        weights(first + node) +=
+          (node == 1 ? 4 : 1) * (radii(first + 2) - radii(first)) / 6 * radii(first + node);
+  return weights;
 }
 
 } // namespace
 
-TEST(HalfSpace, NarrowRigidRingSinksInLikeALineLoad)
+// Kind of the reference: closed form. n = 24 is what stands for all harmonics beyond 16.
+TEST(HalfSpace, SinksInUnderRingsOfPressureAsBoussinesqs)
 {
-  const double coarse = deviation_from_line_load(0);
-  const double fine = deviation_from_line_load(1);
-  EXPECT_LT(coarse, 0.022); // the pressure is singular at the strip's edges: first order in the cell size
-  EXPECT_LT(fine, 0.012);
-  EXPECT_LT(fine, coarse / 1.6);
+  const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
+  const Band whole = { 0.028, 0.032 }, inner = { 0.028, 0.03 }, outer = { 0.03, 0.032 };
+  for (const unsigned int n : { 2u, 3u, 6u, 16u, 24u })
+  {
+    const Eigen::MatrixXd &normal = n == 24 ? disc.beyond.normal : disc.harmonics[n].normal;
+    for (const auto &[loaded, seen] : { std::pair(whole, whole), { inner, outer }, { outer, inner } })
+      EXPECT_NEAR(nodes_of(disc, seen).dot(normal * nodes_of(disc, loaded)) /
+                    normal_compliance(n, loaded, seen, wood),
+                  1, n < 16 ? 1.5e-3 : 3e-3)
+        << "n = " << n;
+  }
+}
+
+// Kind of the reference: closed form. A body of revolution answers to harmonic 20 of forces on its lines,
+// which is beyond its 16, as a half-space to harmonic 24; what it does to 5 and to 24 is told apart by a
+// factor.
+TEST(HalfSpace, AnswersToHarmonicsBeyondTheHighestAsAtHalfAnOctaveUp)
+{
+  constexpr unsigned int n_lines = 64;
+  const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
+  const Band whole = { 0.028, 0.032 };
+  const Eigen::VectorXd nodes = nodes_of(disc, whole);
+  BodyOfRevolution body(
+    disc, [](double, double) { return 0.; }, n_lines);
+  for (const auto &[n, answers_as] : { std::pair(5u, 5u), { 20u, 24u } })
+  {
+    Eigen::MatrixXd forces(nodes.size(), n_lines);
+    for (unsigned int j = 0; j < n_lines; ++j)
+      forces.col(j) = nodes * (2 * M_PI / n_lines * std::cos(2 * M_PI * n * j / n_lines));
+    body.set_forces(forces.reshaped());
+    const Eigen::VectorXd ahead = body.contact_displacement().head(nodes.size()); // on the line theta = 0
+    EXPECT_NEAR(nodes.dot(ahead) / normal_compliance(answers_as, whole, whole, wood), 1, 3e-3) << n;
+  }
+}
+
+// Kind of the reference: closed form. A traction outwards lowers what lies outside, and one sense of the
+// azimuthal one raises both sides: with either sign turned, the two bands are not met.
+TEST(HalfSpace, RisesAndSinksUnderTangentialTractionsAsCerrutis)
+{
+  const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 6);
+  const Band inner = { 0.028, 0.03 }, outer = { 0.03, 0.032 };
+  for (const unsigned int n : { 2u, 3u, 6u })
+    for (const auto &[loaded, seen] : { std::pair(inner, outer), { outer, inner } })
+    {
+      const TangentialCompliance expected = tangential_compliance(n, loaded, seen, wood);
+      const Eigen::VectorXd force = nodes_of(disc, loaded), mean = nodes_of(disc, seen);
+      EXPECT_NEAR(mean.dot(disc.harmonics[n].radial * force) / expected.radial, 1, 5e-3) << n;
+      EXPECT_NEAR(mean.dot(disc.harmonics[n].azimuthal * force) / expected.azimuthal, 1, 5e-3) << n;
+    }
+}
+
+// Kind of the reference: closed form (the layer's transfer function, Johnson section 5.8). A contact narrower
+// than the layer is thick, one wider, and a layer that bulges.
+TEST(Layer, SinksInUnderRingsOfPressureAsItsTransferFunctionSays)
+{
+  const struct
+  {
+    double thickness, poisson_ratio;
+    unsigned int refinements;
+  } layers[] = { { 5e-3, 0, 1 }, { 5e-3, 0.3, 1 }, { 5e-5, 0, 2 } };
+  for (const auto &[thickness, poisson_ratio, refinements] : layers)
+  {
+    const ElasticMaterial cork{ 5e6, poisson_ratio };
+    const ContactCompliance layer =
+      compliance_of_disc({ 0.15, thickness }, cork, strip(4e-4), refinements, 2);
+    const Band whole = { 0.0298, 0.0302 };
+    const Eigen::VectorXd nodes = nodes_of(layer, whole);
+    for (const unsigned int n : { 0u, 2u })
+      EXPECT_NEAR(nodes.dot(layer.harmonics[n].normal * nodes) /
+                    normal_compliance(n, whole, whole, cork, thickness),
+                  1, 2e-3)
+        << "h = " << thickness << ", nu = " << poisson_ratio << ", n = " << n;
+  }
+}
+
+// Kind of the reference: other code. A flat annulus of inner over outer radius 0.8 pressed by w cos(n theta)
+// into a half-space carries the load lambda cos(n theta) per radian, lambda / (E* w r_outer), by
+// Gauss-Chebyshev collocation to all digits given. The pressure is singular at both edges: first order in the
+// cell size, so two meshes tell what none has.
+TEST(HalfSpace, AnnularPunchCarriesItsHarmonics)
+{
+  const double expected[] = { 0.2857201, 0.4754128, 0.6069588, 0.7230618, 0.8324388, 0.9382850, 1.0420858 };
+  GlassProfile annulus = strip(0.006);
+  annulus.contact_radius = 0.027;
+  double before[7];
+  for (const unsigned int refinements : { 0u, 1u })
+  {
+    const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, annulus, refinements, 6);
+    for (unsigned int n = 2; n <= 6; ++n)
+    {
+      // Force per radian that moves the whole annulus by one metre.
+      const Eigen::VectorXd ones = Eigen::VectorXd::Ones(disc.n_nodes());
+      const double force = Eigen::LLT<Eigen::MatrixXd>(disc.harmonics[n].normal).solve(ones).sum();
+      const double now = force / (plane_strain_modulus(wood) * 0.03);
+      if (refinements == 1)
+      {
+        EXPECT_NEAR((2 * now - before[n]) / expected[n], 1, 4e-3) << n;
+      }
+      before[n] = now;
+    }
+  }
 }

@@ -131,7 +131,21 @@ TEST(ContactDriver, EveryConvergedRunBalances)
   for (const double modulus : { 1e8, 1e10, 1e12 })
     for (const double m : { 0., 0.7, 1.4, 1.95 })
     {
-      foot.solve_on_winkler(modulus, load_at(m, 2.1));
+      const auto mat = make_law(WinklerInterface(modulus), foot.body->contact_surface());
+      const Resultants demand = load_at(m, 2.1);
+      foot.solve(*mat, demand);
+      // Plain sums over the pressure where it lies, and over the nodal forces.
+      const ContactSurface &surface = foot.body->contact_surface();
+      Eigen::Vector3d of_pressure(0, 0, 0), of_nodes(0, 0, 0);
+      for (const PointForce &point : mat->load(foot.solution).points)
+        of_pressure += point.force * Eigen::Vector3d(1, point.y, -point.x);
+      for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
+        of_nodes += foot.solution.forces(i) *
+                    Eigen::Vector3d(1, surface.node_position(i, 1), -surface.node_position(i, 0));
+      const Eigen::Vector3d asked(demand.normal_force, demand.moment_x, demand.moment_y);
+      const Eigen::Vector3d units(weight, weight * 0.03, weight * 0.03);
+      EXPECT_LT((of_pressure - asked).cwiseQuotient(units).norm(), 1e-8) << modulus << ", " << m;
+      EXPECT_LT((of_nodes - asked).cwiseQuotient(units).norm(), 1e-8) << modulus << ", " << m;
       EXPECT_LT(foot.solution.force_residual, 1e-9) << modulus << ", " << m;
       EXPECT_LT(foot.solution.moment_residual, 1e-9) << modulus << ", " << m;
       EXPECT_LT(foot.solution.equilibrium_residual, 1e-8) << modulus << ", " << m;

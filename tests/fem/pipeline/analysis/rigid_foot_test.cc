@@ -1,10 +1,13 @@
 // A rigid foot on a Winkler mat, from the study to its terminal spin. Reference: other code, quadrature in
-// two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py).
+// two dimensions without rings, harmonics or kernels (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/spin.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/verification/plain_rigid_foot.h"
 
 #include <gtest/gtest.h>
 
@@ -105,6 +108,114 @@ TEST(RigidFoot, InTheClosureFullWithTiltAndGrip)
     const double omega = expected["omega"];
     EXPECT_NEAR(SolvedStudy(study).omega(), omega, 1e-7 * std::abs(omega)) << expected;
   }
+}
+
+/// A wavy foot on a soft mat, which carries all round, and the same by plain sums.
+struct WavyFoot
+{
+  static constexpr unsigned int n_waves = 3;
+  static constexpr double amplitude = 5e-6, crest = 0.2, modulus = 1e9, depth = 2.8e-5;
+
+  WavyFoot()
+      : plain(verification::PlainRigidFoot::on_mat(modulus))
+  {
+    study = rigid_foot_study(modulus);
+    study.glass.waviness = { { n_waves, amplitude, crest } };
+    study.contact.azimuth_lines = 96;
+    plain.n_azimuths = 48;
+    const ring::Motion &orbit = study.motion.orbit;
+    motion = { orbit.mass,         orbit.yaw_inertia, orbit.centre_of_mass_height, orbit.force_offset,
+               orbit.orbit_radius, orbit.orbit_speed, orbit.friction_coefficient,  orbit.gravity };
+  }
+
+  /// With the mark of the glass at azimuth @p phase.
+  void turn(double phase)
+  {
+    plain.wave = [phase](double theta) { return amplitude * std::cos(n_waves * (theta - phase - crest)); };
+  }
+
+  verification::PlainGlass at(double omega, std::vector<verification::PlainPoint> *points = nullptr)
+  {
+    lie = verification::lie_in_balance(plain, motion, omega, lie, depth);
+    const std::vector<verification::PlainPoint> forces = plain.forces(lie);
+    if (points)
+      *points = forces;
+    return { forces, lie, omega, motion };
+  }
+
+  Study study;
+  verification::PlainRigidFoot plain;
+  verification::PlainMotion motion;
+  Eigen::Vector3d lie = { depth, 0, 0 };
+};
+
+TEST(RigidFoot, WavyInBalanceAtEveryPhase)
+{
+  WavyFoot foot;
+  const SolvedStudy solved(foot.study);
+  const ring::Motion &motion = foot.study.motion.orbit;
+  const double scale = motion.normal_force() * 0.03;
+  double largest_lean = 0;
+  for (const double phase : { 0., 0.5, 1.3, 4. })
+    for (const double omega : { 0., -3.6, 7. })
+    {
+      foot.turn(phase);
+      std::vector<verification::PlainPoint> points;
+      const verification::PlainGlass expected = foot.at(omega, &points);
+      const LeaningLoad found = solved.load.leaning(omega, { phase, 0 });
+      EXPECT_NEAR((found.rings.moment() - expected.contact_moment.head<2>()).norm(), 0, 1e-6 * scale);
+      for (unsigned int n = 2; n <= 5; ++n)
+      {
+        const double mean = found.rings.a(0);
+        EXPECT_NEAR(found.rings.a(n) / mean, verification::harmonic_over_mean(points, n), 1e-5) << n;
+        EXPECT_NEAR(found.rings.b(n) / mean, verification::harmonic_over_mean(points, n, true), 1e-5) << n;
+      }
+      EXPECT_NEAR(ring::wrench(motion, found.rings, omega).torque, expected.friction_torque, 1e-6 * scale);
+      const double lean = expected.axial_torque - expected.friction_torque;
+      EXPECT_NEAR(found.lean_torque(), lean, 2e-9 * scale) << phase << ", " << omega;
+      largest_lean = std::max(largest_lean, std::abs(lean));
+    }
+  EXPECT_GT(largest_lean, 1e-7 * scale);
+}
+
+TEST(RigidFoot, WavyTurnsInTheLongRunAsItsForcesLetIt)
+{
+  WavyFoot foot;
+  const double orbit_rate = foot.motion.speed / foot.motion.orbit_radius;
+  // Runge-Kutta in the phase, whose rate is omega less the orbit's: a period at a time.
+  const auto slope = [&](double phase, double omega)
+  {
+    foot.turn(phase);
+    return foot.at(omega).axial_torque / (foot.motion.inertia * (omega - orbit_rate));
+  };
+  const double period = 2 * M_PI / WavyFoot::n_waves;
+  constexpr unsigned int n_steps = 48, n_periods = 12;
+  const double step = -period / n_steps; // the glass turns backwards
+  double omega = -3.65, phase = 0, mean = 0, least = 0, largest = 0;
+  for (unsigned int k = 0; k < n_periods; ++k)
+  {
+    double time = 0;
+    least = largest = omega;
+    for (unsigned int i = 0; i < n_steps; ++i)
+    {
+      const double one = slope(phase, omega), two = slope(phase + step / 2, omega + step / 2 * one),
+                   three = slope(phase + step / 2, omega + step / 2 * two),
+                   four = slope(phase + step, omega + step * three);
+      const double next = omega + step / 6 * (one + 2 * two + 2 * three + four);
+      const double middle = omega + step / 2 * (one + two) / 2;
+      time += step / 6 * (1 / (omega - orbit_rate) + 4 / (middle - orbit_rate) + 1 / (next - orbit_rate));
+      omega = next;
+      phase += step;
+      least = std::min(least, omega);
+      largest = std::max(largest, omega);
+    }
+    mean = orbit_rate - period / time;
+  }
+  const SolvedStudy solved(foot.study);
+  const LongRunSpin found = terminal_spin(solved.load, foot.study.motion.orbit);
+  EXPECT_NEAR(found.spin.omega, mean, 2e-4);
+  EXPECT_NEAR(found.ripple / ((largest - least) / 2), 1, 5e-3);
+  EXPECT_GT(found.ripple, 0.02);
 }
 
 } // namespace

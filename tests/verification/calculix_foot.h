@@ -1,0 +1,50 @@
+#pragma once
+
+// calculix_foot.json: feet with the step profile by CalculiX (calculix_foot.py), another program with other
+// elements, and a contact integrated in numpy.
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::verification
+{
+
+/// a_n / a_0 and b_n / a_0 of a foot of the weight of the reference cases on a table.
+struct CalculixLoad
+{
+  std::optional<double> modulus; ///< of the mat [Pa/m]; nothing: hard
+  double moment_ratio, direction, friction, spin_per_speed;
+  std::vector<double> a, b; ///< n = 0 ... 6
+
+  std::string name() const
+  {
+    return (modulus ? "k = " + std::to_string(*modulus) : std::string("hard")) +
+           ", m = " + std::to_string(moment_ratio) + ", mu = " + std::to_string(friction);
+  }
+};
+
+/// The foot "flat" (land 2 mm) or "crown" (land 4 mm, crown 3 mm).
+struct CalculixFoot
+{
+  explicit CalculixFoot(const std::string &kind)
+  {
+    std::ifstream file(STEMWARE_CALCULIX_FOOT);
+    const nlohmann::json foot = nlohmann::json::parse(file).at("feet").at(kind);
+    normal = foot.at("compliance").at("zz").get<std::vector<double>>();
+    radial = foot.at("compliance").at("zr").get<std::vector<double>>();
+    azimuthal = foot.at("compliance").at("zt").get<std::vector<double>>();
+    for (const auto &load : foot.at("loads"))
+      loads.push_back({ load.at("k").is_null() ? std::nullopt : std::optional(load.at("k").get<double>()),
+                        load.at("moment_ratio"), load.at("direction"), load.at("friction"), load.at("spin"),
+                        load.at("a_over_a0"), load.at("b_over_a0") });
+  }
+
+  /// int u_z r dr over the land under a unit pressure or traction of harmonic n on it [m^5/N].
+  std::vector<double> normal, radial, azimuthal;
+  std::vector<CalculixLoad> loads;
+};
+
+} // namespace stemware::verification

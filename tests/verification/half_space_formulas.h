@@ -1,0 +1,108 @@
+#pragma once
+
+// Elastic half-spaces and layers under rings of load: published kernels and plain quadrature, nothing of the
+// program but the moduli of a material.
+#include "fem/elasticity/elastic_material.h"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace stemware::verification
+{
+
+using fem::ElasticMaterial;
+
+/// A ring r1 < r < r2 [m].
+struct Band
+{
+  double inner, outer;
+};
+
+/// E / (1 - nu^2) [Pa].
+inline double plane_strain_modulus(const ElasticMaterial &material)
+{
+  return material.young_modulus / (1 - material.poisson_ratio * material.poisson_ratio);
+}
+
+/// Surface displacement of a layer on a rigid base, bonded, over that of a half-space, under a pressure of
+/// wave number k without friction; @p thickness in units of 1 / k, infinite for the half-space (Johnson,
+/// Contact Mechanics, 1985, section 5.8). Tends to k h (1 - 2 nu) / (2 (1 - nu)^2), the layer that cannot
+/// bulge.
+inline double layer_over_half_space(double thickness, double poisson_ratio)
+{
+  if (thickness > 300)
+    return 1;
+  const double kappa = 3 - 4 * poisson_ratio;
+  return (2 * kappa * std::sinh(2 * thickness) - 4 * thickness) /
+         (2 * kappa * std::cosh(2 * thickness) + 1 + kappa * kappa + 4 * thickness * thickness);
+}
+
+/// Integral of @p f by ten-point Gauss rules on @p n equal pieces.
+template <typename Function>
+double integral(const Function &f, double from, double to, unsigned int n)
+{
+  using Gauss = boost::math::quadrature::gauss<double, 10>;
+  double sum = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    sum += Gauss::integrate(f, from + (to - from) * i / n, from + (to - from) * (i + 1) / n);
+  return sum;
+}
+
+/// int u_z r dr over @p seen under a unit pressure cos(n theta) on @p loaded, at theta = 0 [m^5/N]: Hankel's
+/// transform of both bands, and Boussinesq's 2 / (E* k) between them, or a layer's.
+inline double normal_compliance(unsigned int n, Band loaded, Band seen, const ElasticMaterial &material,
+                                double thickness = std::numeric_limits<double>::infinity())
+{
+  const auto transform = [n](Band band, double k)
+  {
+    return integral([&](double r) { return r * boost::math::cyl_bessel_j(static_cast<int>(n), k * r); },
+                    band.inner, band.outer, 1 + static_cast<unsigned int>(k * (band.outer - band.inner) / 8));
+  };
+  const bool is_same = loaded.inner == seen.inner && loaded.outer == seen.outer;
+  const auto integrand = [&](double k)
+  {
+    const double of_load = transform(loaded, k);
+    return layer_over_half_space(k * thickness, material.poisson_ratio) * of_load *
+           (is_same ? of_load : transform(seen, k));
+  };
+  // In k the integrand oscillates with the radius and decays like k^-3, or faster between two bands.
+  const double width = std::min(loaded.outer - loaded.inner, seen.outer - seen.inner);
+  const double radius = seen.outer;
+  const double end = 50 / width;
+  return 2 / plane_strain_modulus(material) *
+         integral(integrand, 0, end, static_cast<unsigned int>(end * radius / 6) + 1);
+}
+
+/// Radial and azimuthal tractions: the same displacement under cos(n theta) radially or sin(n theta)
+/// azimuthally.
+struct TangentialCompliance
+{
+  double radial, azimuthal;
+};
+
+/// The same under unit tractions, of a half-space *below* the plane, z upwards, n >= 1. Cerruti: a force Q
+/// along x lowers the surface ahead of it, u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2 (Johnson, eq. 3.7). With
+/// x / rho^2 the gradient of ln rho, whose harmonics are -(pi / n) (smaller / larger radius)^n, the ring of
+/// radius s does (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) within, (s/r)^n (f_theta - f_r) outside.
+inline TangentialCompliance tangential_compliance(unsigned int n, Band loaded, Band seen,
+                                                  const ElasticMaterial &material)
+{
+  constexpr int n_pieces = 400;
+  const double ds = (loaded.outer - loaded.inner) / n_pieces, dr = (seen.outer - seen.inner) / n_pieces;
+  TangentialCompliance sum = { 0, 0 };
+  for (int j = 0; j < n_pieces; ++j)
+    for (int i = 0; i < n_pieces; ++i)
+    {
+      const double s = loaded.inner + (j + 0.5) * ds, r = seen.inner + (i + 0.5) * dr;
+      const double power = std::pow(r < s ? r / s : s / r, n) * r * dr * ds;
+      sum.radial += r < s ? power : r > s ? -power : 0;
+      sum.azimuthal += power;
+    }
+  const double factor = (1 - 2 * material.poisson_ratio) / (4 * material.shear_modulus());
+  return { factor * sum.radial, factor * sum.azimuthal };
+}
+
+} // namespace stemware::verification

@@ -1,0 +1,136 @@
+#pragma once
+
+// A rigid crowned ring pressed into a half-space or a layer by hard contact, as a line contact whose width
+// follows the load: the leading order in width / radius, all harmonics that the lines resolve.
+#include "tests/verification/half_space_formulas.h"
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace stemware::verification
+{
+
+/// What a line load cos(n theta) of Hertz's half-width b around a ring moves its middle by, in units of line
+/// load over pi E*, less 2 ln(16 R / b) + 1: -4 sum_{k <= n} 1 / (2k - 1) as long as n b << R, where the
+/// straight line's 2 int p K_0(n |x| / R) dx differs from its logarithm, that difference too. @p slenderness:
+/// b / R.
+inline double half_space_eigenvalue(unsigned int n, double slenderness)
+{
+  double sum = 0;
+  for (unsigned int k = 1; k <= n; ++k)
+    sum += 1 / (2. * k - 1);
+  if (n == 0)
+    return 0;
+  const double z = n * slenderness, euler = 0.57721566490153286;
+  const auto beyond_logarithm = [&](double angle)
+  {
+    const double distance = z * std::sin(angle);
+    return 4 / M_PI * std::pow(std::cos(angle), 2) *
+           (boost::math::cyl_bessel_k(0, distance) + std::log(distance / 2) + euler);
+  };
+  return -4 * sum + 2 * integral(beyond_logarithm, 0, M_PI / 2, 4);
+}
+
+/// What a bonded layer, much thicker than the contact is wide, adds to that: 2 pi R int (layer / half-space -
+/// 1) J_n(k R)^2 dk.
+inline double layer_eigenvalue(unsigned int n, double radius, double thickness, double poisson_ratio)
+{
+  const auto integrand = [&](double k)
+  {
+    const double bessel = boost::math::cyl_bessel_j(static_cast<int>(n), k * radius);
+    return (layer_over_half_space(k * thickness, poisson_ratio) - 1) * bessel * bessel;
+  };
+  const double end = 20 / thickness;
+  return 2 * M_PI * radius * integral(integrand, 0, end, static_cast<unsigned int>(end * radius / 4) + 8);
+}
+
+/// x = q / mean q on the azimuth lines with x (L - ln x) + S[x] = w_0 + w_1 cos(theta) where x > 0, L = 2
+/// ln(16 R / b_0) + 1, S the eigenvalues of the harmonics. Newton's method on the lines that carry load.
+class LineContact
+{
+public:
+  LineContact(double moment_ratio, unsigned int n_lines, double slenderness,
+              const std::function<double(unsigned int)> &eigenvalue)
+      : n_lines(n_lines)
+      , self_influence(2 * std::log(16 / slenderness) + 1)
+      , influence(n_lines, n_lines)
+      , load(n_lines)
+  {
+    std::vector<double> by_distance(n_lines, 0.);
+    for (unsigned int n = 0; n <= n_lines / 2; ++n)
+    {
+      const double value = eigenvalue(n) * (n == 0 || 2 * n == n_lines ? 1 : 2) / n_lines;
+      for (unsigned int i = 0; i < n_lines; ++i)
+        by_distance[i] += value * std::cos(n * azimuth(i));
+    }
+    for (unsigned int i = 0; i < n_lines; ++i)
+    {
+      load(i) = std::max(1 + moment_ratio * std::cos(azimuth(i)), 0.02);
+      for (unsigned int j = 0; j < n_lines; ++j)
+        influence(i, j) = by_distance[(i + n_lines - j) % n_lines];
+    }
+    solve(moment_ratio);
+  }
+
+  LineContact(double moment_ratio, unsigned int n_lines, double slenderness)
+      : LineContact(moment_ratio, n_lines, slenderness,
+                    [slenderness](unsigned int n) { return half_space_eigenvalue(n, slenderness); })
+  {
+  }
+
+  /// a_n / a_0.
+  double harmonic(unsigned int n) const
+  {
+    double sum = 0;
+    for (unsigned int i = 0; i < n_lines; ++i)
+      sum += 2 * load(i) * std::cos(n * azimuth(i)) / n_lines;
+    return sum;
+  }
+
+  double loaded_share() const { return static_cast<double>((load.array() > 0).count()) / n_lines; }
+
+private:
+  double azimuth(unsigned int line) const { return 2 * M_PI * line / n_lines; }
+
+  void solve(double moment_ratio)
+  {
+    Eigen::Vector2d motion(self_influence, 0);
+    for (unsigned int step = 0; step < 100; ++step)
+    {
+      std::vector<int> lines;
+      for (unsigned int i = 0; i < n_lines; ++i)
+        if (load(i) > 0)
+          lines.push_back(static_cast<int>(i));
+      const Eigen::Index n = static_cast<Eigen::Index>(lines.size());
+      const Eigen::VectorXd x = load(lines);
+      Eigen::MatrixX2d motions(n, 2);
+      for (Eigen::Index i = 0; i < n; ++i)
+        motions.row(i) << 1, std::cos(azimuth(static_cast<unsigned int>(lines[static_cast<std::size_t>(i)])));
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 2, n + 2);
+      matrix.topLeftCorner(n, n) = influence(lines, lines);
+      matrix.diagonal().head(n).array() += self_influence - x.array().log() - 1;
+      matrix.topRightCorner(n, 2) = -motions;
+      matrix.bottomLeftCorner(2, n) = motions.transpose() / n_lines;
+      Eigen::VectorXd residual(n + 2);
+      residual << influence(lines, lines) * x +
+                    x.cwiseProduct(Eigen::VectorXd(self_influence - x.array().log())) - motions * motion,
+        motions.transpose() * x / n_lines - Eigen::Vector2d(1, moment_ratio / 2);
+      const Eigen::VectorXd correction = -matrix.partialPivLu().solve(residual);
+      load(lines) = (x + correction.head(n)).cwiseMax(0.);
+      motion += correction.tail<2>();
+      if (correction.norm() < 1e-12 * std::sqrt(n_lines))
+        return;
+    }
+    throw std::runtime_error("no line contact");
+  }
+
+  const unsigned int n_lines;
+  const double self_influence; ///< L
+  Eigen::MatrixXd influence;
+  Eigen::VectorXd load;
+};
+
+} // namespace stemware::verification

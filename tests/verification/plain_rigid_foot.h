@@ -1,0 +1,203 @@
+#pragma once
+
+// A rigid, crowned or flat, possibly wavy foot on an interface that yields, by plain sums over points of its
+// land: no rings, no harmonics, no kernels, nothing of the program.
+#include <Eigen/Dense>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace stemware::verification
+{
+
+struct PlainPoint
+{
+  double x, y, force; ///< [m], [N]
+};
+
+/// Penetration d(r, theta) = d0 + d1 x + d2 y - (r - R)^2 / (2 crown) - wave(theta) on r_inner < r < r_outer,
+/// pressure(d) where it is positive; a foot that is d1 deeper per metre along x leans that way.
+struct PlainRigidFoot
+{
+  double contact_radius = 0.030, inner_radius = 0.028, outer_radius = 0.032;
+  double crown_radius = 0.003; ///< 0: flat
+  std::function<double(double)> wave = [](double) { return 0.; };
+  std::function<double(double)> pressure; ///< of the penetration [Pa]
+  bool pulls_apart = true;                ///< no pressure where the penetration is negative
+  unsigned int n_azimuths = 720;
+  unsigned int n_pieces = 1; ///< of each ray, where the pressure is no polynomial
+
+  static PlainRigidFoot on_mat(double modulus)
+  {
+    PlainRigidFoot foot;
+    foot.pressure = [modulus](double depth) { return modulus * depth; };
+    return foot;
+  }
+
+  std::vector<PlainPoint> forces(const Eigen::Vector3d &lie) const
+  {
+    using Gauss = boost::math::quadrature::gauss<double, 10>;
+    std::vector<PlainPoint> points;
+    for (unsigned int j = 0; j < n_azimuths; ++j)
+    {
+      const double theta = 2 * M_PI * j / n_azimuths, c = std::cos(theta), s = std::sin(theta);
+      const double slope = lie(1) * c + lie(2) * s, lift = wave(theta);
+      const auto depth = [&](double r)
+      {
+        const double off = r - contact_radius;
+        return lie(0) + slope * r - lift - (crown_radius > 0 ? off * off / (2 * crown_radius) : 0);
+      };
+      double from = inner_radius, to = outer_radius;
+      if (pulls_apart && crown_radius > 0)
+      {
+        const double top = contact_radius + crown_radius * slope, deepest = depth(top);
+        const double half_width = std::sqrt(2 * crown_radius * std::max(deepest, 0.));
+        from = std::max(from, top - half_width);
+        to = std::min(to, top + half_width);
+      }
+      else if (pulls_apart && depth(from) * depth(to) < 0)
+        (depth(from) < 0 ? from : to) = (lift - lie(0)) / slope;
+      if (!(to > from) || (pulls_apart && !(depth((from + to) / 2) > 0)))
+        continue;
+      const double piece = (to - from) / n_pieces;
+      for (unsigned int k = 0; k < n_pieces; ++k)
+        for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+          for (const double side : { -1., 1. })
+          {
+            const double r = from + piece * (k + (1 + side * Gauss::abscissa()[i]) / 2);
+            const double area = piece / 2 * Gauss::weights()[i] * r * 2 * M_PI / n_azimuths;
+            points.push_back({ r * c, r * s, pressure(depth(r)) * area });
+          }
+    }
+    return points;
+  }
+
+  /// The lie where @p residual(lie, forces) vanishes, by Newton's method with differences; its entries and
+  /// the lie's are measured in units of @p scale.
+  template <typename Residual>
+  Eigen::Vector3d lie_where(const Residual &residual, Eigen::Vector3d lie, const Eigen::Vector3d &scale) const
+  {
+    for (unsigned int step = 0; step < 60; ++step)
+    {
+      const Eigen::Vector3d now = residual(lie, forces(lie));
+      Eigen::Matrix3d slope;
+      for (int k = 0; k < 3; ++k)
+      {
+        Eigen::Vector3d there = lie;
+        there(k) += 1e-6 * scale(k);
+        slope.col(k) = (residual(there, forces(there)) - now) / 1e-6;
+      }
+      const Eigen::Vector3d change = -slope.partialPivLu().solve(now);
+      double length = 1;
+      while (length > 1e-3 &&
+             !(residual(lie + length * scale.cwiseProduct(change),
+                        forces(lie + length * scale.cwiseProduct(change)))
+                 .norm() < now.norm()) &&
+             now.norm() > 1e-10)
+        length /= 2;
+      lie += length * scale.cwiseProduct(change);
+      if (change.norm() < 1e-11)
+        return lie;
+    }
+    throw std::runtime_error("no lie of the plain rigid foot");
+  }
+
+  /// The lie under a normal force and a moment (sum y f, -sum x f).
+  Eigen::Vector3d lie_under(double force, double moment_x, double moment_y, double depth) const
+  {
+    const auto residual = [&](const Eigen::Vector3d &, const std::vector<PlainPoint> &points)
+    {
+      Eigen::Vector3d sum(-force, -moment_x / contact_radius, -moment_y / contact_radius);
+      for (const PlainPoint &point : points)
+        sum += point.force * Eigen::Vector3d(1, point.y / contact_radius, -point.x / contact_radius);
+      return Eigen::Vector3d(sum / force);
+    };
+    const double tilt = depth / contact_radius;
+    // The moment grows from none, so that each step is small.
+    Eigen::Vector3d lie(depth, 0, 0);
+    const double full_x = moment_x, full_y = moment_y;
+    for (unsigned int part = 0; part <= 8; ++part)
+    {
+      moment_x = full_x * part / 8;
+      moment_y = full_y * part / 8;
+      lie = lie_where(residual, lie, { depth, tilt, tilt });
+    }
+    return lie;
+  }
+};
+
+/// a_n (sine: b_n) over a_0 of point forces.
+inline double harmonic_over_mean(const std::vector<PlainPoint> &points, unsigned int n, bool sine = false)
+{
+  double sum = 0, force = 0;
+  for (const PlainPoint &point : points)
+  {
+    const double angle = n * std::atan2(point.y, point.x);
+    sum += 2 * point.force * (sine ? std::sin(angle) : std::cos(angle));
+    force += point.force;
+  }
+  return sum / force;
+}
+
+/// How a glass is led: counter-clockwise at constant speed, Coulomb friction; SI units.
+struct PlainMotion
+{
+  double mass, inertia, centre_of_mass_height, force_offset, orbit_radius, speed, friction, gravity;
+};
+
+/// All that acts on a glass that stands on point forces, as vectors in three dimensions, and their moment
+/// about its centre of mass. The axis leans with the foot, the hand acts on it force_offset beyond the centre
+/// of mass with what mass and acceleration ask for beside the friction.
+struct PlainGlass
+{
+  PlainGlass(const std::vector<PlainPoint> &points, const Eigen::Vector3d &lie, double omega,
+             const PlainMotion &motion)
+  {
+    const Eigen::Vector3d axis(lie(1), lie(2), 1);
+    const Eigen::Vector3d centre = motion.centre_of_mass_height * axis;
+    for (const PlainPoint &point : points)
+    {
+      const Eigen::Vector3d slip(motion.speed - omega * point.y, omega * point.x, 0);
+      const Eigen::Vector3d tangential = -motion.friction * point.force * slip.normalized();
+      const Eigen::Vector3d normal(0, 0, point.force), place(point.x, point.y, 0);
+      friction += tangential;
+      contact_moment += place.cross(normal);
+      friction_torque += place.cross(tangential).z();
+      moment += (place - centre).cross(normal + tangential);
+    }
+    const Eigen::Vector3d pull =
+      Eigen::Vector3d(0, motion.mass * motion.speed * motion.speed / motion.orbit_radius, 0) - friction;
+    moment += motion.force_offset * axis.cross(pull);
+    axial_torque = moment.dot(axis); // the axis is longer than one by 1e-9
+  }
+
+  Eigen::Vector3d friction = Eigen::Vector3d::Zero();
+  Eigen::Vector3d contact_moment = Eigen::Vector3d::Zero(); ///< of the normal forces about the ring's centre
+  double friction_torque = 0;                               ///< about the vertical through it
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< of all, about the centre of mass
+  double axial_torque = 0;                                  ///< that about the leaning axis
+};
+
+/// The lie at which a glass on @p foot, at the spin @p omega, keeps upright: its weight is carried and
+/// nothing turns it about a horizontal axis.
+inline Eigen::Vector3d lie_in_balance(const PlainRigidFoot &foot, const PlainMotion &motion, double omega,
+                                      const Eigen::Vector3d &start, double depth)
+{
+  const double weight = motion.mass * motion.gravity, tilt = depth / foot.contact_radius;
+  const auto residual = [&](const Eigen::Vector3d &lie, const std::vector<PlainPoint> &points)
+  {
+    double force = -weight;
+    for (const PlainPoint &point : points)
+      force += point.force;
+    const PlainGlass glass(points, lie, omega, motion);
+    return Eigen::Vector3d(force / weight, glass.moment.x() / (weight * foot.contact_radius),
+                           glass.moment.y() / (weight * foot.contact_radius));
+  };
+  return foot.lie_where(residual, start, { depth, tilt, tilt });
+}
+
+} // namespace stemware::verification
