@@ -44,7 +44,7 @@ void run(const StudyOptions &options)
   stopwatch.finish("report_of_contact");
   const ErrorBands bands =
     estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
-  add_bands(bands, spin.budget);
+  add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
   stopwatch.finish("error_bands");
 
   // 3. The answer, and the results, all at once.

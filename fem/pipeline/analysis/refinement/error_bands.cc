@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
+#include "fem/contact/load_harmonics.h"
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
@@ -38,11 +39,26 @@ struct Findings
   double torque_of_first = 0;  ///< of the first harmonic, at Probe::first
 };
 
-double torque_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
+/// yaw_torque() of @p load; with @p radii that of the same contacts of @p foot with their pressure gathered
+/// on rings of these.
+double torque_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion, double omega,
+                 const std::vector<double> &radii)
+{
+  if (radii.empty())
+    return yaw_torque(load, motion, omega);
+  const fem::ContactState state = load.contact_at() ? load.contact_at()(omega) : *load.contact();
+  const ring::RingStack rings =
+    ring_stack(fem::harmonics_of(foot.body().point_forces(state), foot.n_harmonics(), radii));
+  return ring::wrench(motion, rings.truncated(load.n_harmonics()), omega).torque +
+         load.leaning(omega).lean_torque();
+}
+
+double torque_or_nan(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
+                     double omega, const std::vector<double> &radii)
 {
   try
   {
-    return yaw_torque(load, motion, omega);
+    return torque_of(load, foot, motion, omega, radii);
   }
   catch (const std::runtime_error &)
   {
@@ -50,7 +66,9 @@ double torque_or_nan(const BalancedLoad &load, const ring::Motion &motion, doubl
   }
 }
 
-Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe)
+/// @p radii of rings on which the pressure of the contacts is gathered; empty: those of the foot.
+Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe,
+              const std::vector<double> &radii = {})
 {
   Findings found;
   found.torques.assign(probe.spins.size(), 0.);
@@ -58,13 +76,14 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   for (const ring::Orientation &phase : probe.phases)
   {
     const BalancedLoad load = find_load_at_phase(study, foot, phase);
+    const auto torque = [&](const BalancedLoad &of, double omega)
+    { return share * torque_or_nan(of, *foot, study.motion.orbit, omega, radii); };
     if (&phase == &probe.phases.front())
       found.at_rest = load.report();
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
-      found.torques[i] += share * torque_or_nan(load, study.motion.orbit, probe.spins[i]);
+      found.torques[i] += torque(load, probe.spins[i]);
     if (probe.has_first)
-      found.torque_of_first +=
-        share * torque_or_nan(find_load_at_phase(study, foot, phase, 1), study.motion.orbit, probe.first);
+      found.torque_of_first += torque(find_load_at_phase(study, foot, phase, 1), probe.first);
   }
   return found;
 }
@@ -136,11 +155,14 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes. Throws
+/// The foot of a change, on the rings of @p own, the study's own, unless they are what changes. Throws
 /// BadInput where its mesh cannot be made or its stiffness factorised, on all ranks alike.
-std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot &foot,
+std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const std::shared_ptr<ElasticFoot> &own,
                                      fem::ComplianceCache &cache)
 {
+  const ElasticFoot &foot = *own;
+  if (change.on_same_contacts)
+    return own;
   if (change.on_same_foot)
   {
     const auto same = std::make_shared<ElasticFoot>(foot.without_rings());
@@ -198,7 +220,8 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
     const BandChange &change = changes[i];
-    const auto after = quantities(look(change.study, foot_of(change, *foot, cache), probe));
+    const auto after = quantities(look(change.study, foot_of(change, foot, cache), probe,
+                                       change.on_same_contacts ? change.radii : std::vector<double>()));
     add_part(change, change.from.empty() ? unchanged : by_part.at(change.from), after, bands);
     by_part.emplace(change.part, after);
     progress.pieces_done("error bands", i + 1, changes.size());
@@ -238,16 +261,27 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   }
 }
 
-void add_bands(const ErrorBands &bands, Budget &budget)
+void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
+               std::vector<BudgetRow> &rows)
 {
-  const std::optional<double> all = band_of(bands, "omega_terminal"),
-                              first = band_of(bands, "omega_first_harmonic");
-  if (!all)
+  if (!of_all || rows.empty() || !rows.back().omega_terminal)
     return;
-  const double wider = std::max(*all, first.value_or(0));
-  for (BudgetRow &row : budget.rows)
-    if (row.step >= "3" && row.omega_terminal)
-      row.band = row.harmonics ? wider : *all;
+  const double all = *rows.back().omega_terminal;
+  const auto first =
+    std::find_if(rows.rbegin(), rows.rend(), [](const BudgetRow &row) { return row.step.number == 3; });
+  const bool has_first = of_first && first != rows.rend() && first->omega_terminal;
+  const double spin_of_first = has_first ? *first->omega_terminal : 0;
+  for (BudgetRow &row : rows)
+  {
+    if (!row.step.is_of_contact() || !row.omega_terminal)
+      continue;
+    const double from_all = *of_all + std::abs(*row.omega_terminal - all);
+    if (has_first)
+      row.band = std::min({ std::max(*of_all, *of_first), from_all,
+                            *of_first + std::abs(*row.omega_terminal - spin_of_first) });
+    else if (from_all <= 2 * *of_all)
+      row.band = from_all;
+  }
 }
 
 } // namespace stemware::pipeline
