@@ -86,6 +86,9 @@ SlidingFriction friction_of(const FreeSlider &slider)
   return [slider](double speed, double omega) { return sliding_friction(slider, speed, omega); };
 }
 
+/// d heading / d sigma that is no rounding at the stop.
+constexpr double least_turning = 1e-7;
+
 /// Slip ratios by a parameter that is even in eps up to 1 and in 1/eps beyond, without 0 and infinity.
 double slip_ratio_at(double t)
 {
@@ -173,6 +176,10 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
     if (stepper.try_step(std::cref(flow), state, sigma, step) == odeint::success)
       path.states.push_back(flow.physical(state, flow.scale(sigma)));
   }
+  State rate;
+  flow(state, rate, end);
+  if (std::abs(rate[1]) > least_turning)
+    state[1] = std::numeric_limits<double>::quiet_NaN();
   path.states.push_back(flow.physical(state, 0.));
   path.final_slip_ratio = final_slip_ratio(inertia, friction, omega * inertia.outer_radius / speed);
   return path;

@@ -46,7 +46,7 @@ struct SlidingState
   double y;       ///< [m]
   double yaw;     ///< angle turned about z [rad]
   double speed;   ///< |v| [m/s]
-  double heading; ///< direction of v from x [rad]
+  double heading; ///< direction of v from x [rad]; NaN where there is none, see slide_to_stop()
   double omega;   ///< spin [rad/s]
   /// What friction has taken so far, the integral of its power -(T.v + tau_z omega) over time [J].
   double friction_loss;
@@ -73,7 +73,8 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
  *
  * The equations are singular at the stop, where v and omega vanish together. Integrated are therefore the
  * ratio of the two and the direction over sigma = -ln S, S^2 = v^2 + I omega^2 / m, which friction can only
- * lower; time and path follow. docs/theory/free_sliding.md.
+ * lower; time and path follow. docs/theory/free_sliding.md. Where friction keeps a share across the motion up
+ * to the stop, the direction turns on with sigma without end: at the stop there is no heading (NaN).
  *
  * @param accuracy Requested relative accuracy of a step.
  * @throws std::invalid_argument for values that are not allowed, std::runtime_error if the step control gives

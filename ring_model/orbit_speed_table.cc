@@ -8,6 +8,7 @@
 #include <boost/math/interpolators/pchip.hpp>
 // clang-format on
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -32,9 +33,9 @@ void refine(std::vector<double> &times, std::vector<double> &speeds)
 }
 } // namespace
 
-OrbitSpeedTable::OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds)
-    : first_time(0.)
-    , last_time(0.)
+OrbitSpeedTable::OrbitSpeedTable(std::vector<double> given_times, std::vector<double> given_speeds)
+    : times(std::move(given_times))
+    , speeds(std::move(given_speeds))
 {
   require(times.size() == speeds.size() && times.size() >= 2, "the speed table has ", times.size(),
           " times and ", speeds.size(), " speeds, but must have equally many and at least two");
@@ -45,21 +46,39 @@ OrbitSpeedTable::OrbitSpeedTable(std::vector<double> times, std::vector<double> 
     require(i == 0 || times[i] > times[i - 1], "time ", i, " of the speed table is ", times[i], " s after ",
             i == 0 ? 0. : times[i - 1], " s, but times must increase");
   }
-  first_time = times.front();
-  last_time = times.back();
-  if (times.size() < 4)
-    refine(times, speeds);
+  std::vector<double> t = times, v = speeds;
+  if (t.size() < 4)
+    refine(t, v);
   using Interpolant = boost::math::interpolators::pchip<std::vector<double>>;
-  const auto cubic = std::make_shared<const Interpolant>(std::move(times), std::move(speeds));
+  const auto cubic = std::make_shared<const Interpolant>(std::move(t), std::move(v));
   interpolant = [cubic](double time) { return (*cubic)(time); };
   slope = [cubic](double time) { return cubic->prime(time); };
 }
 
+OrbitSpeedTable OrbitSpeedTable::joined_by_lines() const
+{
+  OrbitSpeedTable lines = *this;
+  const auto end_of_line = [times = times](double time)
+  {
+    const auto end = std::lower_bound(times.begin() + 1, times.end() - 1, time);
+    return static_cast<std::size_t>(end - times.begin());
+  };
+  const auto slope_before = [times = times, speeds = speeds](std::size_t i)
+  { return (speeds[i] - speeds[i - 1]) / (times[i] - times[i - 1]); };
+  lines.slope = [=](double time) { return slope_before(end_of_line(time)); };
+  lines.interpolant = [=, times = times, speeds = speeds](double time)
+  {
+    const std::size_t i = end_of_line(time);
+    return speeds[i] + slope_before(i) * (time - times[i]);
+  };
+  return lines;
+}
+
 void OrbitSpeedTable::check_range(double time) const
 {
-  if (!(time >= first_time && time <= last_time))
+  if (!(time >= times.front() && time <= times.back()))
     throw std::out_of_range(sentence("the speed at t = ", time, " s was asked for, but the table covers ",
-                                     first_time, " to ", last_time, " s: add entries"));
+                                     times.front(), " to ", times.back(), " s: add entries"));
 }
 
 double OrbitSpeedTable::speed(double time) const

@@ -22,6 +22,10 @@ public:
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
+  /// The same entries joined by straight lines: another reading of what lies between them. Its acceleration
+  /// jumps at the entries, where it is that of the line before.
+  OrbitSpeedTable joined_by_lines() const;
+
   /// v(t) [m/s]. @throws std::out_of_range outside the table: it is not extrapolated.
   double speed(double time) const;
 
@@ -34,8 +38,8 @@ public:
 private:
   void check_range(double time) const;
 
-  double first_time;
-  double last_time;
+  std::vector<double> times;
+  std::vector<double> speeds;
   std::function<double(double)> interpolant;
   std::function<double(double)> slope;
 };

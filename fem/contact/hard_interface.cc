@@ -31,7 +31,7 @@ public:
     contact.tangent.setFromTriplets(entries.begin(), entries.end());
   }
 
-  TableLoad load(const ContactSolution &solution) const override
+  TableLoad load(const ContactSolution &solution, unsigned int /*n_parts*/) const override
   {
     const Eigen::VectorXd &nodal = solution.forces;
     TableLoad result;

@@ -18,6 +18,9 @@ public:
   /// the body has modes, a mesh that resolves the Hertz contact, and augmented-Lagrangian updates.
   virtual bool is_hard() const { return false; }
 
+  /// Whether the contact ends somewhere; else the pressure fades with the distance and is zero nowhere.
+  virtual bool has_edge() const { return true; }
+
   /// dp/d(penetration) where the pressure is @p pressure [Pa/m]; infinite for a hard law.
   virtual double stiffness_at(double pressure) const = 0;
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -37,6 +38,20 @@ struct LinePoint
   double area = 0;             ///< table area that it stands for, > 0 [m^2]
   Eigen::RowVector2d position; ///< (x, y) [m]
 };
+
+/// The part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
+/// transverse tangents and depth, all of which are quadratic along the line. The part has no nodes.
+inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
+                                                       const LineSegment &range)
+{
+  Eigen::Matrix3d at_samples; // [sample of the part, sample of the line]
+  at_samples << line_shape(range.begin).transpose(), line_shape((range.begin + range.end) / 2).transpose(),
+    line_shape(range.end).transpose();
+  ContactLine part;
+  part.position = at_samples * line.position;
+  part.transverse_tangent = at_samples * line.transverse_tangent;
+  return { part, at_samples * depth };
+}
 
 /// Calls visit(const LinePoint &) at the given Gauss points of one segment of @p line.
 template <std::size_t n_points, typename Visitor>

@@ -193,6 +193,7 @@ LoadFunction operator+(LoadFunction one, const LoadFunction &other)
 
 RingShares::RingShares(std::vector<double> radii_given)
     : radii(std::move(radii_given))
+    , unit(radii.size() > 1 ? (radii.back() - radii.front()) / 4 : 1)
     , denominators(radii.size(), 1.)
     , shares(static_cast<Eigen::Index>(radii.size()))
 {
@@ -200,7 +201,7 @@ RingShares::RingShares(std::vector<double> radii_given)
   for (std::size_t j = 0; j < radii.size(); ++j)
     for (std::size_t k = 0; k < radii.size(); ++k)
       if (k != j)
-        denominators[j] *= radii[j] - radii[k];
+        denominators[j] *= (radii[j] - radii[k]) / unit;
 }
 
 const Eigen::VectorXd &RingShares::at(double radius) const
@@ -210,7 +211,7 @@ const Eigen::VectorXd &RingShares::at(double radius) const
     double product = 1;
     for (std::size_t k = 0; k < radii.size(); ++k)
       if (k != j)
-        product *= radius - radii[k];
+        product *= (radius - radii[k]) / unit;
     shares(static_cast<Eigen::Index>(j)) = product / denominators[j];
   }
   return shares;
@@ -243,6 +244,27 @@ LoadHarmonics harmonics_of(const std::vector<PointForce> &forces, unsigned int n
 {
   require_radii(radii);
   return sums_of(forces, n_harmonics, radii);
+}
+
+double least_load(const std::vector<AzimuthLoad> &pointwise)
+{
+  const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
+  { return one.density < other.density; };
+  const auto least = std::min_element(pointwise.begin(), pointwise.end(), less);
+  if (!(least->density > 0) || pointwise.size() < 3)
+    return std::max(0., least->density);
+  const AzimuthLoad &before = least == pointwise.begin() ? pointwise.back() : *(least - 1);
+  const AzimuthLoad &after = least + 1 == pointwise.end() ? pointwise.front() : *(least + 1);
+  const auto distance = [](double angle) { return angle < 0 ? angle + 2 * pi : angle; };
+  const double to_before = distance(least->azimuth - before.azimuth),
+               to_after = distance(after.azimuth - least->azimuth);
+  if (!(to_before > 0) || !(to_after > 0))
+    return least->density;
+  // The parabola least + slope t + bend t^2 through the three.
+  const double fall = (before.density - least->density) / to_before,
+               rise = (after.density - least->density) / to_after;
+  const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;
+  return bend > 0 ? std::max(0., least->density - slope * slope / (4 * bend)) : least->density;
 }
 
 LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::VectorXd &radii,
@@ -310,9 +332,15 @@ LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::Vec
     load.pointwise.push_back({ width * static_cast<double>(j), on_lines(j) / width });
     n_loaded += on_lines(j) > threshold ? 1 : 0;
   }
-  load.minimum = std::max(0., on_lines.minCoeff()) / width;
+  load.minimum = least_load(load.pointwise);
   load.contact_fraction = n_loaded / static_cast<double>(n_lines);
   return load;
+}
+
+unsigned int parts_of_lines(std::size_t n_rings)
+{
+  constexpr std::size_t enough_for = 8; // four Gauss points in each part
+  return static_cast<unsigned int>(n_rings / enough_for + 1);
 }
 
 std::pair<double, double> loaded_band(const TableLoad &load)
@@ -335,12 +363,10 @@ std::pair<double, double> loaded_band(const TableLoad &load)
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                            const std::vector<double> &ring_radii)
 {
-  TableLoad on_table = law.load(solution);
+  TableLoad on_table = law.load(solution, parts_of_lines(ring_radii.size()));
   LoadHarmonics load = sums_of(on_table.points, n_harmonics, ring_radii, on_table.parts);
   load.pointwise = std::move(on_table.density);
-  const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
-  { return one.density < other.density; };
-  load.minimum = std::min_element(load.pointwise.begin(), load.pointwise.end(), less)->density;
+  load.minimum = least_load(load.pointwise);
   const auto n_loaded = std::count_if(load.pointwise.begin(), load.pointwise.end(),
                                       [](const AzimuthLoad &place) { return place.density > 0; });
   load.contact_fraction = static_cast<double>(n_loaded) / static_cast<double>(load.pointwise.size());

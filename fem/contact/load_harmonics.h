@@ -23,7 +23,7 @@ struct LoadHarmonics
   double moment_y = 0;                ///< -sum x f [N m]
   double mean_radius = 0;             ///< sum f r / sum f [m]
   double contact_fraction = 0;        ///< share of azimuth lines that carry load
-  double minimum = 0;                 ///< smallest pointwise load [N/rad]
+  double minimum = 0;                 ///< least_load() [N/rad]
   std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stands for
 
   std::size_t n_rings() const { return radii.size(); }
@@ -62,7 +62,8 @@ public:
 
 private:
   std::vector<double> radii;
-  std::vector<double> denominators; ///< prod_k (r_j - r_k)
+  const double unit;                ///< of distances, in which their products neither vanish nor overflow [m]
+  std::vector<double> denominators; ///< prod_k (r_j - r_k) / unit
   mutable Eigen::VectorXd shares;
 };
 
@@ -78,6 +79,14 @@ LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::Vec
 /// pointwise. Throws std::invalid_argument when there is no load.
 LoadHarmonics extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                            const std::vector<double> &ring_radii = {});
+
+/// Least of a load that is known at azimuths, in their order round the rim: between the lowest value and its
+/// neighbours by the parabola through the three; 0 where the lowest is [N/rad].
+double least_load(const std::vector<AzimuthLoad> &pointwise);
+
+/// Into how many parts a contact line is to be cut for its quadrature points to know the radial moments that
+/// @p n_rings rings take over (TableLaw::load()).
+unsigned int parts_of_lines(std::size_t n_rings);
 
 /// Least and largest radius [m] of those points of @p load that are more than rounding of the largest.
 std::pair<double, double> loaded_band(const TableLoad &load);

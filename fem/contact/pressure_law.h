@@ -15,9 +15,9 @@ namespace stemware::fem
 /// A table whose pressure depends on the local penetration alone, integrated along the contact lines.
 ///
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
-/// dp/dd [Pa/m]; `integrate(line, depth, visit)`, which calls visit(const LinePoint &) at the quadrature
-/// points of a line that carry load; and `least_depth(deepest)`, below which a place carries nothing that
-/// counts where another one has the penetration `deepest` [m].
+/// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(line, depth, visit)`, which calls visit(const
+/// LinePoint &) at the quadrature points of a line that carry load; and `least_depth(deepest)`, below which a
+/// place carries nothing that counts where another one has the penetration `deepest` [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
 {
@@ -47,7 +47,7 @@ public:
     }
   }
 
-  TableLoad load(const ContactSolution &solution) const override
+  TableLoad load(const ContactSolution &solution, unsigned int n_parts) const override
   {
     TableLoad result;
     result.parts = surface.parts;
@@ -58,14 +58,26 @@ public:
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
       double line_force = 0;
-      if (!(greatest(depths[l]) < least))
-        law.integrate(surface.lines[l], depths[l],
+      const auto add = [&](const ContactLine &line, const Eigen::Vector3d &depth)
+      {
+        if (greatest(depth) < least)
+          return;
+        law.integrate(line, depth,
                       [&](const LinePoint &point)
                       {
-                        const double force = law.pressure(point.shape.dot(depths[l])) * point.area;
+                        const double force = law.pressure(point.shape.dot(depth)) * point.area;
                         result.points.push_back({ point.position(0), point.position(1), force });
                         line_force += force;
                       });
+      };
+      if (n_parts == 1)
+        add(surface.lines[l], depths[l]);
+      for (unsigned int i = 0; n_parts > 1 && i < n_parts; ++i)
+      {
+        const auto [part, depth] =
+          part_of(surface.lines[l], depths[l], { 2. * i / n_parts - 1, 2. * (i + 1) / n_parts - 1 });
+        add(part, depth);
+      }
       line_forces.push_back(line_force);
     }
     result.density = density_of_lines(surface, line_forces);
@@ -74,8 +86,10 @@ public:
 
   PressureMap pressure_map(const ContactSolution &solution) const override
   {
-    return pressure_map_of_lines(surface, solution.normal_displacement,
-                                 [this](double depth) { return law.pressure(depth); });
+    PressureMap map = pressure_map_of_lines(surface, solution.normal_displacement,
+                                            [this](double depth) { return law.pressure(depth); });
+    map.has_edge = law.has_edge();
+    return map;
   }
 
   Eigen::VectorXd nodal_pressure(const ContactSolution &solution) const override

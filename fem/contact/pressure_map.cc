@@ -143,7 +143,61 @@ std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<doubl
   return groups;
 }
 
+/// Where the pressure ends beyond the loaded point @p i of a cut: where the line from the loaded point before
+/// it through this one meets zero, at the next point at the latest; without one before it half-way to the
+/// next.
+double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
+{
+  if (i == (outwards ? cut.size() - 1 : 0))
+    return cut[i].radius;
+  const double to_next = cut[outwards ? i + 1 : i - 1].radius - cut[i].radius;
+  const bool is_first = i == (outwards ? 0 : cut.size() - 1);
+  const PressurePoint &before = is_first ? cut[i] : cut[outwards ? i - 1 : i + 1];
+  const double fall = before.pressure - cut[i].pressure;
+  const double reach =
+    before.pressure > 0 && fall > 0 ? cut[i].pressure / fall * (cut[i].radius - before.radius) : to_next / 2;
+  return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
+}
+
+/// The radius up to which @p cut carries @p share of its load, its pressure linear between the points.
+double radius_of_share(const std::vector<PressurePoint> &cut, double share)
+{
+  const auto density = [&](std::size_t i) { return cut[i].pressure * cut[i].radius; };
+  const auto length = [&](std::size_t i) { return cut[i + 1].radius - cut[i].radius; };
+  double whole = 0;
+  for (std::size_t i = 0; i + 1 < cut.size(); ++i)
+    whole += length(i) * (density(i) + density(i + 1)) / 2;
+  double left = share * whole;
+  for (std::size_t i = 0; i + 1 < cut.size(); ++i)
+  {
+    const double piece = length(i) * (density(i) + density(i + 1)) / 2;
+    if (left < piece)
+    {
+      // left = h (p_0 t + (p_1 - p_0) t^2 / 2), solved so that nothing cancels.
+      const double start = density(i), rise = density(i + 1) - start, wanted = left / length(i);
+      return cut[i].radius +
+             length(i) * 2 * wanted / (start + std::sqrt(std::max(0., start * start + 2 * rise * wanted)));
+    }
+    left -= piece;
+  }
+  return cut.back().radius;
+}
+
 } // namespace
+
+std::optional<ContactWidth> contact_width(const std::vector<PressurePoint> &cut, bool has_edge)
+{
+  const auto is_loaded = [](const PressurePoint &point) { return point.pressure > 0; };
+  const auto first = std::find_if(cut.begin(), cut.end(), is_loaded);
+  if (first == cut.end())
+    return std::nullopt;
+  constexpr double left_out = 0.005; // on either side
+  if (!has_edge)
+    return ContactWidth{ radius_of_share(cut, left_out), radius_of_share(cut, 1 - left_out) };
+  const auto last = std::find_if(cut.rbegin(), cut.rend(), is_loaded).base() - 1;
+  return ContactWidth{ edge_beyond(cut, static_cast<std::size_t>(first - cut.begin()), false),
+                       edge_beyond(cut, static_cast<std::size_t>(last - cut.begin()), true) };
+}
 
 PressureMap PressureMap::turned(double angle) const
 {

@@ -24,6 +24,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
   }
 
+  bool has_edge() const override { return false; }
   double stiffness_at(double pressure) const override
   {
     return std::min(pressure, reference_pressure) / decay_length;

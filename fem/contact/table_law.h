@@ -63,8 +63,8 @@ public:
   virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
   /// What the table carries in a solution on this surface, whichever it was: forces and normal displacement
-  /// say all.
-  virtual TableLoad load(const ContactSolution &solution) const = 0;
+  /// say all. @p n_parts >= 1: of a line, each with quadrature points of its own, where the law has such.
+  virtual TableLoad load(const ContactSolution &solution, unsigned int n_parts) const = 0;
 
   /// Where the foot presses in a solution, for plots: on the whole surface, on the rank of the first part;
   /// empty elsewhere.

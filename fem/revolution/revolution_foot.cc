@@ -220,7 +220,8 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
   ContactForces by_law;
   zone.law->evaluate(state.solution.normal_displacement, by_law);
   const LoadHarmonics nodal = of_nodes(by_law.forces);
-  const LoadHarmonics resolved = harmonics_of(zone.law->load(state.solution).points, highest, ring_radii);
+  const LoadHarmonics resolved = harmonics_of(
+    zone.law->load(state.solution, parts_of_lines(ring_radii.size())).points, highest, ring_radii);
   for (std::size_t j = 0; j < load.n_rings(); ++j)
     for (std::size_t n = 0; n <= highest; ++n)
     {
@@ -232,7 +233,7 @@ LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vecto
 
 std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
 {
-  const std::vector<PointForce> on_lines = zone_of(state).law->load(state.solution).points;
+  const std::vector<PointForce> on_lines = zone_of(state).law->load(state.solution, 1).points;
   return turned_by(on_lines, axis()); // which is that of the state by now
 }
 

@@ -176,7 +176,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
   before = { state.solution.motion, state.solution.normal_displacement };
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
-  std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution));
+  std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution, 1));
   return state;
 }
 
@@ -261,7 +261,7 @@ LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<dou
 std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
 {
   std::vector<double> packed;
-  for (const PointForce &point : law->load(state.solution).points)
+  for (const PointForce &point : law->load(state.solution, 1).points)
     packed.insert(packed.end(), { point.x, point.y, point.force });
   packed = body.contact_surface().parts.gather(std::move(packed));
   std::vector<PointForce> points;

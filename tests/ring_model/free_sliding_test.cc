@@ -190,7 +190,7 @@ TEST(FreeSliding, TumblerDriftsToTheRightAndConservesItsBalance)
   FreeSlider tumbler{ SlidingBody::annulus(0.02, 0.03), 0.3, 3e-4, 0.2, 9.81, 0.05 };
   const auto path = slide_to_stop(tumbler, 1., 20.), mirror = slide_to_stop(tumbler, 1., -20.);
   EXPECT_LT(path.states.back().y, -1e-3);
-  EXPECT_LT(path.states.back().heading, 0.);
+  EXPECT_LT(path.states[path.states.size() - 2].heading, 0.);
   EXPECT_NEAR(mirror.states.back().y, -path.states.back().y, 1e-12);
   EXPECT_NEAR(mirror.states.back().x, path.states.back().x, 1e-12);
   double previous = HUGE_VAL;
@@ -200,6 +200,32 @@ TEST(FreeSliding, TumblerDriftsToTheRightAndConservesItsBalance)
     EXPECT_LE(energy, previous);
     previous = energy;
   }
+}
+
+TEST(FreeSliding, AtTheStopThereIsAHeadingOnlyWhereNothingPushesAcross)
+{
+  // Up to the stop the tilted tumbler's friction has a part across its motion: the direction goes on turning,
+  // by equal angles for equal shares of the speed.
+  const FreeSlider tumbler{ SlidingBody::annulus(0.02, 0.03), 0.3, 3e-4, 0.2, 9.81, 0.05 };
+  const auto path = slide_to_stop(tumbler, 1., 20.);
+  EXPECT_TRUE(std::isnan(path.states.back().heading));
+  const auto heading_at = [&](double speed)
+  {
+    std::size_t i = 1;
+    while (path.states[i].speed > speed)
+      ++i;
+    const SlidingState &above = path.states[i - 1], &below = path.states[i];
+    const double share = std::log(above.speed / speed) / std::log(above.speed / below.speed);
+    return above.heading + share * (below.heading - above.heading);
+  };
+  const double one = heading_at(1e-6) - heading_at(1e-3), other = heading_at(1e-12) - heading_at(1e-9);
+  EXPECT_GT(std::abs(other), 0.1);
+  EXPECT_NEAR(one / other, 1, 1e-3);
+  // Without tilt, or without spin, nothing does.
+  FreeSlider low = tumbler;
+  low.centre_of_mass_height = 0;
+  EXPECT_EQ(slide_to_stop(low, 1., 20.).states.back().heading, 0.);
+  EXPECT_EQ(slide_to_stop(tumbler, 1., 0.).states.back().heading, 0.);
 }
 
 TEST(FreeSliding, AgreesWithADirectIntegrationUntilCloseToTheStop)

@@ -132,6 +132,23 @@ TEST(OrbitSpeedTable, IsExactMonotoneAndDoesNotExtrapolate)
   EXPECT_THROW(OrbitSpeedTable({ 0., 0. }, { 1., 1. }), std::invalid_argument);
 }
 
+TEST(OrbitSpeedTable, CanBeJoinedByLines)
+{
+  const OrbitSpeedTable table({ 0., 0.5, 1., 1.5, 3. }, { 0.1, 0.3, 0.35, 0.35, 0.2 });
+  const OrbitSpeedTable lines = table.joined_by_lines();
+  EXPECT_DOUBLE_EQ(lines.speed(0.), 0.1);
+  EXPECT_DOUBLE_EQ(lines.speed(0.25), 0.2);
+  EXPECT_DOUBLE_EQ(lines.speed(0.5), 0.3);
+  EXPECT_DOUBLE_EQ(lines.speed(2.25), 0.275);
+  EXPECT_DOUBLE_EQ(lines.speed(3.), 0.2);
+  EXPECT_DOUBLE_EQ(lines.acceleration(0.1), 0.4);
+  EXPECT_DOUBLE_EQ(lines.acceleration(0.5), 0.4); // of the line before
+  EXPECT_DOUBLE_EQ(lines.acceleration(0.6), 0.1);
+  EXPECT_DOUBLE_EQ(lines.acceleration(3.), -0.1);
+  EXPECT_THROW(lines.speed(3.1), std::out_of_range);
+  EXPECT_GT(std::abs(table.speed(0.25) - 0.2), 1e-3); // another reading
+}
+
 TEST(HandDrive, ConstantTableIsTheMotor)
 {
   const Motion motion;

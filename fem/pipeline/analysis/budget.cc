@@ -23,7 +23,8 @@ SpinQuestion question_near(const Study &study, const SpinRow &complete)
 /// A model of the chain.
 struct Model
 {
-  std::string step, name;
+  ChainStep step;
+  std::string name;
   Study study;
 };
 
@@ -31,26 +32,26 @@ struct Model
 /// a first harmonic.
 std::vector<Model> first_models(const Study &study)
 {
-  std::vector<Model> models = { { "1", "paper", paper_study(study) } };
+  std::vector<Model> models = { { { 1 }, "paper", paper_study(study) } };
   if (!study.motion.orbit.has_constant_friction())
   {
-    models.push_back({ "1a", "friction law", models.back().study });
+    models.push_back({ { 1, true }, "friction law", models.back().study });
     models.back().study.motion.orbit = study.motion.orbit;
   }
   if (study.load.source != LoadSource::file)
   {
     models.push_back(
-      { "2", study.load.is_static() ? "given moment" : "moment balance", first_harmonic_study(study) });
+      { { 2 }, study.load.is_static() ? "given moment" : "moment balance", first_harmonic_study(study) });
     models.back().study.motion.grip_torque = 0;
   }
   if (study.motion.grip_torque > 0)
   {
-    models.push_back({ "2a", "grip", models.back().study });
+    models.push_back({ { 2, true }, "grip", models.back().study });
     models.back().study.motion.grip_torque = study.motion.grip_torque;
   }
   if (study.tilts())
   {
-    models.push_back({ "3", "where the foot touches", study });
+    models.push_back({ { 3 }, "where the foot touches", study });
     models.back().study.motion.tilt = false;
   }
   return models;
@@ -70,7 +71,7 @@ struct ChainLink
 };
 
 /// Puts the answer to a model under those in @p chain.
-void add_link(const std::string &step, const std::string &name, const Study &study, const LoadedRow &answer,
+void add_link(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &answer,
               std::vector<ChainLink> &chain)
 {
   const SpinRow &row = answer.row;
@@ -86,13 +87,16 @@ void add_link(const std::string &step, const std::string &name, const Study &stu
 void add_links_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics,
                             std::vector<ChainLink> &chain)
 {
-  add_link(study.tilts() ? "3a" : "3", study.tilts() ? "tilt" : "where the foot touches", study,
+  add_link({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study,
            by_harmonics.front(), chain);
-  unsigned int step = 4;
+  ChainStep step = { 4 };
   for (std::size_t i = 1; i < by_harmonics.size(); ++i)
-    add_link(std::to_string(step++), "harmonics", study, by_harmonics[i], chain);
+  {
+    add_link(step, "harmonics", study, by_harmonics[i], chain);
+    ++step.number;
+  }
   if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
-    add_link(std::to_string(step), "harmonics", study, by_harmonics.back(), chain);
+    add_link(step, "harmonics", study, by_harmonics.back(), chain);
   BudgetRow &all = chain.back().row;
   all.harmonics.reset();
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
@@ -244,8 +248,7 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
       answer_without(variant, foot.get(), by_harmonics.back().row, study.table.is_hard(), cache));
     progress.pieces_done("budget", ++n_done, n_pieces);
   }
-  budget.harmonics =
-    harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
+  budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
   add_curves(study, by_harmonics, budget);
   return budget;
 }

@@ -11,10 +11,24 @@
 namespace stemware::pipeline
 {
 
+/// The place of a model in the chain from the paper's to the study's.
+struct ChainStep
+{
+  unsigned int number = 1;  ///< 1 the paper, 2 the study's moment, 3 its contact, 4 ... more harmonics
+  bool is_addition = false; ///< to the model of that number: 1a, 2a, 3a
+
+  /// Whether its terminal spin is that of the study's contact, and not of a closed form.
+  bool is_of_contact() const { return number >= 3; }
+  bool operator==(const ChainStep &other) const
+  {
+    return number == other.number && is_addition == other.is_addition;
+  }
+};
+
 /// One model of the chain from the paper's to the study's.
 struct BudgetRow
 {
-  std::string step; ///< "1", "1a", "2", "2a", "3", "3a", "4", ...
+  ChainStep step;
   /// Of the difference to the row above: "paper" in the first one, then "friction law" (where friction
   /// depends on the slip), "moment balance" or "given moment", "grip", "where the foot touches", "tilt",
   /// "harmonics".
@@ -22,7 +36,7 @@ struct BudgetRow
   std::optional<unsigned int> harmonics = {}; ///< that act on the ring; nothing: all
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< of the terminal spin to that of the row above [rad/s]
-  std::optional<double> band = {};            ///< half-width, of the terminal spin [rad/s]
+  std::optional<double> band = {};            ///< half-width, of the terminal spin: add_bands() [rad/s]
   std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
   Standing standing = Standing::no_balance;          ///< formal where lambda < 0 somewhere
   std::string reason = {};                           ///< why something is missing; empty where nothing is

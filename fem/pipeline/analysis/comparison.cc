@@ -261,6 +261,8 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
   for (const auto &of_closure : rows.back())
     if (of_closure.front().closure == study.motion.closure)
       comparison.budget = budget_of(study, foot, of_closure);
+  if (const SpinRow *own = comparison.find(study.motion.closure, comparison.rows.back().load))
+    add_bands(own->band, std::nullopt, comparison.budget);
   progress.stage_done("error_bands");
   return comparison;
 }

@@ -114,6 +114,34 @@ BalancedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, 
                            unit * (most + margin * std::abs(most)));
 }
 
+/// SlideStudy::mesh_change. @p foot and @p load are those of @p study.
+std::optional<double> change_on_coarser_mesh(const Study &study, const ElasticFoot &foot,
+                                             const BalancedLoad &load, double start, double end,
+                                             fem::ComplianceCache &cache)
+{
+  if (!study.load.is_from_contact() || !abilities(study.contact.body).is_of_revolution)
+    return std::nullopt;
+  Study coarse = study;
+  coarse.contact.fineness /= 2;
+  coarse.contact.harmonics = std::max(coarse.contact.harmonics / 2, 1u);
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius,
+               most = motion.friction_at_rest() * motion.normal_force();
+  const TiltingFriction own = friction_of_load(load, motion),
+                        other = friction_of_load(
+                          find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot)), motion);
+  double change = 0;
+  for (const double slip_ratio : { start, (start + end) / 2, end })
+  {
+    const double speed = motion.orbit_speed, omega = slip_ratio * speed / radius;
+    const ring::Wrench one = own.friction(speed, omega), two = other.friction(speed, omega);
+    change = std::max({ change, std::abs(two.force_x - one.force_x) / most,
+                        std::abs(two.force_y - one.force_y) / most,
+                        std::abs(two.torque - one.torque) / (most * radius) });
+  }
+  return change;
+}
+
 void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
 {
   const Study study = without_hand(given);
@@ -121,7 +149,8 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   slide.inertia = { motion.mass, motion.yaw_inertia, study.glass.profile.contact_radius };
   slide.centre_of_mass_height = motion.centre_of_mass_height;
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache, progress), progress);
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
+  const BalancedLoad load = find_load(study, foot, progress);
   const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
   const TiltingFriction exact = friction_of_load(load, motion, slide.inertia.outer_radius);
   constexpr unsigned int n_intervals = 20;
@@ -148,6 +177,8 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
     ring::slide_to_stop(slide.inertia, tilting.friction, slide.question.speed, slide.question.spin, 1e-10);
   path.final_slip_ratio = end;
   follow(tilting, path, slide);
+  if (foot)
+    slide.mesh_change = change_on_coarser_mesh(study, *foot, load, start, end, cache);
 }
 
 void slide_body(const Study &study, SlideStudy &slide)

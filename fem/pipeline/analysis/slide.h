@@ -4,6 +4,7 @@
 #include "fem/pipeline/support/progress.h"
 #include "ring_model/free_sliding.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,12 @@ struct SlideStudy
   std::vector<SlidePoint> points; ///< from the push to the stop
   /// omega R / v in the limit of the stop: 0 where the spin, infinite where the sliding dies first.
   double final_slip_ratio = 0;
-  double energy_error = 0;       ///< largest |kinetic energy + friction loss - its start| over the start
-  double load_error = 0;         ///< of the glass's load between solved slip ratios, over a_0
+  double energy_error = 0; ///< largest |kinetic energy + friction loss - its start| over the start
+  double load_error = 0;   ///< of the glass's load between solved slip ratios, over a_0
+  /// Largest change of the friction of a glass on contact cells twice as large with half the elastic
+  /// harmonics, at the push, half-way to the final slip ratio and there: of T over mu N, of tau_z over mu N
+  /// R. Nothing where the load does not come from the contact of a body of revolution.
+  std::optional<double> mesh_change = {};
   bool inertia_is_given = false; ///< by the study, else that of the body's own pressure
   bool height_is_given = false;  ///< by the study, else 0; a glass has the study's in any case
 

@@ -237,6 +237,28 @@ std::vector<double> paper_spin_up(const Study &study, const std::vector<double> 
   return spins_of(spin_up(find_load(paper, nullptr), paper.motion.orbit, times));
 }
 
+/// DrivenSpinUp::interpolation_change and that at the end.
+void add_interpolation_change(const Study &study, const ring::OrbitSpeedTable &speeds, DrivenSpinUp &driven)
+{
+  Study rigid = study;
+  rigid.load.source = LoadSource::first_harmonic;
+  const ring::Motion &motion = study.motion.orbit;
+  constexpr double accuracy = 1e-7; // acceleration jumps where lines meet
+  const auto spins = [&](const ring::OrbitSpeedTable &table)
+  {
+    const ring::TimedTorqueFunction torque = driven_torque(rigid, nullptr, table);
+    return ring::spin_up([&](double time, double omega)
+                         { return against_grip(torque(time, omega), omega, study.motion.grip_torque); },
+                         motion.yaw_inertia, 0, driven.time, accuracy, spin_unit(study));
+  };
+  const std::vector<ring::SpinSample> cubic = spins(speeds), lines = spins(speeds.joined_by_lines());
+  for (std::size_t i = 0; i < cubic.size(); ++i)
+  {
+    driven.interpolation_change_at_end = std::abs(lines[i].omega - cubic[i].omega);
+    driven.interpolation_change = std::max(driven.interpolation_change, driven.interpolation_change_at_end);
+  }
+}
+
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                            const std::vector<double> &times)
 {
@@ -259,6 +281,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   for (const ring::SpinSample &sample :
        ring::spin_up(torque, motion.yaw_inertia, 0, times, accuracy, spin_unit(study)))
     driven.omega.push_back(sample.omega);
+  add_interpolation_change(study, speeds, driven);
   return driven;
 }
 

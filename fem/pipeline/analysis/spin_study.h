@@ -33,6 +33,10 @@ struct DrivenSpinUp
   std::vector<double> speed;        ///< v(t) [m/s]
   std::vector<double> acceleration; ///< dv/dt [m/s^2]
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
+  /// What joining the file's entries by straight lines, and not by the monotone cubic, changes in omega: the
+  /// first harmonic on a rigid rim in balance tells [rad/s].
+  double interpolation_change = 0;        ///< at most, at any of the times
+  double interpolation_change_at_end = 0; ///< at the last one
 };
 
 /// omega(t) from rest at equally spaced times, each load in its own balance; NaN from where the glass falls

@@ -45,7 +45,7 @@ void run(const StudyOptions &options)
   ErrorBands bands =
     estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
   take_reported_numbers(report.load, spin.budget, bands);
-  add_bands(bands, spin.budget);
+  add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
   spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
   stopwatch.finish("error_bands");
 

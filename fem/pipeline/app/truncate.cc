@@ -45,11 +45,13 @@ void truncate(const TruncateOptions &options)
   TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
   stopwatch.finish("truncations");
   SpinRow &all = result.rows.back();
-  all.band = band_of(estimate_bands(study, foot, all, std::nullopt, cache), "omega_terminal");
+  const ErrorBands bands = estimate_bands(study, foot, all, result.rows.front().omega_terminal(), cache);
+  all.band = band_of(bands, "omega_terminal");
+  add_bands(all.band, band_of(bands, "omega_first_harmonic"), result.budget);
   stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, tabulate(study, load.report(), result), folder, stopwatch);
+  publish(options, study, tabulate(study, load.report(), result, bands), folder, stopwatch);
 }
 
 } // namespace

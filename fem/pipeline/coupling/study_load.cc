@@ -369,7 +369,10 @@ BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<Elasti
                                 const ring::Orientation &orientation, unsigned int n_harmonics)
 {
   const fem::ContactState state = contact_at_rest(study, *foot, orientation, silent_progress());
-  return load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress());
+  BalancedLoad::Parts parts =
+    load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress()).insides();
+  parts.contact = std::make_shared<const fem::ContactState>(state);
+  return BalancedLoad(std::move(parts));
 }
 
 MomentBalance moment_balance(const Study &study)

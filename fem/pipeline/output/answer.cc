@@ -284,7 +284,7 @@ std::string waviness_remark(const Study &study, const std::optional<PhaseStudy> 
   return fmt::format(FMT_STRING("{} out of flat: the terminal spin is the mean in the long run, about which "
                                 "the spin swings by {:.3g} rad/s, and the torque by {:.3g} N m."),
                      rim && table ? "Rim and table are" : (table ? "The table is" : "The rim is"),
-                     phases->spin_ripple, phases->torque_ripple);
+                     format::Number{ phases->spin_ripple }, format::Number{ phases->torque_ripple });
 }
 
 std::string truncation_answer(const Study &study, const TruncationStudy &truncations)

@@ -45,6 +45,11 @@ std::string row_comments(const std::vector<Row> &rows, Title title)
 
 } // namespace
 
+std::string label_of(const ChainStep &step)
+{
+  return std::to_string(step.number) + (step.is_addition ? "a" : "");
+}
+
 std::string title_of(const BudgetRow &row, const std::string &at_most)
 {
   if (row.name == "paper")
@@ -69,7 +74,8 @@ Table budget_table(const Study &study, const Budget &budget)
   const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
   Table table = {
     "",
-    { column(quantity::step_of_budget, rows, &Row::step), column(quantity::effect_name, rows, &Row::name),
+    { column(quantity::step_of_budget, rows, [](const Row &row) { return label_of(row.step); }),
+      column(quantity::effect_name, rows, &Row::name),
       column(quantity::effect, rows, [](const Row &row) { return title_of(row); }),
       column(
         quantity::effect.with(&Quantity::key, "console_title").with(&Quantity::label, "model, row by row"),
@@ -153,7 +159,7 @@ std::string budget_file_text(const Study &study, const Budget &budget)
   const Table chain = budget_table(study, budget)
                         .with("From the paper's model to the study's; the rows are" +
                                 row_comments(budget.rows, [](const BudgetRow &row)
-                                             { return row.step + ", " + title_of(row, "<="); }),
+                                             { return label_of(row.step) + ", " + title_of(row, "<="); }),
                               "harmonics_kept omega_terminal difference band formal torques[]");
   const Table without =
     without_table(study, budget)
@@ -163,11 +169,10 @@ std::string budget_file_text(const Study &study, const Budget &budget)
   return data_tables({ chain, without });
 }
 
-Budget chain_alone(std::vector<BudgetRow> rows, const std::optional<double> &band)
+Budget chain_alone(std::vector<BudgetRow> rows)
 {
   Budget budget;
   budget.rows = std::move(rows);
-  budget.rows.back().band = band;
   return budget;
 }
 

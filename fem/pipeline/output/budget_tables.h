@@ -13,6 +13,9 @@
 namespace stemware::pipeline
 {
 
+/// The label of a place in the chain: "1", "1a", "2", "2a", "3", "3a", "4", ...
+std::string label_of(const ChainStep &step);
+
 /// What a row of the budget is called by people: "the paper's model", "moment balance", "harmonics, n ≤ 2",
 /// "harmonics, all"; @p at_most stands for the sign "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
@@ -36,8 +39,8 @@ Table without_table(const Study &study, const Budget &budget);
 /// are.
 std::string budget_file_text(const Study &study, const Budget &budget);
 
-/// The chain of models alone as a budget, the last row with the error band of its answer.
-Budget chain_alone(std::vector<BudgetRow> rows, const std::optional<double> &band);
+/// The chain of models alone as a budget.
+Budget chain_alone(std::vector<BudgetRow> rows);
 
 /// "budget" of summary.json; "harmonics" is "all" where none are left out, "torques" is left away where no
 /// row has any.

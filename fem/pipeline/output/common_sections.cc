@@ -129,6 +129,17 @@ void say_one_way(Report &report)
         plot = one_way(plot);
 }
 
+std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
+{
+  if (bands.empty())
+    return {};
+  std::vector<double> widths(n_harmonics + 1, 0);
+  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
+    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
+                           band_of(bands, "b" + std::to_string(n)).value());
+  return widths;
+}
+
 Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band)
 {
   constexpr double rounding = 1e-12;

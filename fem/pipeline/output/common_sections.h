@@ -30,6 +30,10 @@ ReportSection chain_section(const Study &study, const Budget &budget);
 /// Says in the plots of a report that the load of rest is kept at every spin; those of the load itself stay.
 void say_one_way(Report &report);
 
+/// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonics_table() and
+/// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
+std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics);
+
 /// The first harmonics of a load over its mean; those that are smaller than their error band @p band, by n as
 /// in spectrum_plot(), are left out.
 Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band = {});

@@ -64,13 +64,6 @@ Table row_table(const Comparison &comparison)
   return table;
 }
 
-/// The budget of the study on the load that the comparison is about.
-Budget budget_of(const Study &study, const Comparison &comparison)
-{
-  const SpinRow *own = comparison.find(study.motion.closure, comparison.rows.back().load);
-  return chain_alone(comparison.budget, own ? own->band : std::nullopt);
-}
-
 Findings findings_of(const Study &study, const Comparison &comparison)
 {
   const std::string &load = comparison.rows.back().load; // the study's own, the last
@@ -82,7 +75,7 @@ Findings findings_of(const Study &study, const Comparison &comparison)
                            { "harmonic_effect", json_number(effect.absolute) },
                            { "harmonic_effect_relative", json_number(effect.relative) } };
   findings.summary = { { "harmonic_effect", harmonic_effect_summary(effect) },
-                       { "budget", budget_summary(study, budget_of(study, comparison)) },
+                       { "budget", budget_summary(study, chain_alone(comparison.budget)) },
                        { "comparison", json_table(row_table(comparison)) } };
   return findings;
 }
@@ -201,7 +194,7 @@ ReportSection table_section(const Comparison &comparison)
 std::vector<ConsoleBlock> console_of(const std::string &answer, const Study &study,
                                      const Comparison &comparison)
 {
-  Budget steps = budget_of(study, comparison);
+  Budget steps = chain_alone(comparison.budget);
   steps.rows = named_steps(steps.rows);
   std::vector<ConsoleBlock> blocks = { { answer },
                                        chain_block(study, steps),
@@ -241,7 +234,7 @@ Results tabulate(const Study &study, const Comparison &comparison)
                     { "timings.json", "how long it took" } };
   results.report = { "What changes the spin of a wine glass",
                      comparison_answer(comparison),
-                     { chain_section(study, budget_of(study, comparison)),
+                     { chain_section(study, chain_alone(comparison.budget)),
                        overview_section(study, comparison), table_section(comparison) } };
   add_closing_sections(results.report, study, results.files);
   results.console = console_of(results.report.answer, study, comparison);

@@ -8,7 +8,28 @@
 namespace stemware::pipeline
 {
 
-ReportSection driven_spin_section(const SpinUpCurves &curves)
+namespace
+{
+
+/// What the spin is uncertain by: how the entries of the file are joined, and the discretisation.
+std::string uncertainty_sentence(const DrivenSpinUp &driven, const std::optional<double> &band)
+{
+  const std::string lines = fmt::format(
+    FMT_STRING(" What lies between the rows of the file nobody knows: straight lines in the place of the "
+               "monotone cubic would change the spin by up to {} rad/s on the way and {} in the end"),
+    format::scientific_or_zero<1>(driven.interpolation_change),
+    format::scientific_or_zero<1>(driven.interpolation_change_at_end));
+  if (!band)
+    return lines + ".";
+  return lines + fmt::format(
+                   FMT_STRING("{} the discretisation{} {}, the band of the terminal spin at constant speed."),
+                   driven.interpolation_change > *band ? "; this matters more than" : ";",
+                   driven.interpolation_change > *band ? ", about" : " about", format::band(*band));
+}
+
+} // namespace
+
+ReportSection driven_spin_section(const SpinUpCurves &curves, const std::optional<double> &band)
 {
   const DrivenSpinUp &driven = curves.driven.value();
   const auto [slowest, fastest] = std::minmax_element(driven.speed.begin(), driven.speed.end());
@@ -19,7 +40,8 @@ ReportSection driven_spin_section(const SpinUpCurves &curves)
                            "other numbers belong, at {} rad/s. Contact, friction and moments are in balance "
                            "at every instant, with the force that accelerates the glass along its orbit."),
                 format::significant<4>(*slowest), format::significant<4>(*fastest),
-                format::significant<6>(driven.omega.back()), format::significant<6>(curves.adaptive.back())),
+                format::significant<6>(driven.omega.back()), format::significant<6>(curves.adaptive.back())) +
+      uncertainty_sentence(driven, band),
     { curve_plot({ "driven_spin_up",
                    "The spin under the hand's own speed, beside that at constant speed.",
                    { "t (s)" },
@@ -44,7 +66,10 @@ Table driven_spin_table(const DrivenSpinUp &driven)
 
 nlohmann::ordered_json driven_spin_summary(const DrivenSpinUp &driven)
 {
-  return { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
+  return { { "speed_at_end", driven.speed.back() },
+           { "omega_at_end", driven.omega.back() },
+           { "interpolation_change", driven.interpolation_change },
+           { "interpolation_change_at_end", driven.interpolation_change_at_end } };
 }
 
 } // namespace stemware::pipeline

@@ -7,7 +7,8 @@
 namespace stemware::pipeline
 {
 
-ReportSection driven_spin_section(const SpinUpCurves &curves);
+/// @p band: half-width of the error band of the terminal spin at constant speed, where it is known [rad/s].
+ReportSection driven_spin_section(const SpinUpCurves &curves, const std::optional<double> &band);
 
 /// driven_spin_up.dat.
 Table driven_spin_table(const DrivenSpinUp &driven);

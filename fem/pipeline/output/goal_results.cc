@@ -45,7 +45,8 @@ std::string goal_sentence(const Study &study, const GoalOutcome &goal, const Err
   return fmt::format(
     FMT_STRING(" The mesh was made for the {}: {:.1e} is estimated to be missing to its value, and the band "
                "has {:.1e} for the mesh, from what another mesh changes."),
-    study_as_json(study)["Contact"]["Goal"].get<std::string>(), goal.estimated_error, *part);
+    study_as_json(study)["Contact"]["Goal"].get<std::string>(), format::Number{ goal.estimated_error },
+    format::Number{ *part });
 }
 
 } // namespace stemware::pipeline

@@ -266,19 +266,6 @@ ReportSection budget_section(const Study &study, const ContactReport &report, co
   return section;
 }
 
-/// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, 0 beyond those that are
-/// followed; empty without bands.
-std::vector<double> spectrum_band(const std::vector<BandedQuantity> &bands, unsigned int n_harmonics)
-{
-  if (bands.empty())
-    return {};
-  std::vector<double> widths(n_harmonics + 1, 0);
-  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
-    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
-                           band_of(bands, "b" + std::to_string(n)).value());
-  return widths;
-}
-
 ReportSection load_section(const Study &study, const LoadReport &load,
                            const std::vector<BandedQuantity> &bands)
 {
@@ -295,12 +282,13 @@ ReportSection load_section(const Study &study, const LoadReport &load,
         "{}) N m, a moment ratio m = |M_N| / (N R / 2) of {:.4g}. Above 1 a first-harmonic load would "
         "have to pull, at 2 the glass tips. {:.1f} % of the rim carries load; the least load is "
         "{:.4g} N/rad. {} with the same N, M_N and first harmonic has a radius of {:.6g} m."),
-      load.normal_force, moment(load.moment.x()), moment(load.moment.y()), load.moment_ratio,
-      100 * load.contact_fraction, load.minimum,
+      format::Number{ load.normal_force }, moment(load.moment.x()), moment(load.moment.y()),
+      format::Number{ load.moment_ratio }, format::Number{ 100 * load.contact_fraction },
+      format::Number{ load.minimum },
       rings.rings().size() > 1
         ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
         : "The ring",
-      rings.radius()),
+      format::Number{ rings.radius() }),
     { load_plot(rings, pointwise, study.motion.orbit.orbit_sense),
       line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
     { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
@@ -465,7 +453,7 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
   if (const auto section = terminal_spins_section(spin))
     report.sections.push_back(*section);
   if (spin.spin_up.driven)
-    report.sections.push_back(driven_spin_section(spin.spin_up));
+    report.sections.push_back(driven_spin_section(spin.spin_up, band_of(bands, "omega_terminal")));
   if (contact.load.rings.n_harmonics() > 1 && spin.spins_up())
     report.sections.push_back(truncation_section(spin));
   if (is_one_way(study))
@@ -484,12 +472,9 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 
 } // namespace
 
-Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &known,
+Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
-  SpinStudy spin = known;
-  if (BudgetRow &complete = spin.budget.rows.back(); !complete.band)
-    complete.band = band_of(bands, "omega_terminal");
   Results results;
   results.files = files_of(study, report, spin);
   results.report = report_of(study, report, spin, bands, results.files, goal);

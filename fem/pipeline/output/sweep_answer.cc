@@ -54,8 +54,8 @@ std::string spread_sentence(const SweepPlan &plan, const SweepFindings &findings
   if (!spin->band)
     return fmt::format(
       FMT_STRING("{} {} cases the glass spins up to between {:.6g} rad/s{} and {:.6g} rad/s{}."), beginning,
-      spin->n_values, spin->least, at_case(plan, spin->least_case), spin->most,
-      at_case(plan, spin->most_case));
+      spin->n_values, format::Number{ spin->least }, at_case(plan, spin->least_case),
+      format::Number{ spin->most }, at_case(plan, spin->most_case));
   const SampleBand &band = *spin->band;
   // Where nothing varies, rounding would be shown as a spread.
   const double spread = std::max(band.deviation, 1e-9 * std::abs(band.mean));

@@ -152,15 +152,17 @@ ReportSection table_section(const Study &study, const TruncationStudy &truncatio
   return section;
 }
 
-ReportSection load_section(const LoadReport &load, ring::OrbitSense sense)
+ReportSection load_section(const LoadReport &load, ring::OrbitSense sense, const ErrorBands &bands)
 {
+  const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
   return { "The load at rest",
            fmt::format(
              FMT_STRING("Moment ratio {:.5g}; the equivalent ring has a radius of {:.6g} m. {:.1f} % of the "
                         "rim carries load."),
-             load.moment_ratio, load.rings.radius(), 100 * load.contact_fraction),
-           { load_plot(load.rings, drawn_pointwise(load), sense), spectrum_plot(load.rings) },
-           { harmonics_table(load.rings) } };
+             format::Number{ load.moment_ratio }, format::Number{ load.rings.radius() },
+             format::Number{ 100 * load.contact_fraction }),
+           { load_plot(load.rings, drawn_pointwise(load), sense), spectrum_plot(load.rings, band) },
+           { harmonics_table(load.rings, band) } };
 }
 
 std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &study)
@@ -180,19 +182,20 @@ std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &
 
 } // namespace
 
-Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations)
+Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations,
+                 const ErrorBands &bands)
 {
   Results results;
   results.files = files_of(load, truncations);
   Report &report = results.report;
-  const Budget budget = chain_alone(truncations.budget, truncations.all().band);
+  const Budget budget = chain_alone(truncations.budget);
   report = { "How many harmonics of the load matter", truncation_answer(study, truncations), {} };
   if (truncations.all().relative_change && truncations.rows.size() > 1)
     report.sections.push_back(
       { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
-  report.sections.insert(report.sections.end(),
-                         { chain_section(study, budget), load_section(load, study.motion.orbit.orbit_sense),
-                           table_section(study, truncations) });
+  report.sections.insert(report.sections.end(), { chain_section(study, budget),
+                                                  load_section(load, study.motion.orbit.orbit_sense, bands),
+                                                  table_section(study, truncations) });
   if (is_one_way(study))
     say_one_way(report);
   add_closing_sections(report, study, results.files);

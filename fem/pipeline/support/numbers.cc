@@ -47,12 +47,16 @@ std::string tidy(const char *begin, const std::to_chars_result &result)
 
 std::string to_text(double value)
 {
+  if (std::isnan(value))
+    return "nan";
   std::array<char, 32> buffer;
   return tidy(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value));
 }
 
 std::string to_short_text(double value)
 {
+  if (std::isnan(value))
+    return "nan";
   std::array<char, 32> buffer;
   return tidy(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                            std::chars_format::general, 6));

@@ -6,10 +6,11 @@
 namespace stemware::pipeline
 {
 
-/// Shortest decimal text that reads back as the same double: 0.03, 7e10, 3e-4.
+/// Shortest decimal text that reads back as the same double: 0.03, 7e10, 3e-4; "nan" for every one that is
+/// not a number.
 std::string to_text(double value);
 
-/// At most six significant digits, for messages.
+/// At most six significant digits, for messages and files of pictures; "nan" as in to_text().
 std::string to_short_text(double value);
 
 /// The finite number @p value to @p n_digits significant digits: 0.3 for the 0.30000000000000004 of a sum.

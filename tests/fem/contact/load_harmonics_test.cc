@@ -117,6 +117,34 @@ TEST(LoadHarmonics, RingsCarryEveryRadialMomentAtEveryAzimuth)
   }
 }
 
+TEST(LoadHarmonics, LeastLoadLiesBetweenTheLines)
+{
+  // 0.5 + 0.45 cos(theta - phase) is 0.05 at its least, wherever the lines are; the lowest line has up to
+  // 2e-3 more.
+  constexpr unsigned int n = 32;
+  for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
+  {
+    std::vector<AzimuthLoad> pointwise;
+    Eigen::MatrixXd on_circle(1, n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const double theta = 2 * pi * i / n;
+      pointwise.push_back({ theta, 0.5 + 0.45 * std::cos(theta - 2 * pi * phase / n) });
+      on_circle(0, i) = pointwise.back().density * 2 * pi / n;
+    }
+    EXPECT_NEAR(least_load(pointwise), 0.05, 2e-5) << phase;
+    EXPECT_NEAR(harmonics_on_lines(on_circle, Eigen::VectorXd::Constant(1, 0.03), 4, {}).minimum, 0.05, 2e-5);
+  }
+  // Lines at unequal distances: a parabola is found exactly.
+  const auto parabola = [](double theta) { return 0.2 + 3 * std::pow(theta - 3.05, 2); };
+  EXPECT_NEAR(
+    least_load({ { 0, 9 }, { 2.8, parabola(2.8) }, { 3.1, parabola(3.1) }, { 3.7, parabola(3.7) } }), 0.2,
+    1e-13);
+  // A table does not pull, and where it carries nothing the least is nothing.
+  EXPECT_EQ(least_load({ { 0, 1 }, { 1, 1e-6 }, { 2, 0.9 }, { 4, 5 } }), 0);
+  EXPECT_EQ(least_load({ { 0, 1 }, { 1, 0 }, { 2, 0.9 } }), 0);
+}
+
 TEST(LoadHarmonics, RingsTurnWithTheLoad)
 {
   std::vector<PointForce> forces = ring_of_forces(40, 0.028);

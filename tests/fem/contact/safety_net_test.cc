@@ -62,7 +62,10 @@ public:
     honest->evaluate(normal_displacement, contact);
     contact.forces *= factor;
   }
-  TableLoad load(const ContactSolution &solution) const override { return honest->load(solution); }
+  TableLoad load(const ContactSolution &solution, unsigned int n_parts) const override
+  {
+    return honest->load(solution, n_parts);
+  }
   PressureMap pressure_map(const ContactSolution &solution) const override
   {
     return honest->pressure_map(solution);

@@ -83,6 +83,41 @@ TEST(RoughInterface, RigidRingHasBesselHarmonics)
     }
 }
 
+/// Many rings take over radial moments of high order, which four points on each line do not know: those of a
+/// crowned rim that is pressed into a mat, p ~ 1 - x^2, x the distance from its middle over the half-width.
+TEST(RigidLimit, PartsOfLinesKnowHighRadialMoments)
+{
+  const double radius = 0.03, crown = 0.01, depth = 5e-6, width = std::sqrt(2 * crown * depth);
+  ContactLine line;
+  line.position << radius - 2 * width, 0, radius, 0, radius + 2 * width, 0;
+  line.transverse_tangent << 0, line.position(0, 0), 0, line.position(1, 0), 0, line.position(2, 0);
+  const Eigen::Vector3d at_samples(depth - 4 * width * width / (2 * crown), depth,
+                                   depth - 4 * width * width / (2 * crown));
+  const auto moment = [&](unsigned int order, unsigned int n_parts)
+  {
+    double sum = 0;
+    for (unsigned int i = 0; i < n_parts; ++i)
+    {
+      const auto [part, penetration] =
+        part_of(line, at_samples, { 2. * i / n_parts - 1, 2. * (i + 1) / n_parts - 1 });
+      for_each_loaded_point(part, penetration,
+                            [&, &depths = penetration](const LinePoint &point)
+                            {
+                              const double r = point.position(0);
+                              sum += point.shape.dot(depths) / depth * point.area / (r * width) *
+                                     std::pow((r - radius) / width, order);
+                            });
+    }
+    return sum;
+  };
+  // int (1 - x^2) x^n dx = 2 / (n + 1) - 2 / (n + 3).
+  const auto exact = [](double order) { return 2 / (order + 1) - 2 / (order + 3); };
+  for (const unsigned int order : { 0u, 2u, 4u, 12u, 24u })
+    EXPECT_NEAR(moment(order, parts_of_lines(25)) / exact(order), 1, 1e-3) << order;
+  EXPECT_NEAR(moment(4, parts_of_lines(5)) / exact(4), 1, 1e-13);
+  EXPECT_EQ(parts_of_lines(5), 1u);
+}
+
 TEST(RoughInterface, PressureScaleIsAnOffset)
 {
   const GlassProfile profile;

@@ -50,6 +50,10 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
+/// So many rings and fewer find their balance on twice as many; nodes beside the contact would have weights
+/// from more that are rounding.
+constexpr std::size_t most_rings_in_balance = 12;
+
 /// Other rings and harmonics under the same foot. @p other_rings: how many rings in the place of so many,
 /// two at least; one ring becomes those of a study that asks for usual_rings.
 void add_gathering(const Study &study, const ElasticFoot &foot,
@@ -67,6 +71,13 @@ void add_gathering(const Study &study, const ElasticFoot &foot,
     rings.study.contact.rings = usual_rings;
   else
     rings.radii = radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size())));
+  // Many rings are those of a foot under which the slip vanishes: their error falls with the second order, so
+  // that twice as many leave a quarter, and what the friction force adds in the balance is of its size.
+  if (rings.radii.size() > 2 * most_rings_in_balance)
+  {
+    rings.factor = 2;
+    rings.on_same_contacts = true;
+  }
   changes.push_back(rings);
 }
 
@@ -104,9 +115,8 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
                         changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }), "" });
   if (study.table.is_hard())
     changes.push_back({ "interface", 1.5, changed(study, harden), "" });
-  constexpr unsigned int most = 12;
   add_gathering(
-    study, foot, [](unsigned int n) { return n <= most ? 2 * n : n / 2; }, changes);
+    study, foot, [](unsigned int n) { return 2 * n; }, changes);
   return changes;
 }
 

@@ -21,6 +21,8 @@ struct BandChange
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
   std::vector<double> radii = {}; ///< of the rings of that foot [m]; empty: as the study chooses them
+  /// The contacts stay, too, in balance on their own rings: their pressure is gathered on radii.
+  bool on_same_contacts = false;
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
+#include "fem/contact/load_harmonics.h"
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
@@ -48,19 +49,35 @@ struct Findings
   double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at Probe::first
 };
 
-Torques torques_or_nan(const BalancedLoad &load, const ring::Motion &motion, double omega)
+/// Torques of @p load; with @p radii those of the same contacts of @p foot with their pressure gathered on
+/// rings of these.
+Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
+                   double omega, const std::vector<double> &radii)
 {
-  return if_balanced(
-           [&]
-           {
-             const LeaningLoad at_spin = load.leaning(omega);
-             const double friction = ring::wrench(motion, at_spin.rings, omega).torque;
-             return Torques{ friction, friction + at_spin.lean_torque() };
-           })
+  const LeaningLoad at_spin = load.leaning(omega);
+  double friction = 0;
+  if (radii.empty())
+    friction = ring::wrench(motion, at_spin.rings, omega).torque;
+  else
+  {
+    const fem::ContactState state = load.contact_at() ? load.contact_at()(omega) : *load.contact();
+    const ring::RingStack rings =
+      ring_stack(fem::harmonics_of(foot.body().point_forces(state), foot.n_harmonics(), radii));
+    friction = ring::wrench(motion, rings.truncated(load.n_harmonics()), omega).torque;
+  }
+  return { friction, friction + at_spin.lean_torque() };
+}
+
+Torques torques_or_nan(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
+                       double omega, const std::vector<double> &radii)
+{
+  return if_balanced([&] { return torques_of(load, foot, motion, omega, radii); })
     .value_or(Torques{ std::nan(""), std::nan("") });
 }
 
-Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe)
+/// @p radii of rings on which the pressure of the contacts is gathered; empty: those of the foot.
+Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe,
+              const std::vector<double> &radii = {})
 {
   Findings found;
   found.torques.assign(probe.spins.size(), { 0, 0 });
@@ -68,18 +85,18 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   for (const ring::Orientation &phase : probe.phases)
   {
     const BalancedLoad load = find_load_at_phase(study, foot, phase);
+    const auto torques_at = [&](const BalancedLoad &of, double omega)
+    { return torques_or_nan(of, *foot, study.motion.orbit, omega, radii); };
     if (&phase == &probe.phases.front())
       found.at_rest = load.report();
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
     {
-      const Torques torques = torques_or_nan(load, study.motion.orbit, probe.spins[i]);
+      const Torques torques = torques_at(load, probe.spins[i]);
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
     if (probe.has_first)
-      found.torque_of_first +=
-        share *
-        torques_or_nan(find_load_at_phase(study, foot, phase, 1), study.motion.orbit, probe.first).all;
+      found.torque_of_first += share * torques_at(find_load_at_phase(study, foot, phase, 1), probe.first).all;
   }
   return found;
 }
@@ -158,11 +175,14 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// The foot of a change, on the rings of @p foot, the study's own, unless they are what changes. Throws
+/// The foot of a change, on the rings of @p own, the study's own, unless they are what changes. Throws
 /// BadInput where its mesh cannot be made or its stiffness factorised, on all ranks alike.
-std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const ElasticFoot &foot,
+std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const std::shared_ptr<ElasticFoot> &own,
                                      fem::ComplianceCache &cache)
 {
+  const ElasticFoot &foot = *own;
+  if (change.on_same_contacts)
+    return own;
   if (change.on_same_foot)
   {
     const auto same = std::make_shared<ElasticFoot>(foot.without_rings());
@@ -220,7 +240,8 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
     const BandChange &change = changes[i];
-    const auto after = quantities(look(change.study, foot_of(change, *foot, cache), probe));
+    const auto after = quantities(look(change.study, foot_of(change, foot, cache), probe,
+                                       change.on_same_contacts ? change.radii : std::vector<double>()));
     add_part(change, change.from.empty() ? unchanged : by_part.at(change.from), after, bands);
     by_part.emplace(change.part, after);
     progress.pieces_done("error bands", i + 1, changes.size());
@@ -275,16 +296,27 @@ void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, Erro
     }
 }
 
-void add_bands(const ErrorBands &bands, Budget &budget)
+void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
+               std::vector<BudgetRow> &rows)
 {
-  const std::optional<double> all = band_of(bands, "omega_terminal"),
-                              first = band_of(bands, "omega_first_harmonic");
-  if (!all)
+  if (!of_all || rows.empty() || !rows.back().omega_terminal)
     return;
-  const double wider = std::max(*all, first.value_or(0));
-  for (BudgetRow &row : budget.rows)
-    if (row.step >= "3" && row.omega_terminal)
-      row.band = row.harmonics ? wider : *all;
+  const double all = *rows.back().omega_terminal;
+  const auto first =
+    std::find_if(rows.rbegin(), rows.rend(), [](const BudgetRow &row) { return row.step.number == 3; });
+  const bool has_first = of_first && first != rows.rend() && first->omega_terminal;
+  const double spin_of_first = has_first ? *first->omega_terminal : 0;
+  for (BudgetRow &row : rows)
+  {
+    if (!row.step.is_of_contact() || !row.omega_terminal)
+      continue;
+    const double from_all = *of_all + std::abs(*row.omega_terminal - all);
+    if (has_first)
+      row.band = std::min({ std::max(*of_all, *of_first), from_all,
+                            *of_first + std::abs(*row.omega_terminal - spin_of_first) });
+    else if (from_all <= 2 * *of_all)
+      row.band = from_all;
+  }
 }
 
 } // namespace stemware::pipeline

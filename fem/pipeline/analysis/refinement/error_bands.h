@@ -51,8 +51,12 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 /// terminal spin in the last row of @p budget.
 void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands);
 
-/// Gives the rows of @p budget that come from the contact their bands: that of the first harmonic alone and
-/// that of all, rows between them the wider of the two. Closed forms have none.
-void add_bands(const ErrorBands &bands, Budget &budget);
+/// Gives every one of the @p rows of a budget that comes from the contact and has a terminal spin its band,
+/// from those of the last row, @p of_all, and of the first harmonic alone, @p of_first [rad/s]: the wider of
+/// the two, but no more than either of them and what the row differs from it by, since a discretisation
+/// changes a small difference by a part of it. Closed forms have none; without @p of_first only rows that
+/// differ from the last one by less than its band have one, without @p of_all none has.
+void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
+               std::vector<BudgetRow> &rows);
 
 } // namespace stemware::pipeline

@@ -106,9 +106,15 @@ std::pair<double, double> loaded_band(const fem::PressureMap &footprint)
 {
   Extent radii;
   for (const auto &cut : footprint.cuts)
-    for (const fem::PressurePoint &point : cut)
-      if (point.pressure > 0)
-        radii.include(point.radius);
+    if (const auto width = has_cells(footprint) ? fem::contact_width(cut, footprint.has_edge) : std::nullopt)
+    {
+      radii.include(width->inner);
+      radii.include(width->outer);
+    }
+    else if (!has_cells(footprint))
+      for (const fem::PressurePoint &point : cut)
+        if (point.pressure > 0)
+          radii.include(point.radius);
   return { radii.least, radii.most };
 }
 
@@ -211,8 +217,8 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
     for (const fem::PressurePoint &point : cut)
     {
       const double drawn = radius + magnification * (point.radius - radius);
-      data += fmt::format(FMT_STRING("{:.5g} {:.5g} {:.5g}\n"), 1000 * drawn * std::cos(point.azimuth),
-                          -1000 * drawn * std::sin(point.azimuth), point.pressure / unit);
+      data += fmt::format(FMT_STRING("{:.5g} {:.5g} {}\n"), 1000 * drawn * std::cos(point.azimuth),
+                          -1000 * drawn * std::sin(point.azimuth), to_short_text(point.pressure / unit));
     }
     data += '\n';
   }

@@ -27,7 +27,8 @@ struct FootLengths
 /// Outer radius, height and thickness of a foot from the @p cells of its section, of which there must be one.
 FootLengths measured(const std::vector<fem::SectionPolygon> &cells, double contact_radius);
 
-/// Least and largest radius under pressure [m]. The footprint must have a point under pressure.
+/// Least and largest radius in contact at any azimuth, as fem::contact_width() [m]; of points that are no
+/// grid those under pressure. The footprint must have a point under pressure.
 std::pair<double, double> loaded_band(const fem::PressureMap &footprint);
 
 /// Whether a footprint is a grid with several points across the contact.

@@ -2,7 +2,9 @@
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/gnuplot.h"
+#include "fem/pipeline/output/render/number_format.h"
 #include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace stemware::pipeline
 {
@@ -28,19 +31,6 @@ constexpr double degree = boost::math::double_constants::degree,
                  whole_turn = boost::math::double_constants::two_pi;
 constexpr double micrometre = 1e-6;
 
-/// Where the pressure ends beyond the loaded point @p i of a cut, whose neighbour under the contact is
-/// @p inner: where the line through both meets zero, between this point and the next.
-double edge_beyond(const std::vector<fem::PressurePoint> &cut, std::size_t i, std::size_t inner)
-{
-  const bool outwards = inner <= i;
-  if (outwards ? i + 1 == cut.size() : i == 0)
-    return cut[i].radius;
-  const double to_next = cut[outwards ? i + 1 : i - 1].radius - cut[i].radius;
-  const double fall = cut[inner].pressure - cut[i].pressure;
-  const double reach = fall > 0 ? cut[i].pressure / fall * (cut[i].radius - cut[inner].radius) : to_next / 2;
-  return cut[i].radius + (std::abs(reach) < std::abs(to_next) ? reach : to_next);
-}
-
 double pressure_at(const std::vector<fem::PressurePoint> &cut, double radius)
 {
   const auto above =
@@ -53,31 +43,29 @@ double pressure_at(const std::vector<fem::PressurePoint> &cut, double radius)
   return (1 - share) * below->pressure + share * above->pressure;
 }
 
-/// The cut at @p n places between the edges of its pressure; without a pressure where it has no load.
-std::vector<fem::PressurePoint> between_edges(const std::vector<fem::PressurePoint> &cut, std::size_t n)
+/// The cut at @p n places over the width of the contact; without a pressure where it has no load.
+std::vector<fem::PressurePoint> across_contact(const std::vector<fem::PressurePoint> &cut, bool has_edge,
+                                               std::size_t n)
 {
-  std::size_t first = cut.size(), last = 0;
-  for (std::size_t i = 0; i < cut.size(); ++i)
-    if (cut[i].pressure > 0)
-    {
-      first = std::min(first, i);
-      last = i;
-    }
   const double nothing = std::numeric_limits<double>::quiet_NaN(), azimuth = cut.front().azimuth;
-  if (first == cut.size())
+  const std::optional<fem::ContactWidth> width = fem::contact_width(cut, has_edge);
+  if (!width)
     return std::vector<fem::PressurePoint>(n, { cut.front().radius, azimuth, nothing });
-  const double begin = edge_beyond(cut, first, std::min(first + 1, last)),
-               end = edge_beyond(cut, last, last > first ? last - 1 : last);
+  // The points under pressure, and the edges if they lie beyond.
+  std::vector<fem::PressurePoint> loaded;
+  std::copy_if(cut.begin(), cut.end(), std::back_inserter(loaded),
+               [&](const fem::PressurePoint &point) { return point.pressure > 0 || !has_edge; });
+  if (width->inner < loaded.front().radius)
+    loaded.insert(loaded.begin(), { width->inner, azimuth, 0 });
+  if (width->outer > loaded.back().radius)
+    loaded.push_back({ width->outer, azimuth, 0 });
   std::vector<fem::PressurePoint> points;
   for (std::size_t i = 0; i < n; ++i)
   {
     const double share = static_cast<double>(i) / static_cast<double>(n - 1);
-    const double radius = (1 - share) * begin + share * end;
-    const bool is_edge = radius < cut[first].radius || radius > cut[last].radius;
-    const double beyond = radius < cut[first].radius
-                            ? cut[first].pressure * (radius - begin) / (cut[first].radius - begin)
-                            : cut[last].pressure * (end - radius) / (end - cut[last].radius);
-    points.push_back({ radius, azimuth, is_edge ? beyond : pressure_at(cut, radius) });
+    const double radius =
+      std::clamp((1 - share) * width->inner + share * width->outer, width->inner, width->outer);
+    points.push_back({ radius, azimuth, pressure_at(loaded, radius) });
   }
   return points;
 }
@@ -94,7 +82,7 @@ std::string measures_of(const fem::PressureMap &footprint, const PressureUnit &u
       c > 0 ? footprint.cuts[c - 1].front().azimuth : footprint.cuts.back().front().azimuth - whole_turn;
     const double after = c + 1 < n_cuts ? footprint.cuts[c + 1].front().azimuth
                                         : footprint.cuts.front().front().azimuth + whole_turn;
-    const auto points = between_edges(footprint.cuts[c], 2 * footprint.cuts[c].size());
+    const auto points = across_contact(footprint.cuts[c], footprint.has_edge, 2 * footprint.cuts[c].size());
     const bool has_load = points.front().pressure >= 0;
     const double width = has_load ? points.back().radius - points.front().radius : 0;
     narrowest = std::min(narrowest, width);
@@ -116,9 +104,10 @@ std::string measures_of(const fem::PressureMap &footprint, const PressureUnit &u
       : fmt::format(FMT_STRING("{:.3g} µm to {:.3g} µm"), narrowest / micrometre, widest / micrometre);
   return fmt::format(
     FMT_STRING("Largest pressure {:.3g} {} at θ = {:.0f}°, mean {:.3g} {}; the contact is {} "
-               "wide."),
-    largest.pressure / unit.pascals, unit.name, largest.azimuth / degree, force / area / unit.pascals,
-    unit.name, widths);
+               "wide{}."),
+    format::Number{ largest.pressure / unit.pascals }, unit.name, largest.azimuth / degree,
+    format::Number{ force / area / unit.pascals }, unit.name, widths,
+    footprint.has_edge ? "" : ", where 99 % of the load lie");
 }
 
 /// Columns azimuth, distance from the contact radius, pressure: a block for each cut.
@@ -130,8 +119,9 @@ std::string drawn_points(const std::string &title, const std::vector<std::vector
   for (const auto &cut : cuts)
   {
     for (const fem::PressurePoint &point : cut)
-      data += fmt::format(FMT_STRING("{:.6g} {:.6g} {:.6g}\n"), point.azimuth / degree,
-                          (point.radius - contact_radius) / micrometre, point.pressure / unit.pascals);
+      data += to_short_text(point.azimuth / degree) + ' ' +
+              to_short_text((point.radius - contact_radius) / micrometre) + ' ' +
+              to_short_text(point.pressure / unit.pascals) + '\n';
     data += '\n';
   }
   return data;
@@ -185,7 +175,7 @@ std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &
   }
   const std::size_t stride = (footprint.cuts.size() - 1) / n_cuts + 1;
   for (std::size_t c = 0; c < footprint.cuts.size(); c += stride)
-    cuts.push_back(between_edges(footprint.cuts[c], n_across));
+    cuts.push_back(across_contact(footprint.cuts[c], footprint.has_edge, n_across));
   cuts.push_back(cuts.front());
   for (fem::PressurePoint &point : cuts.back())
     point.azimuth += whole_turn;

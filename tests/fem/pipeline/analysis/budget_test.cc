@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/output/budget_tables.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 
@@ -24,7 +25,7 @@ Texts rows_of(const Budget &budget)
 {
   Texts rows;
   for (const BudgetRow &row : budget.rows)
-    rows.push_back(row.step + " " + row.name + " " +
+    rows.push_back(label_of(row.step) + " " + row.name + " " +
                    (row.harmonics ? std::to_string(*row.harmonics) : "all"));
   return rows;
 }
@@ -216,7 +217,7 @@ TEST(Budget, DifferencesAddUpToTheWholeWay)
   double sum = *budget.rows.front().omega_terminal, of_harmonics = 0;
   for (std::size_t i = 1; i < budget.rows.size(); ++i)
   {
-    ASSERT_TRUE(budget.rows[i].difference) << budget.rows[i].step << budget.rows[i].reason;
+    ASSERT_TRUE(budget.rows[i].difference) << budget.rows[i].name << budget.rows[i].reason;
     sum += *budget.rows[i].difference;
     of_harmonics += budget.rows[i].name == "harmonics" ? *budget.rows[i].difference : 0;
   }
@@ -238,13 +239,13 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
   const ring::CoulombRing friction(motion.friction_coefficient);
   const double terminal = *budget.rows.back().omega_terminal;
   for (const BudgetRow &row : budget.rows)
-    if (row.step != "1")
+    if (row.step.number != 1)
       for (std::size_t i = 0; i < 3; ++i)
       {
         const ring::RingStack kept = rich_load().truncated(row.harmonics.value_or(9));
         const double omega = terminal * static_cast<double>(i) / 2;
         EXPECT_NEAR(*row.torques[i], friction.wrench(kept, omega, motion.orbit_speed).torque, 1e-16)
-          << row.step << " " << i;
+          << row.name << " " << i;
       }
   EXPECT_NEAR(*budget.rows.front().torques[0],
               motion.friction_coefficient * ring::required_moment_at_rest(ring::Closure::paper, motion).x(),
@@ -349,8 +350,8 @@ TEST(Budget, LoadsThatWouldHaveToPullAreFormal)
   const Budget budget = budget_of(study);
   for (const BudgetRow &row : budget.rows)
   {
-    const bool is_cut = row.step != "1" && row.harmonics.value_or(4) < 3;
-    EXPECT_TRUE(!is_cut || row.standing == Standing::formal) << row.step;
+    const bool is_cut = row.step.number != 1 && row.harmonics.value_or(4) < 3;
+    EXPECT_TRUE(!is_cut || row.standing == Standing::formal) << row.name;
   }
   EXPECT_EQ(budget.rows.front().standing, Standing::full_contact);
   EXPECT_EQ(budget.rows.back().standing, Standing::lift_off); // a pressure does not pull
@@ -368,7 +369,7 @@ TEST(Budget, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
     EXPECT_NEAR(*budget.harmonics.relative, 0, 1e-9);
     for (const BudgetRow &row : budget.rows)
     {
-      EXPECT_NEAR(row.name == "harmonics" ? *row.difference : 0, 0, 1e-9) << row.step;
+      EXPECT_NEAR(row.name == "harmonics" ? *row.difference : 0, 0, 1e-9) << row.name;
     }
     for (std::size_t i = 0; i < budget.omega.size(); ++i)
       EXPECT_NEAR(budget.torque_all[i], budget.torque_first[i], 1e-11); // mu N R is 0.026 N m

@@ -1,6 +1,7 @@
 // Moment balances by loads by truncations, in process: which rows there are, and their effects of harmonics.
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/output/budget_tables.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +82,7 @@ TEST(Comparison, HasTheBudgetOfTheStudyInBalance)
   const Comparison comparison = compare_quickly(study);
   std::vector<std::string> rows;
   for (const BudgetRow &row : comparison.budget)
-    rows.push_back(row.step + " " + row.name);
+    rows.push_back(label_of(row.step) + " " + row.name);
   EXPECT_EQ(rows, (std::vector<std::string>{ "1 paper", "2 moment balance", "3 where the foot touches",
                                              "3a tilt", "4 harmonics", "5 harmonics", "6 harmonics" }));
   EXPECT_EQ(comparison.budget.back().omega_terminal,

@@ -74,7 +74,7 @@ TEST(Truncation, HasTheRowsOfTheBudget)
   ASSERT_EQ(result.budget.size(), budget.rows.size());
   for (std::size_t i = 0; i < budget.rows.size(); ++i)
   {
-    EXPECT_EQ(result.budget[i].step, budget.rows[i].step);
+    EXPECT_TRUE(result.budget[i].step == budget.rows[i].step) << i;
     EXPECT_EQ(result.budget[i].name, budget.rows[i].name);
     EXPECT_NEAR(*result.budget[i].omega_terminal, *budget.rows[i].omega_terminal, 1e-9) << i;
   }

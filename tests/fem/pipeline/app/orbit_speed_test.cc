@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace stemware::test
@@ -135,6 +136,41 @@ TEST(OrbitSpeed, ARampIsThatOfAnIndependentIntegration)
   EXPECT_LT(largest_difference(ramp[3], ramp_by_hand(0.2, 0.15, 2, true)), 1e-6);
   // Without the force that accelerates the glass it would be another spin.
   EXPECT_GT(largest_difference(ramp[3], ramp_by_hand(0.2, 0.15, 2, false)), 1e-3);
+}
+
+TEST(OrbitSpeed, SaysWhatTheReadingOfTheRowsMatters)
+{
+  // The rows, and the polygon through them as rows of its own, so close that their cubic is the polygon.
+  const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
+                                                        { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
+                                                        { 2, 0.15 } };
+  std::ostringstream given, dense;
+  for (std::ostringstream *file : { &given, &dense })
+    *file << std::setprecision(12) << "t (s), v (m/s)\n";
+  constexpr unsigned int n = 40;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    for (unsigned int k = 0; k < n; ++k)
+      dense << rows[i].first + (rows[i + 1].first - rows[i].first) * k / n << ", "
+            << rows[i].second + (rows[i + 1].second - rows[i].second) * k / n << '\n';
+  dense << "2, 0.15\n";
+  for (const auto &[time, speed] : rows)
+    given << time << ", " << speed << '\n';
+
+  const ScratchFolder scratch;
+  const Ended ended =
+    stemware(scratch, { "run", "--output", "out", "--quiet", "--set", "Load/Source=first harmonic", "--set",
+                        "Motion/Orbit speed file=" + scratch.write("v.csv", given.str()) });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const nlohmann::json said = read_summary(scratch / "out")["ring"]["driven"];
+  const std::vector<double> cubic = columns_of_table(read_text(scratch / "out/driven_spin_up.dat"), 4)[3],
+                            lines = driven(dense.str(), { "Load/Source=first harmonic" })[3];
+  const double most = largest_difference(cubic, lines), at_end = std::abs(cubic.back() - lines.back());
+  EXPECT_GT(most, 1e-2); // rad/s: far more than any band
+  EXPECT_NEAR(said["interpolation_change"].get<double>() / most, 1, 0.02);
+  EXPECT_NEAR(said["interpolation_change_at_end"].get<double>(), at_end, 0.02 * most);
+  EXPECT_NE(
+    read_text(scratch / "out/report.html").find("What lies between the rows of the file nobody knows"),
+    std::string::npos);
 }
 
 TEST(OrbitSpeed, AnElasticFootFollowsTheRingAndFeelsTheAcceleration)

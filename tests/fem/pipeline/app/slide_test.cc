@@ -30,6 +30,8 @@ TEST(SlideVerb, RingAndDiscEndWhereTheLiteratureSays)
   EXPECT_NEAR(ring["final_slip_ratio"].get<double>(), 1, 1e-12); // duality, any start
   EXPECT_LT(ring["energy_error"].get<double>(), 1e-9);
   EXPECT_EQ(ring["stop"]["y"], 0.);
+  EXPECT_EQ(ring["stop"]["heading"], 0.);
+  EXPECT_TRUE(ring["mesh_change"].is_null()); // closed forms
   const nlohmann::json disc = slide_of({ "--body", "disc", "--spin", "-7 rad/s" });
   EXPECT_NEAR(disc["final_speed_over_rim_speed"].get<double>(), -0.6530017892055976, 1e-12); // published
   EXPECT_LT(disc["energy_error"].get<double>(), 1e-9);
@@ -63,6 +65,7 @@ TEST(SlideVerb, ATiltedRingDriftsByTheClosedForm)
   EXPECT_NEAR(slide["start"]["acceleration_to_the_left"].get<double>() / (-mu * mu * 9.81 * ratio * eps), 1,
               1e-6);
   EXPECT_NEAR(slide["stop"]["y"].get<double>() / (-eps * ratio / (4 * 9.81)), 1, 1e-5);
+  EXPECT_TRUE(slide["stop"]["heading"].is_null()); // it turns on while the speed vanishes
 }
 
 TEST(SlideVerb, AGlassOnARigidRimIsTheRing)
@@ -96,6 +99,9 @@ TEST(SlideVerb, TheGlassOnItsOwnFootBendsLikeTheRing)
   EXPECT_NEAR(y / thin["stop"]["y"].get<double>(), 1, 0.05);
   EXPECT_NEAR(glass["final_slip_ratio"].get<double>(), thin["final_slip_ratio"].get<double>(), 0.02);
   EXPECT_LT(glass["energy_error"].get<double>(), 1e-9);
+  EXPECT_TRUE(glass["stop"]["heading"].is_null());
+  EXPECT_GT(glass["mesh_change"].get<double>(), 1e-12);
+  EXPECT_LT(glass["mesh_change"].get<double>(), 1e-5);
 }
 
 TEST(SlideVerb, LeavesTablesAndAReportWithThePath)

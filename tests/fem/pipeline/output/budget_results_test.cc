@@ -214,11 +214,11 @@ TEST(BudgetPlots, Waterfall)
 TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
 {
   Budget budget;
-  budget.rows = { { "1", "paper", 1, -3. },
-                  { "2", "moment balance", 1, -3.5, -0.5 },
-                  { "3", "where the foot touches", 1, -3.4, 0.1 },
-                  { "4", "harmonics", 2, -3.2, 0.2 },
-                  { "5", "harmonics", {}, -3.25, -0.05, 0.01 } };
+  budget.rows = { { { 1 }, "paper", 1, -3. },
+                  { { 2 }, "moment balance", 1, -3.5, -0.5 },
+                  { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
+                  { { 4 }, "harmonics", 2, -3.2, 0.2 },
+                  { { 5 }, "harmonics", {}, -3.25, -0.05, 0.01 } };
   const Plot plot = waterfall_plot(budget, 1e-9);
   std::string words;
   EXPECT_EQ(draw(plot, words), "");
@@ -228,11 +228,11 @@ TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
 TEST(BudgetPlots, WaterfallOfAGlassThatDoesNotSpin)
 {
   Budget budget;
-  budget.rows = { { "1", "paper", 1, 0. }, { "2", "moment balance", 1, 0., 0. } };
+  budget.rows = { { { 1 }, "paper", 1, 0. }, { { 2 }, "moment balance", 1, 0., 0. } };
   std::string words;
   EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
   EXPECT_EQ(draw(effects_plot(budget, 1e-8), words), "");
-  budget.rows = { { "1", "paper", 1 } };
+  budget.rows = { { { 1 }, "paper", 1 } };
   EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
 }
 
@@ -283,18 +283,18 @@ TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
 
 TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
 {
-  const std::vector<BudgetRow> rows = named_steps({ { "1", "paper", 1, -3. },
-                                                    { "3", "where the foot touches", 1, -3.4, -0.4 },
-                                                    { "4", "harmonics", 2, -3.2, 0.2 },
-                                                    { "5", "harmonics", 3, {}, {} },
-                                                    { "6", "harmonics", {}, -3.25, {} } });
+  const std::vector<BudgetRow> rows = named_steps({ { { 1 }, "paper", 1, -3. },
+                                                    { { 3 }, "where the foot touches", 1, -3.4, -0.4 },
+                                                    { { 4 }, "harmonics", 2, -3.2, 0.2 },
+                                                    { { 5 }, "harmonics", 3, {}, {} },
+                                                    { { 6 }, "harmonics", {}, -3.25, {} } });
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(title_of(rows[2]), "harmonics, all");
   EXPECT_NEAR(rows[2].difference.value(), 0.15, 1e-15); // -3.25 + 3.4
-  EXPECT_FALSE(named_steps({ { "1", "paper", 1, -3. },
-                             { "3", "tilt", 1 },
-                             { "4", "harmonics", 2, -3.2 },
-                             { "5", "harmonics", {}, -3.25, -0.05 } })
+  EXPECT_FALSE(named_steps({ { { 1 }, "paper", 1, -3. },
+                             { { 3 }, "tilt", 1 },
+                             { { 4 }, "harmonics", 2, -3.2 },
+                             { { 5 }, "harmonics", {}, -3.25, -0.05 } })
                  .back()
                  .difference);
 }

@@ -44,7 +44,8 @@ inline pipeline::TorqueCurve hand_made_torque_curve(Numbers &next)
 inline pipeline::Budget hand_made_budget(Numbers &next)
 {
   pipeline::Budget budget;
-  const auto add = [&](const char *step, const char *name, std::optional<unsigned int> harmonics)
+  const auto add =
+    [&](const pipeline::ChainStep &step, const char *name, std::optional<unsigned int> harmonics)
   {
     pipeline::BudgetRow row = { step, name, harmonics };
     row.omega_terminal = -next();
@@ -55,17 +56,17 @@ inline pipeline::Budget hand_made_budget(Numbers &next)
     row.standing = pipeline::Standing::full_contact;
     budget.rows.push_back(row);
   };
-  add("1", "paper", 1);
-  add("2", "moment balance", 1);
+  add({ 1 }, "paper", 1);
+  add({ 2 }, "moment balance", 1);
   budget.rows.back().standing = pipeline::Standing::formal;
-  add("2a", "grip", 1);
-  add("3", "where the foot touches", 1);
-  budget.rows.push_back({ "3a", "tilt", 1 });
+  add({ 2, true }, "grip", 1);
+  add({ 3 }, "where the foot touches", 1);
+  budget.rows.push_back({ { 3, true }, "tilt", 1 });
   budget.rows.back().standing = pipeline::Standing::tips;
   budget.rows.back().reason = "The foot tips";
-  add("4", "harmonics", 2);
+  add({ 4 }, "harmonics", 2);
   budget.rows.back().difference.reset();
-  add("5", "harmonics", {});
+  add({ 5 }, "harmonics", {});
   budget.without = { { "tilt", -next(), next() / 100, "" },
                      { "elasticity of the foot", -next(), -next() / 100, "" },
                      { "compliance of the interface", {}, {}, "not defined" } };
@@ -155,6 +156,7 @@ struct TruncationByHand
     truncations.torque = hand_made_torque_curve(next);
     truncations.harmonics = { -next() / 100, next() / 1000 };
     truncations.budget = hand_made_budget(next).rows;
+    truncations.budget.back().band = truncations.all().band;
   }
 
   Numbers next;

@@ -1,4 +1,5 @@
 // Every kind of plot, drawn by gnuplot without a complaint, with its numbers in the file beside it.
+#include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/render/report.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -207,6 +208,74 @@ TEST(Plots, FootprintOfAParabolicPressureEndsBetweenThePoints)
   const auto mean = plot.caption.find("Largest pressure 90 kPa at θ = 0°, mean ");
   ASSERT_NE(mean, std::string::npos) << plot.caption;
   EXPECT_NEAR(std::stod(plot.caption.substr(plot.caption.find("mean ") + 5)), 60, 1) << plot.caption;
+}
+
+/// On a rough table the pressure of a crowned rim is a bell, which ends nowhere: the contact is as wide as
+/// what carries 99 % of the load, 2 x 2.5758 standard deviations, whatever the map shows beyond; the mean is
+/// 0.99 sqrt(2 pi) / 5.1517 of the largest pressure.
+TEST(Plots, FootprintWithoutAnEdgeIsAsWideAsNinetyNinePercentOfTheLoad)
+{
+  const double deviation = 40e-6;
+  for (const double reach : { 3.6, 6. })
+  {
+    fem::PressureMap footprint;
+    footprint.is_grid = true;
+    footprint.has_edge = false;
+    for (unsigned int c = 0; c < 72; ++c)
+    {
+      footprint.cuts.emplace_back();
+      for (int i = -16; i <= 16; ++i)
+      {
+        const double x = reach * i / 16;
+        footprint.cuts.back().push_back(
+          { 0.03 + deviation * x, full_turn * c / 72, 9e4 * std::exp(-x * x / 2) });
+      }
+    }
+    const auto width = fem::contact_width(footprint.cuts.front(), false);
+    ASSERT_TRUE(width);
+    EXPECT_NEAR((width->outer - width->inner) / deviation, 5.1517, 0.1) << reach;
+    const auto [inner, outer] = loaded_band(footprint);
+    EXPECT_NEAR(inner, width->inner, 1e-15);
+    EXPECT_NEAR(outer, width->outer, 1e-15);
+    const Plot plot = footprint_plot(footprint, 0.03);
+    const ScratchFolder scratch;
+    EXPECT_EQ(draw(plot, scratch), "");
+    EXPECT_NEAR(data_of(plot, scratch)[1][23] * 1e-6 / deviation, 5.1517 / 2, 0.05);
+    EXPECT_NEAR(std::stod(plot.caption.substr(plot.caption.find("mean ") + 5)), 90 * 0.99 * 2.5066 / 5.1517,
+                1);
+    EXPECT_NE(plot.caption.find(" µm wide, where 99 % of the load lie."), std::string::npos) << plot.caption;
+  }
+}
+
+/// A land that is loaded up to its end at some azimuths and not at all at others, with a point alone at its
+/// end: nothing is divided by nothing. The pressure is 60 kPa on the outer half of the land, on half of the
+/// rim.
+TEST(Plots, FootprintAtTheEndOfTheLandHasAMean)
+{
+  fem::PressureMap footprint;
+  footprint.is_grid = true;
+  for (unsigned int c = 0; c < 36; ++c)
+  {
+    footprint.cuts.emplace_back();
+    for (unsigned int i = 0; i < 33; ++i)
+      // Radii whose sum with a share of their difference rounds to beyond them.
+      footprint.cuts.back().push_back({ 0.0292807 + 0.0008256591 * i / 32, full_turn * c / 36,
+                                        c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
+  }
+  const Plot plot = footprint_plot(footprint, 0.03);
+  // Half of the first interval is taken for the fall to zero.
+  EXPECT_NEAR(std::stod(plot.caption.substr(plot.caption.find("mean ") + 5)), 60 * 16.25 / 16.5, 0.3);
+  EXPECT_NE(plot.caption.find("the contact is 0 µm to 426 µm wide."), std::string::npos) << plot.caption;
+  for (const std::string &text : { plot.caption, plot.script })
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+  EXPECT_EQ(plot.data.find("inf"), std::string::npos);
+  EXPECT_EQ(plot.data.find("-nan"), std::string::npos);
+  EXPECT_NE(plot.data.find(" nan\n"), std::string::npos); // where there is no load
+  // No load at all: no mean.
+  for (auto &cut : footprint.cuts)
+    for (fem::PressurePoint &point : cut)
+      point.pressure = 0;
+  EXPECT_NE(footprint_plot(footprint, 0.03).caption.find("mean – kPa"), std::string::npos);
 }
 
 /// Rows with terminal spins, the last of which has all harmonics.

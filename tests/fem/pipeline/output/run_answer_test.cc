@@ -22,10 +22,10 @@ struct SpunStudy
     Numbers next;
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.rows.back().terminal->omega = -3.25;
-    spin.budget.rows = { { "1", "paper", 1, -3. },
-                         { "2", "moment balance", 1, -3.5, -0.5 },
-                         { "3", "where the foot touches", 1, -3.4, 0.1 },
-                         { "4", "harmonics", {}, -3.25, 0.15 } };
+    spin.budget.rows = { { { 1 }, "paper", 1, -3. },
+                         { { 2 }, "moment balance", 1, -3.5, -0.5 },
+                         { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
+                         { { 4 }, "harmonics", {}, -3.25, 0.15 } };
     spin.budget.harmonics = { 0.15, -0.15 / 3.4 };
     spin.budget.without = { { "tilt", -3.24, 0.01, "" },
                             { "grip", -3.3, -0.05, "" },
@@ -178,7 +178,7 @@ TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
   EXPECT_NE(spun.answer().find("rad/s. In the paper's model it does not spin up. "), std::string::npos);
   spun.spin.budget.rows.front().omega_terminal.reset();
   EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
-  spun.spin.budget.rows = { { "1", "paper", 1, -3.25 } };
+  spun.spin.budget.rows = { { { 1 }, "paper", 1, -3.25 } };
   EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
 }
 

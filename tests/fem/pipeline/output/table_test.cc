@@ -1,5 +1,6 @@
 // One table in its four forms: every kind of cell, what does not exist, and who sees which digits.
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -136,6 +137,24 @@ TEST(NumberFormat, BandsAreRoundedUp)
   EXPECT_EQ(format::band(4.81e-6), "4.9e-06");
   EXPECT_EQ(format::band(4.8e-6), "4.8e-06");
   EXPECT_EQ(format::band(0), "0");
+}
+
+TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double none : { std::nan(""), -std::nan(""), infinite, -infinite })
+  {
+    EXPECT_EQ(format::significant<6>(none), "–");
+    EXPECT_EQ(format::signed_significant<3>(none), "–");
+    EXPECT_EQ(format::scientific_or_zero<1>(none), "–");
+    EXPECT_EQ(format::fixed<2>(none), "–");
+    EXPECT_EQ(fmt::format(FMT_STRING("{:+.3g} N, {:.1f} %"), format::Number{ none }, format::Number{ 12.34 }),
+              "– N, 12.3 %");
+  }
+  EXPECT_EQ(format::band(-std::nan("")), "–");
+  // Data files and pictures have one spelling.
+  EXPECT_EQ(to_text(-std::nan("")), "nan");
+  EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }
 
 TEST(NumberFormat, DigitsOfPeople)

@@ -16,7 +16,7 @@ using namespace test;
 Results made_truncation()
 {
   const TruncationByHand by_hand;
-  return tabulate(by_hand.study, by_hand.load, by_hand.truncations);
+  return tabulate(by_hand.study, by_hand.load, by_hand.truncations, {});
 }
 
 TEST(TruncationByHand, Console)
@@ -54,7 +54,7 @@ TEST(TruncationByHand, OneWayIsSaid)
 {
   TruncationByHand by_hand;
   by_hand.study.load.coupling = LoadCoupling::one_way;
-  const Results results = tabulate(by_hand.study, by_hand.load, by_hand.truncations);
+  const Results results = tabulate(by_hand.study, by_hand.load, by_hand.truncations, {});
   const std::string console = console_text(results);
   EXPECT_NE(console.find("With the load of rest kept at every spin (one-way), the glass spins up to"),
             std::string::npos);
@@ -64,6 +64,26 @@ TEST(TruncationByHand, OneWayIsSaid)
       EXPECT_EQ(plot.caption.find("One-way") == std::string::npos,
                 plot.name == "load" || plot.name == "spectrum")
         << plot.name;
+}
+
+TEST(TruncationByHand, HarmonicsBelowTheirBandsAreHollow)
+{
+  const TruncationByHand by_hand;
+  const auto script_of_spectrum = [&](const ErrorBands &bands)
+  {
+    const Results results = tabulate(by_hand.study, by_hand.load, by_hand.truncations, bands);
+    for (const ReportSection &section : results.report.sections)
+      for (const Plot &plot : section.plots)
+        if (plot.name == "spectrum")
+          return plot.script + plot.caption;
+    return std::string();
+  };
+  ErrorBands bands;
+  for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+    for (const char *part : { "a", "b" })
+      bands.push_back({ { part + std::to_string(n), "", "1" }, n == 1 ? 1e-9 : 1e9 });
+  EXPECT_NE(script_of_spectrum(bands).find("not resolved"), std::string::npos);
+  EXPECT_EQ(script_of_spectrum({}).find("not resolved"), std::string::npos);
 }
 
 TEST(TruncationByHand, DataFiles)
@@ -141,8 +161,7 @@ band (rad/s): 2.2e-03 | 2.2e-03 | 2.3e-03 | 2.3e-03 | – | 2.4e-03 | 2.0e-03
 :  | formal |  |  | The foot tips |  | 
 )");
   EXPECT_EQ(json_lines(results.findings.summary["budget"]),
-            json_lines(budget_summary(
-              by_hand.study, chain_alone(by_hand.truncations.budget, by_hand.truncations.all().band))));
+            json_lines(budget_summary(by_hand.study, chain_alone(by_hand.truncations.budget))));
 }
 
 TEST(TruncationByHand, Summary)

@@ -8,6 +8,8 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/benchmark/random_study.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -246,6 +248,57 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
       EXPECT_NEAR(banded.parts.at("rings"), 1.25 * changed, 1e-2 * changed);
     }
   ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
+}
+
+/// Every row of the contact has a band, however many there are; the closed forms have none.
+TEST(ErrorBands, OfEveryRowOfTheContact)
+{
+  Study study = test::quick_contact_study();
+  study.contact.harmonics = 16;
+  study.contact.azimuth_lines = 64;
+  study.contact.load_harmonics = 24;
+  const test::SolvedStudy solved(study);
+  std::vector<SpinRow> by_harmonics;
+  for (const LoadedRow &row :
+       rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), silent_progress()))
+    by_harmonics.push_back(row.row);
+  std::vector<BudgetRow> rows = budget_rows(study, solved.foot, by_harmonics);
+  ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
+  fem::ComplianceCache cache;
+  const ErrorBands bands =
+    estimate_bands(study, solved.foot, solved.row, by_harmonics.front().omega_terminal(), cache);
+  const std::optional<double> all = band_of(bands, "omega_terminal"),
+                              first = band_of(bands, "omega_first_harmonic");
+  ASSERT_TRUE(all && first);
+  add_bands(all, first, rows);
+  for (const BudgetRow &row : rows)
+    EXPECT_EQ(row.band.has_value(), row.step.number >= 3) << row.name;
+  EXPECT_EQ(rows.back().band, all);
+  EXPECT_EQ(rows[3].band, first); // n <= 1 with tilt
+  // Rows of one value have one band.
+  EXPECT_NEAR(*rows[rows.size() - 2].omega_terminal, *rows.back().omega_terminal, 1e-9);
+  EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
+}
+
+TEST(ErrorBands, OfARowIsNoWiderThanWhatItDiffersBy)
+{
+  const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
+  std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),
+                                  row(9, -3.6501), row(10, -3.65), { { 11 }, "" }, row(12, -3.65) };
+  std::vector<BudgetRow> without_first = rows;
+  add_bands(1e-3, 3e-3, rows);
+  const std::vector<std::optional<double>> expected = { {}, {}, 3e-3, 3e-3, 1.1e-3, 1e-3, {}, 1e-3 };
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    ASSERT_EQ(rows[i].band.has_value(), expected[i].has_value()) << i;
+    EXPECT_NEAR(rows[i].band.value_or(0), expected[i].value_or(0), 1e-12) << i;
+  }
+  add_bands(1e-3, {}, without_first);
+  EXPECT_FALSE(without_first[2].band);
+  EXPECT_FALSE(without_first[3].band);
+  EXPECT_NEAR(without_first[4].band.value(), 1.1e-3, 1e-12);
+  add_bands({}, {}, without_first = { row(3, -3.6) });
+  EXPECT_FALSE(without_first.front().band);
 }
 
 TEST(ErrorBands, JudgeTheSpinByTheLargestMoveOfTorque)
