@@ -188,7 +188,7 @@ std::optional<double> relative_to(const std::optional<double> &reference,
   const double other = *reference + *difference;
   if (std::abs(other) < rounding || *reference * other < 0)
     return std::nullopt;
-  return *difference / *reference;
+  return *difference / *reference + 0.; // no -0
 }
 
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,

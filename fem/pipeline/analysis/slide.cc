@@ -127,9 +127,10 @@ std::optional<double> change_on_coarser_mesh(const Study &study, const ElasticFo
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius,
                most = motion.friction_at_rest() * motion.normal_force();
-  const TiltingFriction own = friction_of_load(load, motion),
+  const TiltingFriction own = friction_of_load(load, motion, radius),
                         other = friction_of_load(
-                          find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot)), motion);
+                          find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot)), motion,
+                          radius);
   double change = 0;
   for (const double slip_ratio : { start, (start + end) / 2, end })
   {

@@ -244,10 +244,12 @@ lambda (N/rad): 1.2001234567 | 1.2101234567
 
 TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
 {
+  // Closed form of the mean over the phases, as the torque beside it: mu pi r b_1 = 0.3
+  // pi 1.8201234567 1.7901234567, not mu times the moment 1.1401234567 at the phase of t = 0.
   const Results results = made_run();
   EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
  "tau_at_rest": 1.8301234567,
- "tau_closed_form": 0.34203703701,
+ "tau_closed_form": 3.0708242206909597,
  "lean_torque_at_rest": 0.0,
  "standing": "lift-off",
  "fall": null,
