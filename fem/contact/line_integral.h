@@ -40,7 +40,7 @@ struct LinePoint
 };
 
 /// The part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
-/// transverse tangents and depth, all of which are quadratic along the line. The part has no nodes.
+/// transverse tangents, gap and depth, all of which are quadratic along the line. The part has no nodes.
 inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
                                                        const LineSegment &range)
 {
@@ -50,6 +50,7 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   ContactLine part;
   part.position = at_samples * line.position;
   part.transverse_tangent = at_samples * line.transverse_tangent;
+  part.gap = at_samples * line.gap;
   return { part, at_samples * depth };
 }
 
