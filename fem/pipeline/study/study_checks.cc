@@ -45,7 +45,7 @@ void require_alike_lengths(const Study &study)
   const double radius = profile.contact_radius;
   constexpr double small = 1e-5, large = 300;
   // Cells are as large as the body is thick: thinner ones would fill memory before they are counted.
-  constexpr double thinnest_foot = 0.01, thinnest_disc = 0.003;
+  constexpr double thinnest_foot = 0.01, thinnest_disc = 0.001;
   std::vector<Length> lengths = { { "Motion/Orbit radius", study.motion.orbit.orbit_radius, 0.01, 1e5 } };
   if (study.load.is_from_contact() && study.contact.mesh_file.empty())
     lengths.push_back({ "Glass/Land width", profile.land_width, small, large });
