@@ -339,8 +339,10 @@ LoadHarmonics harmonics_on_lines(const Eigen::MatrixXd &forces, const Eigen::Vec
 
 unsigned int parts_of_lines(std::size_t n_rings)
 {
-  constexpr std::size_t enough_for = 8; // four Gauss points in each part
-  return static_cast<unsigned int>(n_rings / enough_for + 1);
+  // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
+  // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
+  constexpr std::size_t known_by_four_points = 8;
+  return n_rings <= known_by_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }
 
 std::pair<double, double> loaded_band(const TableLoad &load)
