@@ -20,9 +20,10 @@ struct RigidRing
   double a_over_a0[5]; ///< n = 2 ... 6
 };
 
-/// The harmonics of @p foot to @p tolerance of a_0, those of the ring of no width to @p of_width.
+/// The harmonics of @p foot to 2e-5 of a_0, where most of the rim has lifted off to 2e-4, which the sectors
+/// of its mesh leave; those of the ring of no width to @p of_width.
 void expect_harmonics(FootCase &foot, const GlassProfile &profile, double modulus, const RigidRing &ring,
-                      double tolerance, double of_width)
+                      double of_width)
 {
   PlainRigidFoot plain = PlainRigidFoot::on_mat(modulus);
   plain.inner_radius = profile.land_inner_radius();
@@ -32,6 +33,7 @@ void expect_harmonics(FootCase &foot, const GlassProfile &profile, double modulu
   const std::vector<PlainPoint> points =
     plain.forces(plain.lie_under(weight, demand.moment_x, demand.moment_y, 1e-6));
   const LoadHarmonics load = foot.solve_on_winkler(modulus, demand);
+  const double tolerance = ring.moment_ratio < 1.3 ? 2e-5 : 2e-4;
   for (unsigned int n = 2; n <= 6; ++n)
   {
     const double expected = harmonic_over_mean(points, n);
@@ -53,7 +55,7 @@ TEST(RigidLimit, FlatRingOnAMat)
          RigidRing{ 1.2, { 0.0962799669, -0.0686460157, 0.0394761682, -0.0146457969, -0.0020009154 } },
          RigidRing{ 1.5, { 0.5177741159, -0.0770927089, -0.0897805871, 0.0435211171, 0.0292202943 } },
          RigidRing{ 1.8, { 1.2846018580, 0.6615005787, 0.1518441150, -0.1162448349, -0.1505900663 } } })
-    expect_harmonics(foot, profile, 1e10, ring, 2e-4, 1e-3);
+    expect_harmonics(foot, profile, 1e10, ring, 1e-3);
 }
 
 TEST(RigidLimit, TorusRimOnAMat)
@@ -63,5 +65,5 @@ TEST(RigidLimit, TorusRimOnAMat)
        { RigidRing{ 0.5, { 0.0216141997, -6.288813e-4, 4.133006e-5, -3.628702e-6, 3.721098e-7 } },
          RigidRing{ 1.2, { 6. / 35, -0.0190476190, 0.0051948052, -0.0019980020, 9.324009e-4 } },
          RigidRing{ 1.8, { 1.2888588420, 0.6808576241, 0.1945825053, -0.0566029311, -0.0965376371 } } })
-    expect_harmonics(foot, GlassProfile(), 1e11, ring, 2e-4, 3e-4);
+    expect_harmonics(foot, GlassProfile(), 1e11, ring, 3e-4);
 }
