@@ -27,8 +27,8 @@ struct ContactIteration
 struct ContactStart
 {
   Eigen::Vector3d motion;
-  Eigen::VectorXd normal_displacement; ///< at the contact nodes [m]
-  unsigned int n_steps = 0;            ///< Newton steps taken before, of a solve that goes on
+  Eigen::VectorXd normal_displacement;  ///< at the contact nodes [m]
+  unsigned int n_steps = 0;             ///< Newton steps taken before, of a solve that goes on
   unsigned int n_linear_iterations = 0; ///< and what they took
 };
 
