@@ -137,7 +137,7 @@ TEST(ContactDriver, EveryConvergedRunBalances)
       // Plain sums over the pressure where it lies, and over the nodal forces.
       const ContactSurface &surface = foot.body->contact_surface();
       Eigen::Vector3d of_pressure(0, 0, 0), of_nodes(0, 0, 0);
-      for (const PointForce &point : mat->load(foot.solution).points)
+      for (const PointForce &point : mat->load(foot.solution, 1).points)
         of_pressure += point.force * Eigen::Vector3d(1, point.y, -point.x);
       for (Eigen::Index i = 0; i < surface.n_nodes(); ++i)
         of_nodes += foot.solution.forces(i) *
