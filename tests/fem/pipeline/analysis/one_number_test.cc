@@ -32,7 +32,7 @@ struct SolvedRun
     report = describe(study, foot, load, spin.all().last_spin().value());
     bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache);
     take_reported_numbers(report.load, spin.budget, bands);
-    add_bands(bands, spin.budget);
+    add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
     summary = tabulate(study, report, spin, bands, std::nullopt).findings.summary;
   }
 
