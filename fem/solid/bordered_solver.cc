@@ -46,10 +46,11 @@ public:
     }
     std::cerr.rdbuf(printed);
     if (has_failed)
-      throw std::runtime_error(
+      throw ContactFailure(
+        ContactOutcome::linear_solver_failed,
         "The stiffness of " + std::to_string(matrix.m()) +
-        " unknowns cannot be factorised: cells are distorted or memory is short; mend the "
-        "mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
+          " unknowns cannot be factorised: cells are distorted or memory is short; mend the "
+          "mesh, use fewer cells, or set Contact/Linear solver = multigrid.");
   }
   void vmult(VectorType &dst, const VectorType &src) const { solver.solve(dst, src); }
 

@@ -21,10 +21,12 @@ std::vector<std::string> arguments(const ScratchFolder &scratch, const std::stri
 {
   std::vector<std::string> all = { verb,       scratch.write("study.prm", plain_study()),
                                    "--output", verb,
-                                   "--set",    "Load/Coupling=two-way",
                                    "--set",    "Motion/End time=0.2" };
   for (const std::string &setting : settings)
     all.insert(all.end(), { "--set", setting });
+  if (std::none_of(settings.begin(), settings.end(),
+                   [](const std::string &setting) { return setting.rfind("Load/Coupling=", 0) == 0; }))
+    all.insert(all.end(), { "--set", "Load/Coupling=two-way" });
   return all;
 }
 

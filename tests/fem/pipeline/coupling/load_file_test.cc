@@ -38,8 +38,8 @@ TEST(LoadFile, RefusesWhatIsNotALoad)
   const std::string radius = "# ring radius: 0.03 (m)\n";
   const std::vector<std::pair<std::string, std::string>> cases = {
     { "0 0.4 0\n1 0.1 0\n", "how large the ring is" },
-    { "# ring radius: -0.03 (m)\n0 0.4 0\n1 0.1 0\n", "how large the ring is" },
-    { "# ring radius: nan (m)\n0 0.4 0\n1 0.1 0\n", "how large the ring is" },
+    { "# ring radius: -0.03 (m)\n0 0.4 0\n1 0.1 0\n", "gives no radius" },
+    { "# ring radius: nan (m)\n0 0.4 0\n1 0.1 0\n", "gives no radius" },
     { radius, "no first harmonic" },
     { radius + "0 0.4 0\n", "no first harmonic" },
     { radius + "0 -0.4 0\n1 0.1 0\n", "line 2" },
