@@ -249,14 +249,15 @@ TEST(BudgetPlots, Effects)
   EXPECT_EQ(effects_plot(budget, 1e-9).data.find("1e-12"), std::string::npos);
 }
 
-TEST(BudgetPlots, TheBandOfTheAnswerIsThatOfTheLastRow)
+TEST(BudgetPlots, TheBandsAreThoseOfTheRows)
 {
   RunByHand by_hand;
   by_hand.spin.budget.rows.back().band.reset();
-  const Results results = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
-  EXPECT_EQ(results.findings.summary["budget"].back()["band"], by_hand.bands.back().band);
-  const Results without = tabulate(by_hand.study, by_hand.report, by_hand.spin, {});
+  const Results without = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
   EXPECT_TRUE(without.findings.summary["budget"].back()["band"].is_null());
+  by_hand.spin.budget.rows.back().band = 0.0123;
+  const Results with = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  EXPECT_EQ(with.findings.summary["budget"].back()["band"], 0.0123);
 }
 
 TEST(BudgetPlots, HarmonicTorque)

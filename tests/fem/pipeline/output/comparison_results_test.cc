@@ -36,7 +36,7 @@ From the paper's model to this study's:
   grip                          -4.4401       -0.05   +1.14 %  4.5e-03
   where the foot touches        -4.4901       -0.05   +1.13 %  4.6e-03
   tilt                                -           -         -        -  The foot tips
-  harmonics, all                -4.5901           -         -  4.3e-03
+  harmonics, all                -4.5901           -         -  4.7e-03
 
 Terminal spin by load, all its harmonics kept, and by moment balance, and what the harmonics beyond
 the first do to it, each load against its own first harmonic, with tilt for a foot, without for the

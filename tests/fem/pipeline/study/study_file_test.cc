@@ -160,12 +160,13 @@ TEST(StudyFile, JsonSaysTheSameAsPrm)
   EXPECT_EQ(study_as_json(json), study_as_json(prm));
 }
 
-TEST(StudyFile, OverridesWinOverTheFileAndTheLastOneWins)
+TEST(StudyFile, OverridesWinOverTheFileAndStandOnce)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.prm", "subsection Motion\n  set Mass = 0.2\nend\n");
   EXPECT_EQ(read_study(file).motion.orbit.mass, 0.2);
-  EXPECT_EQ(read_study(file, { "Motion/Mass=0.4", "Motion/Mass=0.5" }).motion.orbit.mass, 0.5);
+  EXPECT_EQ(read_study(file, { "Motion/Mass=0.5" }).motion.orbit.mass, 0.5);
+  EXPECT_THROW(read_study(file, { "Motion/Mass=0.4", "Motion/Mass=0.5" }), BadInput);
 }
 
 TEST(StudyFile, PathsStartAtTheStudyFile)

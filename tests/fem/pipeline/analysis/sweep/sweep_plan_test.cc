@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
               "Contact/Harmonics = 6.4 is not allowed; give a whole number"),
     std::pair(SweepRequest{ { "Contact/Rings=5,40" }, {}, 200, 1 }, "Contact/Rings = 40 is not allowed"),
     std::pair(SweepRequest{ { "Motion/Mass=0.3:0.3:5" }, {}, 200, 1 }, "Motion/Mass = 0.3 stands twice"),
-    std::pair(SweepRequest{ { "Motion/Mass=0.2,0.3,200 g" }, {}, 200, 1 }, "Motion/Mass = 0.2 stands twice"),
+    std::pair(SweepRequest{ { "Motion/Mass=0.2 kg,0.3 kg,200 g" }, {}, 200, 1 }, "stands twice"),
     std::pair(SweepRequest{ { "Motion/Closure=paper,Paper" }, {}, 200, 1 },
               "Motion/Closure = Paper stands twice"),
     std::pair(SweepRequest{ { "Load/File=no_such.dat" }, {}, 200, 1 }, "no_such.dat does not exist"),
