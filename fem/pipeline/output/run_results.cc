@@ -299,14 +299,16 @@ ReportSection load_section(const Study &study, const LoadReport &load,
   return section;
 }
 
-/// What is zero at the terminal spin: "Friction's and the lean torque together".
+/// "Friction's torque and the lean torque add up to zero": what makes a spin the terminal one.
 std::string torques_of_balance(const Study &study)
 {
   const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
   if (!leans && !grips)
     return "Friction's torque vanishes";
-  return std::string("Friction's torque, ") + (leans ? "the lean torque" : "") +
-         (leans && grips ? " and " : "") + (grips ? "the grip's" : "") + " add up to zero";
+  const char *others = leans && grips ? ", the lean torque and that of the fingers"
+                       : leans        ? " and the lean torque"
+                                      : " and that of the fingers";
+  return std::string("Friction's torque") + others + " add up to zero";
 }
 
 /// Where the spin-up ends, and why.
@@ -318,8 +320,8 @@ std::string terminal_spin_clause(const Study &study, const SpinStudy &spin)
                        all.fall->omega);
   const double omega = *all.omega_terminal();
   std::string text =
-    fmt::format(FMT_STRING("{}, {}at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
-                torques_of_balance(study), spin.phases ? "in the mean over a long time, " : "", omega,
+    fmt::format(FMT_STRING("{}{} at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
+                torques_of_balance(study), spin.phases ? ", in the mean over a long time," : "", omega,
                 std::abs(omega) / boost::math::double_constants::two_pi);
   if (const auto time_constant = all.time_constant())
     text +=
