@@ -11,6 +11,7 @@ trap 'rm -rf -- "$scratch"' EXIT
 mkdir -p "$scratch/clone" "$scratch/bin"
 cp -- "$1"/{quickstart,packages.txt,CMakePresets.json} "$scratch/clone"
 cd -- "$scratch/clone"
+sed -i "s|/etc/os-release|$scratch/os-release|" quickstart
 export PATH=$scratch/bin:$PATH CALLS=$scratch/calls
 unset STEMWARE_PRESET CMAKE_BUILD_PARALLEL_LEVEL
 
@@ -19,11 +20,17 @@ stand_in() { # name, what it does
   chmod +x "$scratch/bin/$1"
 }
 stand_in dpkg-query 'echo "g++ installed"'
-stand_in dpkg ''
+stand_in dpkg '[[ $1 != --print-architecture ]] || echo "$ARCHITECTURE"'
 stand_in sudo '[[ $1 == -* ]] || exec "$@"'
 stand_in apt-get 'case $* in *--assume-no*) printf "%s\n" "6 upgraded, 318 newly installed, 0 to remove and 9 not upgraded." "Need to get 293 MB/300 MB of archives." "After this operation, 1,953 MB of additional disk space will be used." ;; *) yes "Unpacking something" | head -n 500 ;; esac'
 program='mkdir -p build/release; printf "%s\n" "#!/bin/sh" "echo \"stemware \$*\" >>\"\$CALLS\"" "echo Report" >build/release/stemware; chmod +x build/release/stemware'
 stand_in cmake "yes 'Building something' | head -n 200; [[ \$* != *--build* ]] || { $program; }"
+
+system() { # ID and VERSION_ID of its /etc/os-release, its architecture
+  printf 'NAME="Some system"\nID=%s\nVERSION_ID="%s"\n' "$1" "$2" >"$scratch/os-release"
+  export ARCHITECTURE=$3
+}
+system debian 12 amd64
 
 troubles=0
 expect() { # what, then a command that must succeed
@@ -38,6 +45,7 @@ ends() { # exit code, then the arguments of quickstart
   ((status == $1)) || { echo "exit code $status instead of $1:" && cat "$scratch/out" && return 1; }
 }
 shows() { grep -qE -e "$1" "$scratch/out" || { cat "$scratch/out" && return 1; }; }
+hides() { ! shows "$1" >/dev/null || { cat "$scratch/out" && return 1; }; }
 calls() { grep -qE -e "$1" "$CALLS" || { cat "$CALLS" && return 1; }; }
 
 expect "help ends with 0" ends 0 --help
@@ -57,6 +65,27 @@ expect "the program alone is built" calls '^cmake --build .*--target stemware$'
 expect "the default study is run" calls '^stemware run docs/cookbooks/wine_glass.prm --output results/wine_glass$'
 expect "a study and its options reach the program" ends 0 run my_glass.prm --set "Motion/Mass=0.2"
 expect "a study is run under its name" calls '^stemware run my_glass.prm --set Motion/Mass=0.2 --output results/my_glass$'
+
+expect "of a system that works nothing is said" hides "known to work"
+system debian 13 amd64
+expect "Debian 13 works" ends 0 run
+expect "of Debian 13 nothing is said" hides "known to work"
+system ubuntu 24.04 amd64
+expect "another system is tried" ends 0 run
+expect "what is known to work is said" shows "known to work on Debian 12 and 13 on amd64; ubuntu 24.04 on amd64 has not been tried"
+rm "$scratch/os-release"
+expect "an unknown system is tried" ends 0 run
+expect "what is known to work is said of it" shows "this system on amd64 has not been tried"
+system debian 13 arm64
+expect "arm64 is refused" ends 1 run
+expect "the way out is said" shows "no deal.II for arm64.*docker run --platform linux/amd64"
+expect "apt is not asked" test -z "$(grep ^apt-get "$CALLS")"
+system debian 12 amd64
+cp "$scratch/bin/apt-get" "$scratch/apt-get"
+stand_in apt-get '[[ $* != *--assume-no* ]] || { printf "E: Unable to locate package %s\n" libdeal.ii-dev mold; exit 100; }'
+expect "a package that does not exist ends with 1" ends 1 run
+expect "it is named" shows "apt finds no package libdeal.ii-dev, mold here"
+cp "$scratch/apt-get" "$scratch/bin/apt-get"
 
 stand_in ctest 'echo "each test: ${STEMWARE_EACH_TEST:-no}" >>"$CALLS"'
 expect "test works" ends 0 test

@@ -20,6 +20,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
 mkdir -p "$scratch/bin" "$scratch/clone/docs"
 ln -s -- "$program" "$scratch/bin/stemware"
+ln -s -- "$source/tests/mpirun" "$scratch/bin/mpirun"
 command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
 # shellcheck disable=SC2016 # for the script that is written
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"

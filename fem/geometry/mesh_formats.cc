@@ -4,6 +4,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_description.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 

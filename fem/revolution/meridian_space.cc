@@ -184,9 +184,9 @@ void MeridianSpace::find_contact_nodes()
   {
     ComponentMask mask(3, false);
     mask.set(c, true);
-    DoFTools::extract_boundary_dofs(dofs, mask,
-                                    { static_cast<types::boundary_id>(FootBoundary::contact_zone) })
-      .fill_index_vector(on_contact[c]);
+    const IndexSet indices = DoFTools::extract_boundary_dofs(
+      dofs, mask, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
+    on_contact[c].assign(indices.begin(), indices.end());
     std::sort(on_contact[c].begin(), on_contact[c].end(),
               [&](Dof a, Dof b) { return points[a][0] < points[b][0]; });
   }

@@ -294,7 +294,7 @@ void write_revolution_fields(const MeridianField &field, const PressureField &pr
   PatchWriter writer(FootPicture(field, pressure, motion, axis).patches());
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = field.space().dof_handler().get_fe().degree > 1;
-  flags.compression_level = DataOutBase::VtkFlags::best_speed;
+  flags.compression_level = decltype(flags.compression_level)::best_speed;
   flags.print_date_and_time = false; // equal runs give equal files
   writer.set_flags(flags);
   writer.write_vtu(file);

@@ -42,8 +42,7 @@ AssembledSystem::AssembledSystem(const Triangulation<3> &triangulation, const El
 
 void AssembledSystem::assemble()
 {
-  IndexSet locally_relevant;
-  DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+  const IndexSet locally_relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
   TrilinosWrappers::SparsityPattern sparsity(locally_owned, locally_owned, locally_relevant, communicator);
   DoFTools::make_sparsity_pattern(dof_handler, sparsity, constraints, false,
                                   Utilities::MPI::this_mpi_process(communicator));
@@ -205,8 +204,7 @@ void AssembledSystem::read_state(std::istream &stream)
 
 LinearAlgebra::distributed::Vector<double> AssembledSystem::displacement_for_output() const
 {
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
   LinearAlgebra::distributed::Vector<double> result(locally_owned, relevant, communicator);
   for (const auto i : locally_owned)
     result(i) = displacement(i);

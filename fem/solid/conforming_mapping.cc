@@ -58,8 +58,7 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   const FESystem<3> element(FE_Q<3>(degree), 3);
   DoFHandler<3> dof_handler(mesh);
   dof_handler.distribute_dofs(element);
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
   LinearAlgebra::distributed::Vector<double> positions(dof_handler.locally_owned_dofs(), relevant,
                                                        communicator);
   FEValues<3> at_nodes(*smooth, element, Quadrature<3>(element.base_element(0).get_unit_support_points()),

@@ -65,7 +65,7 @@ ContactNodes::ContactNodes(const IndexSet &owned, std::vector<Dof> dofs, const M
     for (unsigned int place = begin; place < end; ++place)
       known.add_index(owned.nth_index_in_set(place));
   const IndexSet own = known & owned;
-  own.fill_index_vector(all_dofs);
+  all_dofs.assign(own.begin(), own.end());
   for (const Dof dof : all_dofs)
     places.push_back(static_cast<unsigned int>(owned.index_within_set(dof)));
   all_dofs.insert(all_dofs.end(), others.begin(), others.end());

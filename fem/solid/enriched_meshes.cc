@@ -2,6 +2,7 @@
 
 #include "fem/geometry/boundary_ids.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
 #include <algorithm>

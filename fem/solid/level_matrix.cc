@@ -63,8 +63,7 @@ FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial 
     , owned(level.dof_handler.locally_owned_dofs())
     , nodes(std::move(contact_nodes))
 {
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
   TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, communicator);
   DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
                                   Utilities::MPI::this_mpi_process(communicator));

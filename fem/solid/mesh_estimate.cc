@@ -32,8 +32,7 @@ constexpr double left_unbalanced = 1e-3;
 
 DofVector vector_on(const SolidLevel &level)
 {
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(level.dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
   return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
 }
 

@@ -39,8 +39,7 @@ AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
   if (Utilities::MPI::sum(clamped.n_elements(), dof_handler.get_communicator()) == 0)
     throw std::invalid_argument(
       "The mesh has no stem cut: no boundary face carries the id 1; mark the faces where the stem was cut.");
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
   AffineConstraints<double> constraints(relevant);
   DoFTools::make_hanging_node_constraints(dof_handler, constraints);
   DoFTools::make_zero_boundary_constraints(dof_handler, stem_cut_id, constraints);
@@ -105,7 +104,7 @@ struct MeshHierarchy::Cycle
 
   void make_transfer(unsigned int finest)
   {
-    MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers(0, finest);
+    transfers.resize(0, finest);
     std::vector<AffineConstraints<float>> constraints(finest + 1);
     for (unsigned int l = 0; l <= finest; ++l)
       constraints[l].copy_from(levels[l]->constraints);
@@ -120,6 +119,9 @@ struct MeshHierarchy::Cycle
     }
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
+#if !DEAL_II_VERSION_GTE(9, 5, 0)
+    transfers.resize(0, 0); // this deal.II has copied them
+#endif
   }
 
   void make_smoothers(unsigned int finest)
@@ -152,7 +154,8 @@ struct MeshHierarchy::Cycle
   std::vector<std::shared_ptr<const ContactNodes>> contact_nodes;
   std::vector<Eigen::SparseMatrix<double>> interpolations; ///< of contact nodes, from the level below
   MGLevelObject<LevelMatrix> matrices;
-  std::unique_ptr<Transfer> transfer;
+  MGLevelObject<MGTwoLevelTransfer<3, FloatVector>> transfers; ///< between two levels each
+  std::unique_ptr<Transfer> transfer;                          ///< points to them
   mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
   std::unique_ptr<CoarseSolver> coarse_solver;
   mg::Matrix<FloatVector> matrix;

@@ -439,8 +439,7 @@ void MultigridSystem::read_state(std::istream &stream)
 
 LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_output() const
 {
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(mesh().dof_handler, relevant);
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(mesh().dof_handler);
   Vector result(mesh().dof_handler.locally_owned_dofs(), relevant, mesh().dof_handler.get_communicator());
   result.copy_locally_owned_data_from(displacement);
   mesh().constraints.distribute(result);

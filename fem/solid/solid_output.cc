@@ -156,7 +156,7 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
   DataOut<3> data_out;
   DataOutBase::VtkFlags flags;
   flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
-  flags.compression_level = DataOutBase::VtkFlags::best_speed;
+  flags.compression_level = decltype(flags.compression_level)::best_speed;
   flags.print_date_and_time = false; // equal runs give equal files
   data_out.set_flags(flags);
   data_out.add_data_vector(dof_handler, displacement, restored);

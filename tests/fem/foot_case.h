@@ -25,7 +25,7 @@ struct FootCase
   {
     make_foot_mesh(profile, resolution, triangulation);
     if (rotation != 0)
-      dealii::GridTools::rotate(rotation, 2, triangulation);
+      dealii::GridTools::rotate(dealii::Point<3>::unit_vector(2), rotation, triangulation);
     body = std::make_unique<SolidBody>(
       triangulation, material, [profile](double x, double y) { return profile.gap(std::hypot(x, y)); },
       options);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace
@@ -24,6 +25,10 @@ class FailurePrinter : public testing::EmptyTestEventListener
 
 int main(int argc, char **argv)
 {
+  // A process that mpirun did not start needs no daemon of Open MPI beside it, nor the ssh that the daemon
+  // asks for.
+  if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
+    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   testing::InitGoogleTest(&argc, argv);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)

@@ -21,7 +21,7 @@ void make_cylinder(Triangulation<3> &triangulation)
 {
   Triangulation<3> lying;
   GridGenerator::cylinder(lying, 0.02, 0.015);
-  GridTools::rotate(numbers::PI_2, 1, lying);
+  GridTools::rotate(Point<3>::unit_vector(1), numbers::PI_2, lying);
   GridTools::shift(Point<3>(0, 0, 0.015), lying);
   triangulation.copy_triangulation(lying);
   triangulation.set_manifold(0, CylindricalManifold<3>(2));

@@ -10,6 +10,11 @@
 #include <string>
 #include <vector>
 
+// Boost 1.74 has vector_barycentric_rational in boost::math, 1.83 in here.
+namespace boost::math::interpolators
+{
+}
+
 namespace stemware::pipeline
 {
 
@@ -32,7 +37,9 @@ LoadFunction polynomial(const LoadSamples &samples)
   }
   const std::size_t width = rows.front().size();
   const std::size_t order = x.size() - 1;
-  const boost::math::vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>> curve(
+  using namespace boost::math;
+  using namespace boost::math::interpolators;
+  const vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>> curve(
     std::move(x), std::move(rows), order);
   return [curve, width, n_rings](double place)
   {

@@ -70,18 +70,11 @@ Ended ended_with(int status, const fs::path &folder)
   return ended;
 }
 
-/// One thread per process, and Open MPI as root, in containers and with more ranks than cores.
+/// One thread per process.
 void set_environment()
 {
-  for (const auto &[name, value] :
-       std::map<const char *, const char *>{ { "OPENBLAS_NUM_THREADS", "1" },
-                                             { "OMP_NUM_THREADS", "1" },
-                                             { "OMPI_ALLOW_RUN_AS_ROOT", "1" },
-                                             { "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1" },
-                                             { "OMPI_MCA_rmaps_base_oversubscribe", "1" },
-                                             { "OMPI_MCA_btl_vader_single_copy_mechanism", "none" },
-                                             { "PMIX_MCA_gds", "hash" } })
-    ::setenv(name, value, 1);
+  for (const char *name : { "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS" })
+    ::setenv(name, "1", 1);
 }
 
 void write_line(int place, const std::string &text)

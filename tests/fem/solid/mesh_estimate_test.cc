@@ -13,6 +13,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <gtest/gtest.h>
@@ -237,15 +238,24 @@ TEST(MeshEstimate, FinerCellsLieOnTheFacesOfCoarserOnes)
     const dealii::FE_Q<3> element(degree);
     dealii::DoFHandler<3> dof_handler(mesh);
     dof_handler.distribute_dofs(element);
-    dealii::IndexSet relevant;
-    dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    const dealii::IndexSet relevant = dealii::DoFTools::extract_locally_relevant_dofs(dof_handler);
     dealii::AffineConstraints<double> hanging(relevant);
     dealii::DoFTools::make_hanging_node_constraints(dof_handler, hanging);
     hanging.close();
     const auto largest_gap = [&](const dealii::MappingQ<3> &mapping)
     {
+      dealii::FEValues<3> nodes(mapping, element, dealii::Quadrature<3>(element.get_unit_support_points()),
+                                dealii::update_quadrature_points);
       std::map<dealii::types::global_dof_index, dealii::Point<3>> points;
-      dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
+      std::vector<dealii::types::global_dof_index> of_cell(element.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (!cell->is_artificial())
+        {
+          nodes.reinit(cell);
+          cell->get_dof_indices(of_cell);
+          for (unsigned int i = 0; i < of_cell.size(); ++i)
+            points[of_cell[i]] = nodes.quadrature_point(i);
+        }
       double largest = 0;
       for (const auto &line : hanging.get_lines())
       {

@@ -284,7 +284,7 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
 {
   const ScratchFolder scratch;
   const auto alone = run(scratch, {}, "alone");
-  const Ended ended = RunningProgram({ STEMWARE_MPIEXEC, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm",
+  const Ended ended = RunningProgram({ STEMWARE_MPIRUN, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm",
                                        "--output", "together" },
                                      scratch.path())
                         .end();
@@ -318,7 +318,7 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
   // Only its fields are written by the second rank.
   const std::string command = std::string(STEMWARE_PROGRAM) + " run coarse.prm";
   const Ended ended =
-    RunningProgram({ STEMWARE_MPIEXEC, "--mca", "btl", "self,tcp", "-n", "1", "/bin/sh", "-c",
+    RunningProgram({ STEMWARE_MPIRUN, "--mca", "btl", "self,tcp", "-n", "1", "/bin/sh", "-c",
                      "exec " + command, ":", "-n", "1", "/bin/sh", "-c", "ulimit -f 4; exec " + command },
                    scratch.path())
       .end();

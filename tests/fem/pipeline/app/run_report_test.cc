@@ -262,7 +262,7 @@ TEST(CoarseReport, WithTwoRanks)
   const ScratchFolder scratch;
   scratch.write("coarse.prm", coarse_study());
   const Ended ended =
-    RunningProgram({ STEMWARE_MPIEXEC, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path())
+    RunningProgram({ STEMWARE_MPIRUN, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path())
       .end();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(all_between(ended.out, "\nReport ", "\n").size(), 1u) << ended.out;

@@ -163,7 +163,7 @@ TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     return read_summary(scratch / "results");
   };
-  const auto one = summary_on({}), two = summary_on({ STEMWARE_MPIEXEC, "-n", "2" });
+  const auto one = summary_on({}), two = summary_on({ STEMWARE_MPIRUN, "-n", "2" });
   const auto &alone = one["goal"], &together = two["goal"];
   EXPECT_EQ(alone["name"], "torque");
   EXPECT_EQ(alone["meshes"], 1);

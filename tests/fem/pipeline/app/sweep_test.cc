@@ -111,7 +111,7 @@ TEST(Sweep, WorkersAndRanksDoNotChangeADigit)
   scratch.write("study.prm", quick_study());
   std::vector<std::string> three_jobs = forty_cases;
   three_jobs.insert(three_jobs.end(), { "--jobs", "3" });
-  RunningProgram ranks(with_program(sweep(three_jobs), { STEMWARE_MPIEXEC, "-n", "2" }), scratch.path());
+  RunningProgram ranks(with_program(sweep(three_jobs), { STEMWARE_MPIRUN, "-n", "2" }), scratch.path());
   const Ended ended = ranks.end();
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(read_text(scratch / "results/sweep.csv"), expected);
@@ -305,7 +305,7 @@ TEST(Sweep, SolidBodiesAndOthersInOneTable)
     return std::vector<double>{ table.number(0, "terminal spin (rad/s)"),
                                 table.number(1, "terminal spin (rad/s)") };
   };
-  const auto alone = spins({}), together = spins({ STEMWARE_MPIEXEC, "-n", "2" });
+  const auto alone = spins({}), together = spins({ STEMWARE_MPIRUN, "-n", "2" });
   EXPECT_NEAR(alone[0], alone[1], 0.01); // two bodies, one glass, on coarse meshes
   EXPECT_NE(alone[0], alone[1]);
   EXPECT_NEAR(together[0], alone[0], 1e-8);
