@@ -56,7 +56,6 @@ mirrors_of_this_machine() {
 mirrors() {
   local found
   found=$(mirrors_of_this_machine)
-  [[ -n $found ]] || found="http://deb.debian.org/debian/ $this_release"
   printf '%s\n' "${found// $this_release/ $release}"
 }
 
@@ -89,7 +88,7 @@ in_root() {
 make_bare_root() {
   local bare=$folder/bare-$release mirror suite
   [[ ! -d $bare ]] || return 0
-  read -r mirror suite < <(mirrors | grep " $release\$")
+  read -r mirror suite < <(mirrors | grep " $release\$") || skip "apt reads no Debian archive of $this_release on this machine."
   /usr/lib/apt/apt-helper download-file "${mirror%/}/dists/$suite/InRelease" "$folder/InRelease" >/dev/null 2>&1 ||
     skip "the mirror ${mirror} does not answer for $release."
   local proxy
