@@ -172,6 +172,21 @@ TEST(SolidBands, TakeOneRingLessThanTheFootHas)
   }
 }
 
+// Of linear elements, in seconds.
+TEST(SolidBands, OfALinearFlatLandOnAHardTable)
+{
+  Study study = flat_land(0.5);
+  study.contact.resolution = { 16, 2, 1 };
+  study.contact.degree = 1;
+  Study finer = revolved(study);
+  finer.contact.degree = 2;
+  const ErrorBands solid = bands_of(study), revolution = bands_of(finer);
+  for (const char *key : { "omega_terminal", "tau_at_spin_1", "a2", "b3", "a4" })
+    expect_within_both(solid, revolution, key);
+  EXPECT_GT(find(solid, "a2").parts.at("interface"), 0);
+  EXPECT_LT(find(solid, "a2").band, 0.1); // of a_0
+}
+
 TEST(SolidBands, OfAFlatLandOnAHardTable)
 {
   expect_band_of_flat_land(0.5);
