@@ -37,9 +37,10 @@ its elastic foot by finite elements, friction, and what each effect does.")
 
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libstemware-dev)
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
+get_directory_property(dealii_version DIRECTORY fem DEFINITION DEAL_II_PACKAGE_VERSION)
 string(
   JOIN ", " CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS
-  "libdeal.ii-dev (>= ${DEAL_II_PACKAGE_VERSION})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev libfmt-dev
+  "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev libfmt-dev
   libcli11-dev nlohmann-json3-dev)
 set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
     "Headers, archives and CMake package of the ring model, of the finite elements

@@ -70,7 +70,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"
   stemware new --cookbook oval_foot                           a study of a mesh, and the mesh
-  stemware run --set Contact/Body=solid --set "Contact/Mesh file=oval_foot.msh"
+  stemware run oval_foot.prm
   stemware run my_glass.prm --quiet --json | jq .omega_terminal
   stemware defaults Glass | stemware run - --output results/piped     from standard input
   mpirun -n 4 stemware run --set Contact/Body=solid --set "Contact/Azimuthal cells=96"
