@@ -2,11 +2,6 @@
 # deal.II's own set-up macro leaks flags into dependants, wants plain-signature links and knows only two build types.
 # STEMWARE_DEALII_IS_DEBUG (0 or 1): with which of deal.II's two libraries Stemware's own are built.
 find_package(deal.II 9.4.1 REQUIRED QUIET) # quiet: it lists every macro file that it includes
-foreach(feature IN ITEMS WITH_MPI WITH_P4EST WITH_TRILINOS TRILINOS_WITH_MUMPS)
-  if(NOT DEAL_II_${feature})
-    message(FATAL_ERROR "This deal.II was built without DEAL_II_${feature}; install Debian's libdeal.ii-dev.")
-  endif()
-endforeach()
 include(${DEAL_II_TARGET_CONFIG})
 
 add_library(stemware_dealii INTERFACE IMPORTED GLOBAL)

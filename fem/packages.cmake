@@ -4,7 +4,7 @@ install(
   FILES LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR}
   COMPONENT program)
-if(STEMWARE_SIMD STREQUAL "native")
+if(NOT DEFINED STEMWARE_SIMD OR STEMWARE_SIMD STREQUAL "native")
   return()
 endif()
 
@@ -22,9 +22,10 @@ set(CPACK_VERBATIM_VARIABLES ON)
 cmake_host_system_information(RESULT distribution QUERY DISTRIB_ID)
 cmake_host_system_information(RESULT release QUERY DISTRIB_VERSION_ID)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1~${distribution}${release})
+set(CPACK_DEBIAN_PACKAGE_VERSION ${STEMWARE_VERSION})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program ring_model fem pipeline)
+set(CPACK_COMPONENTS_ALL program ring_model fem)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME stemware)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
@@ -40,11 +41,10 @@ set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
 get_directory_property(dealii_version DIRECTORY fem DEFINITION DEAL_II_PACKAGE_VERSION)
 string(
   JOIN ", " CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS
-  "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev libfmt-dev
-  libcli11-dev nlohmann-json3-dev)
+  "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev)
 set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
-    "Headers, archives and CMake package of the ring model, of the finite elements
-and of what the program is made of.")
+    "Headers, archives and CMake package of the ring model and of the finite
+elements.")
 
 foreach(package IN ITEMS program=stemware ring_model=libstemware-dev)
   string(REPLACE "=" ";" package ${package})
@@ -60,6 +60,6 @@ endforeach()
 include(CPack)
 cpack_add_component(program)
 cpack_add_component_group(libraries)
-foreach(component IN ITEMS ring_model fem pipeline)
+foreach(component IN ITEMS ring_model fem)
   cpack_add_component(${component} GROUP libraries)
 endforeach()

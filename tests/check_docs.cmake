@@ -1,5 +1,6 @@
 # What the pages name exists: the files that they link, the files and folders in `code`, the tests in a --gtest_filter
-# or behind "Tests:", and the papers that pages and comments cite as [Key]. Given: SOURCE_DIR.
+# or behind "Tests:", and the papers that pages and comments cite as [Key]. CITATION.cff has the version of CMakeLists.txt.
+# Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 
 # Brackets and semicolons mean something in a list of CMake.
@@ -89,6 +90,13 @@ foreach(file IN LISTS files pages)
     endif()
   endforeach()
 endforeach()
+
+file(STRINGS ${SOURCE_DIR}/CMakeLists.txt version REGEX "^set\\(STEMWARE_VERSION ")
+string(REGEX REPLACE "^set\\(STEMWARE_VERSION (.*)\\)" "version: \\1" version "${version}")
+file(STRINGS ${SOURCE_DIR}/CITATION.cff cited REGEX "^version: ")
+if(NOT cited STREQUAL version)
+  string(APPEND troubles "CITATION.cff has \"${cited}\"; CMakeLists.txt says \"${version}\"\n")
+endif()
 
 if(troubles)
   message(FATAL_ERROR "The pages name what does not exist:\n${troubles}")

@@ -36,4 +36,8 @@ struct FootResolution
 void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolution,
                     dealii::Triangulation<3, 3> &triangulation);
 
+/// FootResolution::edge_halvings that a foot of @p profile needs: on a hard table the pressure of a flat land
+/// gathers at its inner side. 0 elsewhere.
+unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard);
+
 } // namespace stemware::fem

@@ -1,9 +1,9 @@
 #include "fem/solid/assembled_system.h"
 
-#include "fem/elasticity/stiffness_3d.h"
 #include "fem/solid/binary_stream.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>

@@ -1,6 +1,6 @@
 #include "fem/solid/level_matrix.h"
 
-#include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>

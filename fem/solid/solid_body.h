@@ -3,6 +3,7 @@
 #include "fem/contact/elastic_body.h"
 #include "fem/contact/sliding_traction.h"
 #include "fem/elasticity/elastic_material.h"
+#include "fem/elasticity/linear_solver.h"
 
 #include <functional>
 #include <iosfwd>
@@ -17,19 +18,6 @@ class Triangulation;
 
 namespace stemware::fem
 {
-
-/// How the linear systems of a SolidBody are preconditioned. The outer method is always conjugate gradients.
-enum class LinearSolver
-{
-  automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
-  direct,    ///< factorisation (MUMPS) of a recent tangent
-  multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
-             ///< (MeshHierarchy)
-};
-
-/// Above this number of unknowns a factorisation costs more time and memory than multigrid does
-/// (docs/method.md, "Linear solves").
-constexpr unsigned int largest_direct_system = 50000;
 
 /// Numerical parameters of a SolidBody.
 struct SolidOptions

@@ -94,15 +94,6 @@ void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked)
   halve(dynamic_cast<dealii::parallel::distributed::Triangulation<3> &>(*mesh.triangulation), marked);
 }
 
-unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard, LinearSolver solver)
-{
-  if (!table_is_hard || profile.crown_radius != 0 || solver == LinearSolver::direct)
-    return 0;
-  // At a right angle the pressure stays finite. Under a surface that goes on it does not, and contact is a
-  // few hundredths of a millimetre wide.
-  return profile.shape == GlassShape::step ? 2 : 5;
-}
-
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)
 {
   const auto mesh = std::make_shared<dealii::parallel::distributed::Triangulation<3>>(MPI_COMM_WORLD);

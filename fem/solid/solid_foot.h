@@ -26,10 +26,6 @@ struct SolidMesh
 /// them.
 void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
 
-/// FootResolution::edge_halvings that a foot of @p profile needs: on a hard table the pressure of a flat land
-/// gathers at its inner side. 0 elsewhere, and where @p solver knows no halved cells.
-unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard, LinearSolver solver);
-
 /// The mesh that make_foot_mesh() generates: a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 

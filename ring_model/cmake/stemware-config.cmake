@@ -1,24 +1,19 @@
-# find_package(Stemware COMPONENTS ring_model fem pipeline): the libraries of these folders, each as stemware::NAME, and
+# find_package(Stemware COMPONENTS ring_model fem): the libraries of these folders, each as stemware::NAME, and
 # all of a component as stemware::COMPONENT; without COMPONENTS all that are installed. A folder beside this file holds
 # what belongs to a component. find_package(stemware) reads this file too.
 set(_stemware ${CMAKE_FIND_PACKAGE_NAME})
 if(NOT ${_stemware}_FIND_COMPONENTS)
-  foreach(_stemware_component IN ITEMS ring_model fem pipeline)
+  foreach(_stemware_component IN ITEMS ring_model fem)
     if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/${_stemware_component}")
       list(APPEND ${_stemware}_FIND_COMPONENTS ${_stemware_component})
       set(${_stemware}_FIND_REQUIRED_${_stemware_component} TRUE)
     endif()
   endforeach()
 endif()
-set(_stemware_components ${${_stemware}_FIND_COMPONENTS})
-if("pipeline" IN_LIST _stemware_components) # knows both others
-  list(PREPEND _stemware_components ring_model fem)
-  list(REMOVE_DUPLICATES _stemware_components)
-endif()
 
 # A component's files set ${_stemware}_FOUND to FALSE, with a message, where something is missing.
 set(_stemware_missing FALSE)
-foreach(_stemware_component IN LISTS _stemware_components)
+foreach(_stemware_component IN LISTS ${_stemware}_FIND_COMPONENTS)
   set(${_stemware}_FOUND TRUE)
   if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/${_stemware_component}")
     include("${CMAKE_CURRENT_LIST_DIR}/${_stemware_component}/dependencies.cmake")

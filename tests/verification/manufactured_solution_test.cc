@@ -1,5 +1,5 @@
 // u = d cos(k . x): -div sigma = ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
-#include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>

@@ -126,7 +126,7 @@ void expect_agreement(const RevolutionSetup &setup, FootResolution resolution,
   solid_setup.profile = setup.profile;
   solid_setup.table = setup.table;
   solid_setup.options.linear_solver = LinearSolver::multigrid;
-  resolution.edge_halvings = edge_halvings_for(setup.profile, true, LinearSolver::multigrid);
+  resolution.edge_halvings = edge_halvings_for(setup.profile, true);
   SolidFoot solid(generate_solid_mesh(setup.profile, resolution), solid_setup);
   RevolutionFoot revolution(setup.resolved_for(weight));
   for (const double m : moments)

@@ -286,20 +286,25 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 }
 
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     fem::ComplianceCache &cache, Progress &progress)
+                     fem::ComplianceCache &cache, Progress &progress, Depth depth)
 {
-  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, spin_question(study), progress);
+  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, spin_question(study), progress, depth);
   SpinStudy result;
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
-  result.one_ring = row_on_one_ring(study, foot.get(), result.all(), cache);
+  if (depth == Depth::full)
+    result.one_ring = row_on_one_ring(study, foot.get(), result.all(), cache);
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, solved);
   result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
-  result.budget = find_budget(study, foot, solved, cache, progress);
+  if (depth == Depth::full)
+    result.budget = find_budget(study, foot, solved, cache, progress);
+  else
+    result.budget.harmonics =
+      harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
   result.torque = torque_curve(study, solved, 1);
   result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load, result.all());
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);

@@ -78,8 +78,8 @@ struct SpinStudy
 {
   std::vector<SpinRow> rows;       ///< by harmonics: rows_by_harmonics()
   std::optional<SpinRow> one_ring; ///< all harmonics on one ring; nothing where the study has one
-  Budget budget;
-  TorqueCurve torque; ///< of the first harmonic and of all
+  Budget budget;                   ///< without rows where the answer alone was asked
+  TorqueCurve torque;              ///< of the first harmonic and of all
   SpinUpCurves spin_up;
   /// all_terminal_spins(), that of the last row among them; nothing where rim or table are wavy, or a torque
   /// takes minutes (a solid body in balance at every spin).
@@ -89,6 +89,8 @@ struct SpinStudy
   std::optional<ProfileScatter> profile_scatter = {};
 
   const SpinRow &all() const { return rows.back(); }
+  /// Whether the answer and its curves were all that was asked: Depth::answer.
+  bool is_quick() const { return budget.rows.empty(); }
   /// Without a moment the glass does not spin up: its terminal spin is rounding, to which nothing can be
   /// related.
   bool spins_up() const { return all().relative_change.has_value(); }
@@ -111,12 +113,14 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 /// load.
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
 
-/// Solves for everything. @p foot is study_foot(), @p load find_load() of it; feet of other models of the
-/// budget share what they can with it in @p cache. A glass that falls over on the way is an answer: its last
-/// row has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where all harmonics have no terminal
-/// spin otherwise, or the spin under a load that depends on the phase does not settle; what contact solutions
-/// and balances throw.
+/// Solves for everything, or with Depth::answer for the answer and its curves: neither a budget but the
+/// effect of the harmonics, nor one ring. @p foot is study_foot(), @p load find_load() of it; feet of other
+/// models of the budget share what they can with it in @p cache. A glass that falls over on the way is an
+/// answer: its last row has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where all harmonics
+/// have no terminal spin otherwise, or the spin under a load that depends on the phase does not settle; what
+/// contact solutions and balances throw.
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     fem::ComplianceCache &cache, Progress &progress = silent_progress());
+                     fem::ComplianceCache &cache, Progress &progress = silent_progress(),
+                     Depth depth = Depth::full);
 
 } // namespace stemware::pipeline

@@ -18,10 +18,11 @@ namespace
 {
 
 /// Numbers of harmonics of the rows.
-std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all)
+std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Depth depth)
 {
-  const bool is_slow = abilities(study.contact.body).is_collective || study.has_waviness();
-  if (study.load.is_in_balance() && is_slow && n_all > 1)
+  const bool is_slow =
+    study.load.is_in_balance() && (abilities(study.contact.body).is_collective || study.has_waviness());
+  if ((is_slow || depth == Depth::answer) && n_all > 1)
     return { 1, n_all };
   return truncation_orders(n_all);
 }
@@ -157,9 +158,10 @@ std::optional<ring::KnownZero> known_zero(const SpinRow &row)
 }
 
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         const BalancedLoad &load, SpinQuestion question, Progress &progress)
+                                         const BalancedLoad &load, SpinQuestion question, Progress &progress,
+                                         Depth depth)
 {
-  const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics());
+  const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
   const LoadedRow whole = { spin_row(load, question), load };
   question.with_slope = false;

@@ -36,6 +36,13 @@ double shown_spin(const Study &study, const SpinRow &row, double fastest);
 /// A sentence where the fingers hold the glass of @p row at rest; empty elsewhere.
 std::string held_by_the_grip(const Study &study, const SpinRow &row);
 
+/// What is found out beside the answer and its curves.
+enum class Depth
+{
+  answer, ///< nothing: all harmonics and the first alone
+  full    ///< rows by harmonics, one ring, budget, leave-one-out
+};
+
 /// What a row asks about the spin of a study: motion, grip and contact radius.
 SpinQuestion spin_question(const Study &study);
 
@@ -63,11 +70,12 @@ std::optional<ring::KnownZero> known_zero(const SpinRow &row);
 
 /// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each as
 /// truncated_row(), related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
-/// of its balances takes minutes. Throws as @p load and spin_row() where all harmonics have no answer; where
-/// the glass falls over on the way, the last row has a SpinRow::fall and nothing is related to it.
+/// of its balances takes minutes; so has any study of which the answer alone is asked. Throws as @p load and
+/// spin_row() where all harmonics have no answer; where the glass falls over on the way, the last row has a
+/// SpinRow::fall and nothing is related to it.
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
-                                         Progress &progress = silent_progress());
+                                         Progress &progress = silent_progress(), Depth depth = Depth::full);
 
 /// Interpolates the loads of the last one of @p rows, and of those in front of it with up to @p n_most
 /// harmonics, in the spin, for curves of thousands of values: from @p lower to @p upper [rad/s], or, where

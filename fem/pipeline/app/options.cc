@@ -1,5 +1,6 @@
 #include "fem/pipeline/app/options.h"
 
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/study/idle_entries.h"
 #include "fem/pipeline/study/plausible_values.h"
@@ -140,6 +141,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
+  require_known_body(study);
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
   watch_for_interruption(); // again: MPI puts handlers of its own in place

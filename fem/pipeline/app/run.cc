@@ -20,10 +20,20 @@ namespace stemware::pipeline
 namespace
 {
 
+/// What `run` is told.
+struct RunOptions
+{
+  StudyOptions study;
+  bool quick = false; ///< the answer and its curves alone
+};
+
 /// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
 /// OutputFailure, fem::ContactFailure, and std::runtime_error where there is no balance or no terminal spin.
-void run(const StudyOptions &options)
+void run(const RunOptions &run_options)
 {
+  const StudyOptions &options = run_options.study;
+  const Depth depth = run_options.quick ? Depth::answer : Depth::full;
+
   // 1. What is asked for; everything that can be refused is refused here.
   Stopwatch stopwatch;
   ConsoleProgress progress(stopwatch);
@@ -37,17 +47,20 @@ void run(const StudyOptions &options)
   const auto [study, goal] = mesh_for_goal(given, cache, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const BalancedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, load, cache, progress);
+  SpinStudy spin = study_spin(study, foot, load, cache, progress, depth);
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
   const ContactReport report = describe(study, foot, load, last_spin);
   stopwatch.finish("report_of_contact");
-  ErrorBands bands =
-    estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
-  take_reported_numbers(report.load, spin.budget, bands);
-  add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-  spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
-  stopwatch.finish("error_bands");
+  ErrorBands bands;
+  if (depth == Depth::full)
+  {
+    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
+    take_reported_numbers(report.load, spin.budget, bands);
+    add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
+    spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
+    stopwatch.finish("error_bands");
+  }
 
   // 3. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
@@ -59,10 +72,11 @@ void run(const StudyOptions &options)
 
 void add_run_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<StudyOptions>();
+  const auto options = std::make_shared<RunOptions>();
   CLI::App *verb =
     program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
-  add_study_options(*verb, *options);
+  add_study_options(*verb, options->study);
+  verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
   verb->footer(R"(Examples:
   stemware run                                                the default study
   stemware new --cookbook lift_off                            writes lift_off.prm, to be read and changed
@@ -71,6 +85,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"
   stemware new --cookbook oval_foot                           a study of a mesh, and the mesh
   stemware run oval_foot.prm
+  stemware run my_glass.prm --quick
   stemware run my_glass.prm --quiet --json | jq .omega_terminal
   stemware defaults Glass | stemware run - --output results/piped     from standard input
   mpirun -n 4 stemware run --set Contact/Body=solid --set "Contact/Azimuthal cells=96"

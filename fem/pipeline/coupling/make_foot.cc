@@ -1,19 +1,16 @@
 #include "fem/pipeline/coupling/make_foot.h"
 
+#include "fem/pipeline/coupling/deforming_friction.h"
 #include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/solid_feet.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_foot.h"
-#include "fem/solid/contact_checkpoint.h"
-#include "fem/solid/solid_foot.h"
 
 #include <deal.II/grid/tria.h>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -21,19 +18,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// Gives @p setup the friction that deforms the body, where one does.
-template <typename Setup>
-void set_friction(const Study &study, Setup &setup)
-{
-  if (!study.friction_deforms())
-    return;
-  const ring::Motion &motion = study.motion.orbit;
-  setup.friction_coefficient = motion.friction_coefficient;
-  if (!motion.has_constant_friction())
-    setup.friction_by_slip = [motion](double relative_slip)
-    { return motion.friction_at(relative_slip * motion.orbit_speed); };
-}
 
 fem::RevolutionSetup revolution_setup(const Study &study)
 {
@@ -59,61 +43,25 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   return setup.resolved_for(study.required_resultants().normal_force);
 }
 
-fem::SolidMesh mesh_before_goal(const Study &study)
-{
-  if (study.contact.mesh_file.empty())
-  {
-    fem::FootResolution resolution = study.contact.resolution;
-    resolution.refinements = study.contact.refinements;
-    resolution.edge_halvings = edge_halvings(study);
-    return fem::generate_solid_mesh(study.glass.profile, resolution);
-  }
-  require_usable_mesh(study);
-  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
-}
-
-fem::SolidMesh solid_mesh(const Study &study)
-{
-  fem::SolidMesh mesh = mesh_before_goal(study);
-  for (const fem::MarkedCells &marked : study.contact.halved)
-    fem::halve(mesh, marked.foot);
-  return mesh;
-}
-
-fem::SolidSetup solid_setup(const Study &study)
-{
-  fem::SolidSetup setup;
-  setup.profile = study.glass.profile;
-  setup.material = study.glass.material;
-  setup.table = study.table.make();
-  setup.options.degree = study.contact.degree;
-  setup.options.linear_solver = study.contact.linear_solver;
-  setup.hardness = study.contact.hardness;
-  if (study.model.friction_in_foot)
-    set_friction(study, setup);
-  setup.checkpoint_folder = study.contact.checkpoint_folder;
-  setup.checkpoint_owner = study.contact.checkpoint_owner;
-  if (!setup.checkpoint_folder.empty()) // says before the work where it cannot be used
-    fem::ContactCheckpoint(setup.checkpoint_folder, setup.checkpoint_owner, "");
-  setup.problem = study_identity(study);
-  for (const fem::MarkedCells &marked : study.contact.halved)
-    setup.problem += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
-  return setup;
-}
-
 } // namespace
+
+void require_known_body(const Study &study)
+{
+  if (study.load.is_from_contact() && study.contact.body == BodyKind::solid && !has_solid_feet())
+    throw BadInput(
+      "Contact/Body = solid needs a Stemware with MPI, p4est and Trilinos, and this one was built without; "
+      "set Contact/Body = revolution, or build it with a deal.II that has the three.");
+}
 
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache)
 {
+  require_known_body(study);
   try
   {
     switch (study.contact.body)
     {
     case BodyKind::solid:
-    {
-      const fem::SolidSetup setup = solid_setup(study);
-      return std::make_shared<fem::SolidFoot>(solid_mesh(study), setup);
-    }
+      return make_solid_foot(study);
     case BodyKind::revolution:
       return std::make_shared<fem::RevolutionFoot>(revolution_setup(study), cache);
     }

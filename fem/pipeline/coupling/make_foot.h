@@ -14,9 +14,13 @@ class ComplianceCache;
 namespace stemware::pipeline
 {
 
+/// Throws BadInput where the foot that @p study asks for is not part of this program.
+void require_known_body(const Study &study);
+
 /// The foot that the study asks for, on its table; feet that are to share what they can are given the same
 /// @p cache. MPI must have been started, and all ranks call this together, for a solid foot. Throws BadInput
-/// for a mesh file or a setup that cannot be used.
+/// as require_known_body(), and for a mesh file or a setup that
+/// cannot be used.
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache);
 
 /// The section of that foot with its cells, of one rank alone. Throws as make_foot().

@@ -80,12 +80,12 @@ std::string fall_sentences(const Study &study, const SpinRow &all)
 /// The paper's answer, to stand beside the study's; empty where the study is the paper's model.
 std::string paper_sentence(const Study &study, const Budget &budget)
 {
-  const std::optional<double> &omega = budget.rows.front().omega_terminal;
-  if (budget.rows.size() < 2 || !omega)
+  if (budget.rows.size() < 2 || !budget.rows.front().omega_terminal)
     return "";
-  return is_spin(study, *omega) ? "In the paper's model it makes " + duration_of_a_turn(*omega) + ": " +
-                                    format::all_significant<6>(*omega) + " rad/s."
-                                : "In the paper's model it does not spin up.";
+  const double omega = *budget.rows.front().omega_terminal;
+  return is_spin(study, omega) ? "In the paper's model it makes " + duration_of_a_turn(omega) + ": " +
+                                   format::all_significant<6>(omega) + " rad/s."
+                               : "In the paper's model it does not spin up.";
 }
 
 /// Of a glass that does not spin up: by itself, or because the fingers hold it.
@@ -190,16 +190,18 @@ std::string effect_text(const HarmonicEffect &effect, double spin_scale)
 
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands)
 {
+  const std::string quick =
+    spin.is_quick() ? "This was a quick run, without the budget of effects and without error bands." : "";
   if (spin.all().fall)
-    return joined({ fall_sentences(study, spin.all()), paper_sentence(study, spin.budget) });
+    return joined({ quick, fall_sentences(study, spin.all()), paper_sentence(study, spin.budget) });
   if (!is_spin(study, spin.all().omega_terminal().value()))
-    return at_rest_sentence(study, spin.all(), "");
+    return joined({ quick, at_rest_sentence(study, spin.all(), "") });
   const bool has_band = band_of(bands, "omega_terminal").has_value();
-  return joined({ terminal_spin_sentence(study, spin, bands), has_band ? "" : no_band_sentence(study),
-                  paper_sentence(study, spin.budget),
-                  spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
-                  largest_step_sentence(study, spin.budget),
-                  without_sentence(study, spin.budget, has_band) });
+  return joined(
+    { quick, terminal_spin_sentence(study, spin, bands),
+      has_band || spin.is_quick() ? "" : no_band_sentence(study), paper_sentence(study, spin.budget),
+      spin.rows.size() > 1 ? harmonic_effect_sentence(study, spin.budget.harmonics) : "",
+      largest_step_sentence(study, spin.budget), without_sentence(study, spin.budget, has_band) });
 }
 
 bool is_one_way(const Study &study)

@@ -17,8 +17,8 @@ namespace stemware::pipeline
 
 /// The answer of `run`: the terminal spin in words (seen from above; with or against the orbit) and with its
 /// error band, the paper's beside it, what the harmonics beyond the first do to it, the largest other step of
-/// the budget, and what the band does not contain. A one-way load is called so in each sentence about it. The
-/// budget must have a row.
+/// the budget, and what the band does not contain; what a quick run lacks, first. A one-way load is called so
+/// in each sentence about it.
 std::string run_answer(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands);
 
 /// Whether the load of rest is kept at every spin: that of Load/Coupling = one-way, of a given moment, or of

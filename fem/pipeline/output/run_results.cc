@@ -174,16 +174,16 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                        { "ring", ring_summary(study, report, spin) },
                        { "coupling", coupling_summary(report.coupling) },
                        { "waviness", waviness_summary(spin.phases) },
-                       { "budget", budget_summary(study, spin.budget) },
-                       { "without", without_summary(study, spin.budget) },
+                       { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget) },
+                       { "without", spin.is_quick() ? Json(nullptr) : without_summary(study, spin.budget) },
                        { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
                        { "truncation", json_table(truncation_table(spin)) },
                        { "one_ring", spin.one_ring ? json_row(spin_table({ *spin.one_ring })
                                                                 .with("", "tau_at_rest omega_terminal "
                                                                           "relative_change"))
                                                    : Json(nullptr) } };
-  if (!bands.empty())
-    findings.summary["error_bands"] = band_summary(bands);
+  if (!bands.empty() || spin.is_quick())
+    findings.summary["error_bands"] = spin.is_quick() ? Json(nullptr) : band_summary(bands);
   if (study.glass.profile.section)
     findings.summary["profile"] = profile_summary(study, report.load, spin.profile_scatter);
   if (goal)
@@ -407,19 +407,21 @@ std::vector<ResultFile> files_of(const Study &study, const ContactReport &report
 {
   Table truncations = truncation_table(spin);
   truncations["relative_change"].name += ", nan where that is 0";
-  std::vector<ResultFile> files = {
-    { "summary.json", "all numbers, for programs" },
-    { "parameters.prm", "the study, to be run again" },
-    { "load.dat", "λ(θ) at rest", load_table(report.load.rings) },
-    { "harmonics.dat", "its Fourier coefficients; Load/File reads them", load_file_text(report.load.rings) },
-    { "rings.dat", "the same ring by ring", ring_table(report.load.rings) },
-    { "budget.dat",
-      "the terminal spin from the paper's model to this study's, and without one thing at a time",
-      budget_file_text(study, spin.budget) },
-    { "torque.dat", "τ_z, T_x, T_y against the spin", torque_table(spin.torque) },
-    { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
-    { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations }
-  };
+  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
+                                    { "parameters.prm", "the study, to be run again" },
+                                    { "load.dat", "λ(θ) at rest", load_table(report.load.rings) },
+                                    { "harmonics.dat", "its Fourier coefficients; Load/File reads them",
+                                      load_file_text(report.load.rings) },
+                                    { "rings.dat", "the same ring by ring", ring_table(report.load.rings) } };
+  if (!spin.is_quick())
+    files.push_back(
+      { "budget.dat",
+        "the terminal spin from the paper's model to this study's, and without one thing at a time",
+        budget_file_text(study, spin.budget) });
+  files.insert(files.end(),
+               { { "torque.dat", "τ_z, T_x, T_y against the spin", torque_table(spin.torque) },
+                 { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
+                 { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations } });
   if (spin.spin_up.driven)
     files.push_back({ "driven_spin_up.dat", "the spin against time with the hand's own speeds",
                       driven_spin_table(*spin.spin_up.driven) });
@@ -449,9 +451,10 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
     title(study),
     joined({ run_answer(study, spin, bands),
              profile_remark(study, contact.load, spin.profile_scatter, band_of(bands, "omega_terminal")) }),
-    { budget_section(study, contact, spin), load_section(study, contact.load, bands),
-      spin_section(study, contact, spin) }
+    { load_section(study, contact.load, bands), spin_section(study, contact, spin) }
   };
+  if (!spin.is_quick())
+    report.sections.insert(report.sections.begin(), budget_section(study, contact, spin));
   if (const auto section = terminal_spins_section(spin))
     report.sections.push_back(*section);
   if (spin.spin_up.driven)
@@ -485,10 +488,14 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
                                              layer_remark(study, report.load.half_width()),
                                              waviness_remark(study, spin.phases),
                                              terminal_spins_remark(spin) };
-  Budget steps = spin.budget;
-  steps.rows = named_steps(spin.budget.rows);
-  results.console = { { joined({ results.report.answer, joined(remarks) }) }, chain_block(study, steps) };
-  add_scatter_row(spin.profile_scatter, "console_title", *results.console.back().table);
+  results.console = { { joined({ results.report.answer, joined(remarks) }) } };
+  if (!spin.is_quick())
+  {
+    Budget steps = spin.budget;
+    steps.rows = named_steps(spin.budget.rows);
+    results.console.push_back(chain_block(study, steps));
+    add_scatter_row(spin.profile_scatter, "console_title", *results.console.back().table);
+  }
   results.findings = findings_of(study, report, spin, bands, goal);
   results.fields = own_fields(report).fields;
   return results;

@@ -3,7 +3,6 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/solid/solid_foot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -119,10 +118,10 @@ StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
 unsigned int edge_halvings(const Study &study)
 {
   const ContactSection &contact = study.contact;
-  if (!contact.mesh_file.empty())
+  if (!contact.mesh_file.empty() ||
+      contact.linear_solver == fem::LinearSolver::direct) // knows no halved cells
     return 0;
-  const unsigned int wanted =
-    fem::edge_halvings_for(study.glass.profile, study.table.is_hard(), contact.linear_solver);
+  const unsigned int wanted = fem::edge_halvings_for(study.glass.profile, study.table.is_hard());
   const bool for_goal = contact.goal != Goal::none || !contact.halved.empty();
   return for_goal ? std::min(wanted, 2u) : wanted;
 }

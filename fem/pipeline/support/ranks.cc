@@ -20,6 +20,12 @@ namespace
 
 std::unique_ptr<mpi::MPI_InitFinalize> running_session;
 
+#ifdef DEAL_II_WITH_MPI
+constexpr bool has_mpi = true;
+#else
+constexpr bool has_mpi = false;
+#endif
+
 /// Open MPI, PMIx and MPICH launchers tell their processes so.
 bool launched_by_mpirun()
 {
@@ -33,7 +39,7 @@ bool launched_by_mpirun()
 
 MpiSession::MpiSession()
 {
-  if (launched_by_mpirun())
+  if (launched_by_mpirun() && has_mpi)
     start_mpi();
 }
 
@@ -44,6 +50,10 @@ MpiSession::~MpiSession()
 
 void start_mpi()
 {
+  if (launched_by_mpirun() && !has_mpi)
+    throw BadInput(
+      "mpirun has started this program, whose deal.II has no MPI, so that its processes do not know of "
+      "each other; start it by itself.");
   static int n_arguments = 0;
   static char **arguments = nullptr;
   // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for.
@@ -137,8 +147,10 @@ unsigned int this_rank()
 
 void abort_all_ranks(int exit_status)
 {
+#ifdef DEAL_II_WITH_MPI
   MPI_Abort(MPI_COMM_WORLD, exit_status);
-  std::abort();
+#endif
+  std::_Exit(exit_status);
 }
 
 } // namespace stemware::pipeline

@@ -18,7 +18,7 @@ public:
 };
 
 /// Starts MPI unless it runs already. Without mpirun that is left to those who need it: it takes a third of a
-/// second.
+/// second. Throws BadInput where mpirun has started a program without MPI.
 void start_mpi();
 
 /// Whether this process is the one that prints and writes tables. True without MPI.

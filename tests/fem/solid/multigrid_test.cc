@@ -1,9 +1,9 @@
 // Geometric multigrid without matrices against the assembled system, against deal.II's own transfer between
 // meshes, and against itself on finer meshes.
-#include "fem/elasticity/stiffness_3d.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/solid_contact_zone.h"
+#include "fem/solid/stiffness_3d.h"
 #include "tests/fem/foot_case.h"
 
 #include <deal.II/dofs/dof_tools.h>

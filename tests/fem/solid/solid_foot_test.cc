@@ -1,13 +1,19 @@
 // The solid foot as everybody sees it: states that stay valid, and what they say about a foot pressed again.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/revolution/revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
+#include "tests/fem/temporary_file.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/grid/tria.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
 
 using namespace stemware::fem_tests;
 
@@ -56,6 +62,43 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
     EXPECT_NEAR(harmonics_of(later, 1).moment_x / first.load.moment_x, 1, 1e-12);
     EXPECT_EQ(same_map.cuts.front().front().pressure, pressure_map.cuts.front().front().pressure);
   }
+}
+
+/// A mesh file says all about its rim: an arc in the generated foot, a polygon in the file.
+TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
+{
+  GlassProfile profile;
+  profile.land_width = 0.002;
+  const FootResolution resolution{ 16, 8, 1 };
+  SolidSetup setup;
+  setup.table.interface = std::make_shared<WinklerInterface>(1e9);
+  std::vector<double> second_harmonics;
+  for (const auto &[crown, tolerance] : { std::pair(0., 1e-4), std::pair(0.003, 3e-3) })
+  {
+    profile.crown_radius = crown;
+    setup.profile = profile;
+    dealii::Triangulation<3> written;
+    make_foot_mesh(profile, resolution, written);
+    move_to_crown(profile, written);
+    std::ostringstream text;
+    write_msh(written, text);
+    const TemporaryFile file(text.str());
+
+    SolidFoot generated(generate_solid_mesh(profile, resolution), setup);
+    SolidFoot read(read_solid_mesh(file.name), setup);
+    const LoadHarmonics expected = harmonics_of(generated.point_forces(generated.solve(load_at(1.3))), 6);
+    const LoadHarmonics load = harmonics_of(read.point_forces(read.solve(load_at(1.3))), 6);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
+      continue;
+    second_harmonics.push_back(load.a[0][2] / load.a[0][0]);
+    for (unsigned int n = 1; n <= 6; ++n)
+    {
+      EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[0][n] / expected.a[0][0], tolerance) << n;
+      EXPECT_NEAR(load.b[0][n] / load.a[0][0], expected.b[0][n] / expected.a[0][0], tolerance) << n;
+    }
+  }
+  if (second_harmonics.size() == 2) // a crown that is lost in the file would be seen
+    EXPECT_GT(std::abs(second_harmonics[0] - second_harmonics[1]), 0.03);
 }
 
 TEST(SolidFoot, SaysWhatItIs)

@@ -13,17 +13,25 @@ namespace stemware::test
 namespace
 {
 
-/// summary.json of a coarse contact study.
-nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
-                   const std::string &results = "results")
+/// summary.json of a coarse contact study, with budget and bands.
+nlohmann::json run_fully(const ScratchFolder &scratch, const std::vector<std::string> &settings,
+                         const std::string &results = "results", const std::vector<std::string> &options = {})
 {
   std::vector<std::string> arguments = { "run", scratch.write("coarse.prm", coarse_study()), "--output",
                                          results };
+  arguments.insert(arguments.end(), options.begin(), options.end());
   for (const std::string &setting : settings)
     arguments.insert(arguments.end(), { "--set", setting });
   const Ended ended = stemware(scratch, arguments);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   return read_summary(scratch / results);
+}
+
+/// The same without them.
+nlohmann::json run(const ScratchFolder &scratch, const std::vector<std::string> &settings,
+                   const std::string &results = "results")
+{
+  return run_fully(scratch, settings, results, { "--quick" });
 }
 
 /// Harmonics of the load over a_0, cosines and sines one after the other.
@@ -48,7 +56,7 @@ void expect_same_harmonics(const nlohmann::json &one, const nlohmann::json &othe
 TEST(ContactRun, SummaryHasThePromisedKeys)
 {
   const ScratchFolder scratch;
-  const auto summary = run(scratch, {});
+  const auto summary = run_fully(scratch, {});
   EXPECT_EQ(summary["schema"], 2);
   EXPECT_EQ(summary["parameters"]["Contact"]["Azimuthal cells"], 16);
   const std::vector<std::string> of_a_load = {
@@ -101,7 +109,7 @@ TEST(ContactRun, SummaryHasThePromisedKeys)
 TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
 {
   const ScratchFolder scratch;
-  const auto summary = run(scratch, {});
+  const auto summary = run_fully(scratch, {});
   EXPECT_EQ(summary["files"].get<std::vector<std::string>>(), names_in(scratch / "results"));
   for (const char *table : { "load.dat", "load_lines.dat", "footprint.dat", "harmonics.dat", "rings.dat",
                              "torque.dat", "spin_up.dat", "truncation.dat", "contact_history.dat" })
@@ -135,9 +143,9 @@ TEST(ContactRun, TorqueAtRestIsThatOfTheMoment)
 TEST(ContactRun, EqualRunsGiveEqualFiles)
 {
   const ScratchFolder scratch;
-  run(scratch, {}, "one");
+  run_fully(scratch, {}, "one");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // a time stamp in seconds would show
-  run(scratch, {}, "other");
+  run_fully(scratch, {}, "other");
   const auto one = all_files(scratch / "one");
   const auto other = all_files(scratch / "other");
   ASSERT_EQ(one.size(), other.size());
@@ -151,7 +159,7 @@ TEST(ContactRun, EqualRunsGiveEqualFiles)
 TEST(ContactRun, EchoedParametersGiveTheSameSummary)
 {
   const ScratchFolder scratch;
-  run(scratch, { "Glass/Crown radius=0.00312345678" }, "one");
+  run_fully(scratch, { "Glass/Crown radius=0.00312345678" }, "one");
   const Ended ended = stemware(scratch, { "run", "one/parameters.prm", "--output", "other" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(read_text(scratch / "other/summary.json"), read_text(scratch / "one/summary.json"));

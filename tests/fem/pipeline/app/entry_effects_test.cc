@@ -185,7 +185,7 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
     fem::ComplianceCache cache;
     const auto foot = study_foot(study, cache);
     const BalancedLoad load = find_load(study, foot);
-    const SpinStudy spin = study_spin(study, foot, load, cache);
+    const SpinStudy spin = study_spin(study, foot, load, cache, silent_progress(), Depth::answer);
     const Results results =
       tabulate(study, describe(study, foot, load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;
@@ -196,7 +196,7 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
   }
   // A solid body needs MPI, which the program starts and ends.
   const std::string file = scratch.write("study.prm", study_as_prm(study));
-  const test::Ended ended = test::stemware(scratch, { "run", file, "--output", "results", "--quiet" });
+  const test::Ended ended = test::stemware(scratch, { "run", file, "--quick", "--output", "results", "--quiet" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   return Json::parse(test::read_text(scratch / "results/summary.json"));
 }

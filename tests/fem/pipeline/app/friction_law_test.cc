@@ -21,10 +21,12 @@ Settings with_law(const std::string &kinetic, const std::string &fixed, const st
            "Motion/Viscous friction=" + viscous };
 }
 
-nlohmann::json solved(const std::string &verb, const Settings &settings)
+nlohmann::json solved(const std::string &verb, const Settings &settings,
+                      const std::vector<std::string> &options = {})
 {
   const ScratchFolder scratch;
   std::vector<std::string> command = { verb, "--output", "out", "--quiet" };
+  command.insert(command.end(), options.begin(), options.end());
   for (const std::string &setting : settings)
     command.insert(command.end(), { "--set", setting });
   const Ended ended = stemware(scratch, command);
@@ -50,7 +52,7 @@ double spin_without(const nlohmann::json &summary, const std::string &name)
 
 TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
 {
-  const nlohmann::json coulomb = solved("run", {});
+  const nlohmann::json coulomb = solved("run", {}, { "--quick" });
   const auto expect_equal = [&](const nlohmann::json &stribeck)
   {
     EXPECT_NEAR(spin_of(stribeck), spin_of(coulomb), 1e-10 * std::abs(spin_of(coulomb)));
@@ -62,9 +64,9 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombsNumbers)
                     coulomb["load_at_terminal"][part][n].get<double>(), 1e-10)
           << part << n;
   };
-  expect_equal(solved("run", with_law("0.3", "0.3", "0.1")));
+  expect_equal(solved("run", with_law("0.3", "0.3", "0.1"), { "--quick" }));
   // Not equal, and so by quadrature, with the friction in the foot place by place.
-  expect_equal(solved("run", with_law("0.3", "0.300000000000001", "0.1")));
+  expect_equal(solved("run", with_law("0.3", "0.300000000000001", "0.1"), { "--quick" }));
 }
 
 TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
@@ -74,7 +76,7 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
   Settings viscous = with_law("3e-11", "3e-11", "0.1", "1 s/m");
   viscous.push_back("Motion/Closure=paper");
   const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
-  const nlohmann::json elastic = solved("run", viscous);
+  const nlohmann::json elastic = solved("run", viscous, { "--quick" });
   double square = 0, force = 0;
   const nlohmann::json &load = elastic["load_at_terminal"];
   for (std::size_t j = 0; j < load["radii"].size(); ++j)
@@ -85,7 +87,7 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
   }
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
-  EXPECT_NEAR(spin_of(solved("run", viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
+  EXPECT_NEAR(spin_of(solved("run", viscous, { "--quick" })) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
   // With all moments: M_N = (M - h T_y, h T_x) and T = -c (v N - omega M_Nx', ...), h the height of the hand.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
@@ -96,7 +98,7 @@ TEST(FrictionLawStudy, ViscousFrictionHasAClosedForm)
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
   }
-  EXPECT_NEAR(spin_of(solved("run", viscous)) / omega, 1, 1e-9);
+  EXPECT_NEAR(spin_of(solved("run", viscous, { "--quick" })) / omega, 1, 1e-9);
 }
 
 TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)

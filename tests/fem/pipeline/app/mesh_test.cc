@@ -14,17 +14,6 @@ namespace
 
 const std::string meshes = STEMWARE_MESHES;
 
-/// A foot whose contact depends on its crown.
-std::string soft_study(const std::string &crown_radius)
-{
-  return "subsection Glass\n  set Shape = step\n  set Land width = 0.002\n  set Crown radius = " +
-         crown_radius +
-         "\nend\nsubsection Table\n  set Foundation modulus = 1e9\nend\nsubsection Contact\n"
-         "  set Body = solid\n  set Degree = 2\n  set Azimuthal cells = 16\n  set Radial cells = 8\n"
-         "  set Foot layers = 1\nend\nsubsection Load\n  set Moment ratio = 1.3\n"
-         "  set Coupling = one-way\nend\n";
-}
-
 using Vertex = std::array<double, 3>;
 
 /// The mesh file with its vertices moved.
@@ -67,34 +56,6 @@ std::string refusal_of_mesh(const std::string &mesh)
 }
 
 } // namespace
-
-class WrittenMesh : public testing::TestWithParam<std::string>
-{
-};
-
-TEST_P(WrittenMesh, GivesTheGeneratedFootsLoad)
-{
-  const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", soft_study(GetParam()));
-  ASSERT_EQ(stemware(scratch, { "mesh", study, "--write", "foot.msh" }).exit_code, 0);
-  ASSERT_EQ(stemware(scratch, { "run", study, "--output", "generated" }).exit_code, 0);
-  ASSERT_EQ(
-    stemware(scratch, { "run", study, "--output", "read", "--set", "Contact/Mesh file=foot.msh" }).exit_code,
-    0);
-  const auto generated = read_summary(scratch / "generated")["load"];
-  const auto read = read_summary(scratch / "read")["load"];
-  for (unsigned int n = 1; n <= 6; ++n)
-    for (const char *part : { "a", "b" })
-      // The crown is an arc in one and a polygon in the other; without it the second harmonic would differ
-      // by 0.05.
-      EXPECT_NEAR(read[part][n].get<double>() / read["a"][0].get<double>(),
-                  generated[part][n].get<double>() / generated["a"][0].get<double>(),
-                  GetParam() == "0" ? 1e-4 : 3e-3)
-        << part << n;
-}
-
-INSTANTIATE_TEST_SUITE_P(Crowns, WrittenMesh, testing::Values("0", "0.003"),
-                         [](const auto &info) { return info.param == "0" ? "flat" : "crowned"; });
 
 TEST(MeshVerb, CheckSaysWhatIsThere)
 {

@@ -192,7 +192,7 @@ TEST_P(PresetPair, GivesAResultWithThreeLinesChanged)
     text = std::regex_replace(text, std::regex("(set " + std::string(entry) + "\\s*= ).*"),
                               "$01" + std::string(value));
   scratch.write("my.prm", text);
-  const Ended ended = stemware(scratch, { "run", "my.prm", "--output", "results" });
+  const Ended ended = stemware(scratch, { "run", "my.prm", "--quick", "--output", "results" });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto summary = read_summary(scratch / "results");
   EXPECT_EQ(summary["parameters"]["Motion"]["Mass"], 0.28);

@@ -16,8 +16,8 @@ class GlassRun
 public:
   explicit GlassRun(const std::vector<std::string> &settings)
   {
-    std::vector<std::string> arguments = { "run", scratch.write("study.prm", plain_study()), "--output",
-                                           "results" };
+    std::vector<std::string> arguments = { "run", scratch.write("study.prm", plain_study()), "--quick",
+                                           "--output", "results" };
     for (const char *setting : { "Motion/End time=0.02", "Motion/Euler step=0.01" })
       arguments.insert(arguments.end(), { "--set", setting });
     for (const std::string &setting : settings)

@@ -2,6 +2,7 @@
 // follows.
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "ring_model/coulomb_ring.h"
+#include "ring_model/no_balance.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "fem/elasticity/stiffness_3d.h"
+#include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace stemware::fem
+{
+
+/// How the linear systems of a three-dimensional body are preconditioned. The outer method is always
+/// conjugate gradients.
+enum class LinearSolver
+{
+  automatic, ///< multigrid on refined meshes and above largest_direct_system unknowns, else direct
+  direct,    ///< factorisation (MUMPS) of a recent tangent
+  multigrid  ///< over the meshes that the body's was refined from and its mean body of revolution
+             ///< (MeshHierarchy)
+};
+
+/// Above this number of unknowns a factorisation costs more time and memory than multigrid does
+/// (docs/method.md, "Linear solves").
+constexpr unsigned int largest_direct_system = 50000;
+
+} // namespace stemware::fem

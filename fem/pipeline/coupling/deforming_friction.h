@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+
+namespace stemware::pipeline
+{
+
+/// Gives @p setup, a fem::RevolutionSetup or fem::SolidSetup, the friction that deforms the body, where one
+/// does.
+template <typename Setup>
+void set_friction(const Study &study, Setup &setup)
+{
+  if (!study.friction_deforms())
+    return;
+  const ring::Motion &motion = study.motion.orbit;
+  setup.friction_coefficient = motion.friction_coefficient;
+  if (!motion.has_constant_friction())
+    setup.friction_by_slip = [motion](double relative_slip)
+    { return motion.friction_at(relative_slip * motion.orbit_speed); };
+}
+
+} // namespace stemware::pipeline

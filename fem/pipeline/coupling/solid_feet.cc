@@ -1,0 +1,74 @@
+#include "fem/pipeline/coupling/solid_feet.h"
+
+#include "fem/pipeline/coupling/deforming_friction.h"
+#include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_size.h"
+#include "fem/solid/contact_checkpoint.h"
+#include "fem/solid/solid_foot.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+fem::SolidMesh mesh_before_goal(const Study &study)
+{
+  if (study.contact.mesh_file.empty())
+  {
+    fem::FootResolution resolution = study.contact.resolution;
+    resolution.refinements = study.contact.refinements;
+    resolution.edge_halvings = edge_halvings(study);
+    return fem::generate_solid_mesh(study.glass.profile, resolution);
+  }
+  require_usable_mesh(study);
+  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
+}
+
+fem::SolidMesh solid_mesh(const Study &study)
+{
+  fem::SolidMesh mesh = mesh_before_goal(study);
+  for (const fem::MarkedCells &marked : study.contact.halved)
+    fem::halve(mesh, marked.foot);
+  return mesh;
+}
+
+fem::SolidSetup solid_setup(const Study &study)
+{
+  fem::SolidSetup setup;
+  setup.profile = study.glass.profile;
+  setup.material = study.glass.material;
+  setup.table = study.table.make();
+  setup.options.degree = study.contact.degree;
+  setup.options.linear_solver = study.contact.linear_solver;
+  setup.hardness = study.contact.hardness;
+  if (study.model.friction_in_foot)
+    set_friction(study, setup);
+  setup.checkpoint_folder = study.contact.checkpoint_folder;
+  setup.checkpoint_owner = study.contact.checkpoint_owner;
+  if (!setup.checkpoint_folder.empty()) // says before the work where it cannot be used
+    fem::ContactCheckpoint(setup.checkpoint_folder, setup.checkpoint_owner, "");
+  setup.problem = study_identity(study);
+  for (const fem::MarkedCells &marked : study.contact.halved)
+    setup.problem += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
+  return setup;
+}
+
+} // namespace
+
+bool has_solid_feet()
+{
+  return true;
+}
+
+std::shared_ptr<fem::Foot> make_solid_foot(const Study &study)
+{
+  const fem::SolidSetup setup = solid_setup(study);
+  return std::make_shared<fem::SolidFoot>(solid_mesh(study), setup);
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,87 @@
+// `run --quick`: the answer and its curves are those of a full run; budget and bands are null.
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::test
+{
+namespace
+{
+
+/// Both runs of a study in balance, which takes other ways to its contacts with and without the budget.
+struct TwoRuns
+{
+  TwoRuns()
+  {
+    scratch.write("study.prm", plain_study());
+    const std::string two_way = "Load/Coupling=two-way";
+    quick = stemware(scratch, { "run", "study.prm", "--set", two_way, "--quick", "--output", "quick" });
+    full = stemware(scratch, { "run", "study.prm", "--set", two_way, "--output", "full" });
+  }
+
+  ScratchFolder scratch;
+  Ended quick, full;
+};
+
+/// Expects equal tables, each column to @p tolerance of its largest value.
+void expect_equal_tables(const TwoRuns &runs, const std::string &name, double tolerance)
+{
+  const auto quick = read_columns(runs.scratch / "quick" / name),
+             full = read_columns(runs.scratch / "full" / name);
+  ASSERT_EQ(quick.size(), full.size()) << name;
+  for (std::size_t i = 0; i < full.size(); ++i)
+  {
+    ASSERT_EQ(quick[i].size(), full[i].size()) << name;
+    double largest = 0;
+    for (const double value : full[i])
+      largest = std::max(largest, std::abs(value));
+    for (std::size_t j = 0; j < full[i].size(); ++j)
+      EXPECT_NEAR(quick[i][j], full[i][j], tolerance * largest)
+        << name << ", column " << i + 1 << ", row " << j;
+  }
+}
+
+TEST(QuickRun, HasTheAnswerAndTheCurvesOfAFullRun)
+{
+  const TwoRuns runs;
+  ASSERT_EQ(runs.quick.exit_code, 0) << runs.quick.err;
+  ASSERT_EQ(runs.full.exit_code, 0) << runs.full.err;
+  const auto quick = read_summary(runs.scratch / "quick"), full = read_summary(runs.scratch / "full");
+  for (const char *key : { "/ring/omega_terminal", "/ring/tau_at_rest", "/ring/time_constant",
+                           "/harmonic_effect/absolute", "/harmonic_effect/relative", "/load/a/2" })
+  {
+    const nlohmann::json::json_pointer place(key);
+    const double expected = full.at(place);
+    EXPECT_NEAR(quick.at(place).get<double>(), expected, 1e-7 * std::abs(expected)) << key;
+  }
+  expect_equal_tables(runs, "torque.dat", 1e-7);
+  expect_equal_tables(runs, "spin_up.dat", 1e-7);
+}
+
+TEST(QuickRun, SaysFirstWhatItLacks)
+{
+  const TwoRuns runs;
+  const auto summary = read_summary(runs.scratch / "quick");
+  for (const char *key : { "budget", "without", "error_bands", "one_ring" })
+  {
+    ASSERT_TRUE(summary.contains(key)) << key;
+    EXPECT_TRUE(summary[key].is_null()) << key;
+    EXPECT_FALSE(read_summary(runs.scratch / "full")[key].is_null()) << key;
+  }
+  const std::string sentence = "This was a quick run, without the budget of effects and without error bands.";
+  const std::string report = read_text(runs.scratch / "quick/report.html");
+  EXPECT_LT(report.find(sentence), report.find("rad/s"));
+  EXPECT_EQ(report.find("Terminal spin in models of increasing detail"), std::string::npos);
+  EXPECT_EQ(read_text(runs.scratch / "full/report.html").find(sentence), std::string::npos);
+  const auto names = names_in(runs.scratch / "quick");
+  EXPECT_EQ(std::count(names.begin(), names.end(), "budget.dat"), 0);
+  // What a quick run leaves out, a run in its place adds; and the other way round.
+  EXPECT_EQ(stemware(runs.scratch, { "run", "study.prm", "--quick", "--output", "full" }).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(runs.scratch / "full/budget.dat"));
+}
+
+} // namespace
+} // namespace stemware::test
