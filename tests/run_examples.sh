@@ -5,6 +5,7 @@
 #   run_examples.sh SOURCE_FOLDER STEMWARE PAGE.md RESULTS            the code blocks and the `stemware ...` of a page
 #   run_examples.sh SOURCE_FOLDER STEMWARE "help [VERB]" RESULTS      the examples of stemware [VERB] --help
 #
+# A page is read in a clone; the examples of --help run in an empty folder, with the installed program and nothing else.
 # A command that is one of docs/numbers/studies.txt is not run again: its results are in the folder RESULTS, from the same
 # program and studies.
 #
@@ -18,7 +19,8 @@ what=$3
 results=$4
 scratch=$(mktemp -d)
 trap 'rm -rf -- "$scratch"' EXIT
-mkdir -p "$scratch/bin" "$scratch/clone/docs"
+home=$scratch/home
+mkdir -p "$scratch/bin" "$home"
 ln -s -- "$program" "$scratch/bin/stemware"
 ln -s -- "$source/tests/mpirun" "$scratch/bin/mpirun"
 command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
@@ -26,12 +28,18 @@ command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # sho
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
 chmod +x "$scratch/bin/xdg-open"
 export PATH=$scratch/bin:$PATH
-cd -- "$scratch/clone"
-cp -r -- "$source/docs/cookbooks" docs/
-cp -r -- "$source/meshes" "$source/quickstart" .
+cd -- "$home"
 # Files that the examples call the reader's own.
-cp meshes/flat_foot.msh my_foot.msh
-for study in my_glass.prm glass.prm; do stemware defaults >$study; done
+if [[ $what == help* ]]; then
+  stemware new my_glass.prm >/dev/null
+  [[ $what != *mesh ]] || stemware mesh --write my_foot.msh >/dev/null
+else
+  mkdir docs
+  cp -r -- "$source/docs/cookbooks" docs/
+  cp -r -- "$source/meshes" "$source/quickstart" .
+  cp meshes/flat_foot.msh my_foot.msh
+  for study in my_glass.prm glass.prm; do stemware defaults >$study; done
+fi
 
 # The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks
 # in --help (after three blanks) taken off.
@@ -116,7 +124,7 @@ fi
 status=0 block='' n=0
 while IFS=$'\t' read -r next command; do
   [[ -n $command ]] || continue
-  [[ $next == "$block" ]] || cd -- "$scratch/clone"
+  [[ $next == "$block" ]] || cd -- "$home"
   block=$next
   n=$((n + 1))
   start=$SECONDS

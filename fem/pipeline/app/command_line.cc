@@ -19,6 +19,7 @@ void describe_program(CLI::App &program)
   stemware run                               the default study; results in results/default
   stemware new my_glass.prm                  a study of twelve entries to change
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Motion/Orbit speed=20 cm/s"
+  stemware new --cookbook lift_off           a study of the cookbooks; `stemware new --help` lists them
   stemware sweep my_glass.prm --vary "Motion/Mass=200:400 g:5"
   stemware defaults Glass                    all entries of a section, with their meaning
   stemware help run                          more about a verb
@@ -47,7 +48,8 @@ std::vector<std::string> verbs_of(const CLI::App &program)
 {
   std::vector<std::string> names;
   for (const CLI::App *verb : program.get_subcommands([](const CLI::App *) { return true; }))
-    names.push_back(verb->get_name());
+    if (!verb->get_group().empty()) // `describe` is hidden
+      names.push_back(verb->get_name());
   return names;
 }
 
@@ -96,7 +98,8 @@ std::string why_no_verb(const CLI::App &program, const std::string &name)
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
   for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
-    verb->group("Verbs");
+    if (!verb->get_group().empty())
+      verb->group("Verbs");
   try
   {
     program.parse(argc, argv);

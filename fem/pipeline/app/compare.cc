@@ -59,7 +59,7 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
     "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
   add_study_options(*verb, *options);
   verb->footer(R"(Examples:
-  stemware compare docs/cookbooks/paper.prm
+  stemware compare my_glass.prm
   stemware compare my_glass.prm --set "Table/Foundation modulus=1e9"
   stemware compare my_glass.prm --set "Load/Source=first harmonic"    # no elastic foot
 

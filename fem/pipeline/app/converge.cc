@@ -78,9 +78,10 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
     ->type_name("N");
   add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");
   verb->footer(R"(Examples:
-  stemware converge docs/cookbooks/paper.prm
-  stemware converge docs/cookbooks/lift_off.prm --levels 4 --at -5 --at -10
-  stemware converge docs/cookbooks/paper.prm --set "Contact/Degree=3" --output cubic
+  stemware converge my_glass.prm
+  stemware new --cookbook lift_off                            writes lift_off.prm
+  stemware converge lift_off.prm --levels 4 --at -5 --at -10
+  stemware converge lift_off.prm --set "Contact/Degree=3" --output cubic
   stemware converge my_glass.prm --quiet --json | jq .omega_terminal_band
 
 One parameter at a time is varied round the study's own value. A body of revolution: halvings of the

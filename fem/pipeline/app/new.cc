@@ -1,11 +1,14 @@
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/join.hpp>
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,22 +24,50 @@ namespace
 /// What `stemware new` was told.
 struct NewOptions
 {
-  std::string file, glass = glass_presets().front().name, table = table_presets().front().name;
+  std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
+
+/// Refuses names that no study file has.
+void require_study_name(const NewOptions &options)
+{
+  require(options.file.find_first_not_of(" \t") != std::string::npos,
+          "The name of the study file is empty; write stemware new my_glass.prm.");
+  require(std::filesystem::path(options.file).extension() == ".prm",
+          "A study file ends in .prm, but " + shortened_path(options.file) +
+            " does not; write stemware new my_glass.prm.");
+}
 
 /// Writes the study file. Throws BadInput, and OutputFailure where there is one already.
 void write_new_study(const NewOptions &options)
 {
   const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
   const Preset &table = preset_of(table_presets(), "--table", options.table);
-  require(options.file.find_first_not_of(" \t") != std::string::npos,
-          "The name of the study file is empty; write stemware new my_glass.prm.");
-  require(std::filesystem::path(options.file).extension() == ".prm",
-          "A study file ends in .prm, but " + shortened_path(options.file) +
-            " does not; write stemware new my_glass.prm.");
+  require_study_name(options);
   on_first_rank([&] { create_text_file(options.file, new_study_text(glass, table, options.file)); });
   console() << "Written   " << options.file << ": " << glass.name << " on " << table.name
             << "\nNext      stemware run " << options.file << std::endl;
+}
+
+/// Writes the study of a cookbook and the files that it reads beside it. Throws as write_new_study(); nothing
+/// is written then.
+void write_cookbook(NewOptions options)
+{
+  if (options.file.empty())
+    options.file = options.cookbook + ".prm";
+  const std::vector<StudyPart> parts = cookbook_parts(options.cookbook, options.file);
+  require_study_name(options);
+  on_first_rank(
+    [&parts]
+    {
+      for (const StudyPart &part : parts)
+        require_no_file(part.file);
+      for (const StudyPart &part : parts)
+        create_text_file(part.file, part.text);
+    });
+  console() << "Written   " << options.file << ", the study of the cookbook " << options.cookbook;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    console() << (i == 1 ? ", and what it reads: " : ", ") << parts[i].file.string();
+  console() << "\nNext      stemware run " << options.file << std::endl;
 }
 
 std::string list_of(const std::vector<Preset> &presets)
@@ -47,26 +78,57 @@ std::string list_of(const std::vector<Preset> &presets)
   return lines;
 }
 
+std::string list_of_cookbooks()
+{
+  const std::vector<std::string> names = cookbook_names();
+  return names.empty() ? "" : "\n\nCookbooks:\n" + wrapped(boost::algorithm::join(names, ", "), "  ");
+}
+
 } // namespace
 
 void add_new_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<NewOptions>();
   CLI::App *verb = program.add_subcommand("new", "Write a study file of twelve entries to start from");
-  verb->add_option("FILE", options->file, "Study file to write, .prm; one that exists is not overwritten")
-    ->required();
-  verb->add_option("--glass", options->glass, "Which glass; default: " + options->glass)->type_name("GLASS");
-  verb->add_option("--table", options->table, "Which table; default: " + options->table)->type_name("TABLE");
-  verb->footer(R"(Examples:
+  const CLI::Option *file = verb->add_option(
+    "FILE", options->file,
+    "Study file to write, .prm; one that exists is not overwritten.\nOf a cookbook, default: its name");
+  CLI::Option *glass = verb->add_option("--glass", options->glass, "Which glass; default: " + options->glass)
+                         ->type_name("GLASS");
+  CLI::Option *table = verb->add_option("--table", options->table, "Which table; default: " + options->table)
+                         ->type_name("TABLE");
+  const CLI::Option *cookbook =
+    verb
+      ->add_option("--cookbook", options->cookbook,
+                   "The study of a cookbook instead, with the files that it reads")
+      ->type_name("NAME")
+      ->excludes(glass)
+      ->excludes(table);
+  verb->footer(""); // else that of the program follows
+  // Cookbooks are looked for when somebody asks for help.
+  verb->footer(
+    []
+    {
+      return R"(Examples:
   stemware new my_glass.prm                                   the default study, to be changed
   stemware new bordeaux.prm --glass Bordeaux --table oak
   stemware new flute.prm --glass champagne --table "cork mat"
+  stemware new --cookbook lift_off                            writes lift_off.prm
 
 Glasses:
 )" + list_of(glass_presets()) +
-               "\nTables:\n" + list_of(table_presets()) +
-               "\nSizes and moduli are typical ones; docs/presets.md says where each comes from.");
-  verb->callback([&chosen, options] { chosen = [options] { write_new_study(*options); }; });
+             "\nTables:\n" + list_of(table_presets()) +
+             "\nSizes and moduli are typical ones; docs/presets.md says where each comes from." +
+             list_of_cookbooks();
+    });
+  verb->callback(
+    [&chosen, options, file, cookbook]
+    {
+      if (file->count() + cookbook->count() == 0)
+        throw CLI::RequiredError("FILE");
+      chosen = [options, is_cookbook = cookbook->count() > 0]
+      { is_cookbook ? write_cookbook(*options) : write_new_study(*options); };
+    });
 }
 
 } // namespace stemware::pipeline

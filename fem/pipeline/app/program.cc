@@ -33,6 +33,7 @@ int run_program(int argc, char *argv[])
     add_converge_verb(program, chosen);
     add_defaults_verb(program, chosen);
     add_help_verb(program, chosen);
+    add_describe_verb(program, chosen);
     if (const auto exit_code = parse_command_line(program, argc, argv))
     {
       require_printed();

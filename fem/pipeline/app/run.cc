@@ -79,11 +79,12 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
   verb->footer(R"(Examples:
   stemware run                                                the default study
-  stemware run docs/cookbooks/paper.prm
-  stemware run docs/cookbooks/lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
+  stemware new --cookbook lift_off                            writes lift_off.prm, to be read and changed
+  stemware run lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
   stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"
-  stemware run --set Contact/Body=solid --set "Contact/Mesh file=meshes/crowned_foot.msh"
+  stemware new --cookbook oval_foot                           a study of a mesh, and the mesh
+  stemware run oval_foot.prm
   stemware run my_glass.prm --quick
   stemware run my_glass.prm --quiet --json | jq .omega_terminal
   stemware defaults Glass | stemware run - --output results/piped     from standard input

@@ -264,7 +264,7 @@ Spreads of --random:
   "Table/Foundation modulus=1e9..1e11:log"     uniform in the logarithm
 
 Examples:
-  stemware sweep docs/cookbooks/paper.prm --vary "Motion/Force offset=-0.08:-0.02:25"
+  stemware sweep my_glass.prm --vary "Motion/Force offset=-0.08:-0.02:25"
   stemware sweep my_glass.prm --vary "Load/Moment ratio=0.1:1.9:50" \
                               --vary "Table/Foundation modulus=1e8:1e12:20:log"
   stemware sweep my_glass.prm --random "Motion/Friction coefficient=0.3+-10%" \

@@ -63,8 +63,9 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   add_study_options(*verb, *options);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
   verb->footer(R"(Examples:
-  stemware truncate docs/cookbooks/paper.prm
-  stemware truncate docs/cookbooks/lift_off.prm --at -5 --at -20
+  stemware truncate my_glass.prm
+  stemware new --cookbook lift_off                            writes lift_off.prm
+  stemware truncate lift_off.prm --at -5 --at -20
   stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=two-way"
 
 The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads, moment balance and contact

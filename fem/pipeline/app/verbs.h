@@ -51,6 +51,9 @@ void add_defaults_verb(CLI::App &program, Verb &chosen);
 /// `stemware help`: the text of --help, of the program or of a verb.
 void add_help_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware describe`, which --help does not list: manual page and completions of shells, for installing.
+void add_describe_verb(CLI::App &program, Verb &chosen);
+
 /// A sentence that says that there is no verb of that name, and which there are.
 std::string why_no_verb(const CLI::App &program, const std::string &name);
 

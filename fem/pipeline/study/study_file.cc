@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/study_file.h"
 
+#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -65,9 +66,15 @@ std::string contents(const std::string &file)
   const std::string the_file = "The study file " + shortened_path(file);
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  require(std::filesystem::exists(status),
-          the_file +
-            " does not exist; give the path of a .prm file, or write one with `stemware new study.prm`.");
+  if (!std::filesystem::exists(status))
+  {
+    const std::vector<std::string> cookbooks = cookbook_names();
+    const std::string name = std::filesystem::path(file).stem();
+    const bool is_cookbook = std::find(cookbooks.begin(), cookbooks.end(), name) != cookbooks.end();
+    throw BadInput(the_file +
+                   " does not exist; give the path of a .prm file, or write one with `stemware new " +
+                   (is_cookbook ? "--cookbook " + name : "study.prm") + "`.");
+  }
   require(std::filesystem::is_regular_file(status),
           the_file + " is not a file; give the path of a .prm file.");
   const std::string extension = std::filesystem::path(file).extension();

@@ -86,13 +86,20 @@ void replace_text_file(const std::filesystem::path &file, const std::string &tex
   refuse(error.message());
 }
 
+void require_no_file(const std::filesystem::path &file)
+{
+  std::error_code error;
+  if (std::filesystem::exists(std::filesystem::symlink_status(file, error)))
+    throw OutputFailure("The file " + shortened_path(file.string()) +
+                        " exists already and is not overwritten; give another name, or remove it.");
+}
+
 void create_text_file(const std::filesystem::path &file, const std::string &text)
 {
   const std::string the_file = "The file " + shortened_path(file.string());
   const int descriptor = open_file(file, true);
   if (descriptor < 0 && errno == EEXIST)
-    throw OutputFailure(the_file +
-                        " exists already and is not overwritten; give another name, or remove it.");
+    require_no_file(file);
   if (write_and_close(descriptor, text))
     return;
   const std::string reason = std::strerror(errno);

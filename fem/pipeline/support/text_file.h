@@ -15,6 +15,9 @@ void write_text_file(const std::filesystem::path &file, const std::string &text)
 /// complete, and replaces an older one. Throws OutputFailure with one sentence.
 void replace_text_file(const std::filesystem::path &file, const std::string &text);
 
+/// Throws OutputFailure, with one sentence, where there is anything of that name, a link included.
+void require_no_file(const std::filesystem::path &file);
+
 /// Writes a whole file that must not be there yet, not even as a link; nothing is left of one that the disk
 /// does not take. Throws OutputFailure with one sentence.
 void create_text_file(const std::filesystem::path &file, const std::string &text);

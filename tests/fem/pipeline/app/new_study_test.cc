@@ -1,5 +1,6 @@
 // `stemware new`: twelve entries with a comment each, ready to run; nothing is overwritten; every preset
 // gives a result.
+#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/idle_entries.h"
 #include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/presets.h"
@@ -104,6 +105,76 @@ TEST(NewStudy, OtherNamesOfPresetsAreGuessed)
               std::string::npos)
       << refusal(table_presets(), name);
   EXPECT_EQ(refusal(table_presets(), "a bed of nails").find("did you mean"), std::string::npos);
+}
+
+TEST(NewCookbook, IsTheCookbooksStudyWithTheFilesThatItReads)
+{
+  const std::filesystem::path source = STEMWARE_COOKBOOKS;
+  std::vector<std::string> names;
+  for (const std::string &file : names_in(source))
+    if (std::filesystem::path(file).extension() == ".prm")
+      names.push_back(std::filesystem::path(file).stem());
+  ASSERT_EQ(pipeline::cookbook_names(), names);
+  const auto as_text = [](const std::filesystem::path &folder, const std::string &name)
+  {
+    const pipeline::Study study = pipeline::read_study(folder / (name + ".prm"));
+    const std::string text = pipeline::study_as_prm(pipeline::with_paths_from(folder, study));
+    return std::regex_replace(text, std::regex("\\.\\./\\.\\./meshes/"), "");
+  };
+  for (const std::string &name : names)
+  {
+    const ScratchFolder scratch;
+    const Ended ended = stemware(scratch, { "new", "--cookbook", name });
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("stemware run " + name + ".prm"), std::string::npos) << ended.out;
+    EXPECT_EQ(as_text(scratch.path(), name), as_text(source, name)) << name;
+    for (const std::string &file : pipeline::files_of(pipeline::read_study(scratch / (name + ".prm"))))
+    {
+      const std::filesystem::path written = file;
+      EXPECT_EQ(written.parent_path(), scratch.path()) << file;
+      EXPECT_NE(ended.out.find(written.filename()), std::string::npos) << ended.out;
+      EXPECT_GT(std::filesystem::file_size(written), 100u) << file;
+    }
+  }
+}
+
+TEST(NewCookbook, MayHaveAnotherNameAndPlace)
+{
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "mine");
+  const Ended ended = stemware(scratch, { "new", "mine/drawn.prm", "--cookbook", "own_profile" });
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(read_text(scratch / "mine/drawn.prm").find("#   stemware run drawn.prm\n"), std::string::npos);
+  EXPECT_EQ(stemware(scratch, { "mesh", "mine/drawn.prm" }).exit_code, 0);
+}
+
+TEST(NewCookbook, NothingIsWrittenWhereAFileIsInTheWay)
+{
+  const ScratchFolder scratch;
+  scratch.write("own_profile.csv", "mine\n");
+  const Ended ended = stemware(scratch, { "new", "--cookbook", "own_profile" });
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_NE(ended.err.find("own_profile.csv exists already"), std::string::npos) << ended.err;
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "own_profile.csv" });
+}
+
+TEST(NewCookbook, IsNamedWhereItIsLookedForInVain)
+{
+  const ScratchFolder scratch;
+  const auto refusal = [&](const std::vector<std::string> &arguments)
+  {
+    const Ended ended = stemware(scratch, arguments);
+    EXPECT_EQ(ended.exit_code, 1);
+    return ended.err;
+  };
+  EXPECT_NE(refusal({ "new", "--cookbook", "liftoff" }).find("did you mean lift_off? There are bare_wood, "),
+            std::string::npos);
+  EXPECT_NE(refusal({ "run", "docs/cookbooks/lift_off.prm" }).find("`stemware new --cookbook lift_off`"),
+            std::string::npos);
+  EXPECT_NE(refusal({ "new", "--cookbook", "paper", "--glass", "Bordeaux" }).find("--glass"),
+            std::string::npos);
+  EXPECT_NE(refusal({ "new" }).find("FILE is required"), std::string::npos);
+  EXPECT_NE(stemware(scratch, { "new", "--help" }).out.find("Cookbooks:\n  bare_wood, "), std::string::npos);
 }
 
 class PresetPair : public testing::TestWithParam<std::pair<std::string, std::string>>

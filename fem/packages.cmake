@@ -1,0 +1,65 @@
+# `cpack` makes two Debian packages, of the program and of the libraries: cmake --workflow --preset package. Not in builds
+# for one machine: packages run on every one of their architecture.
+install(
+  FILES LICENSE
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  COMPONENT program)
+if(NOT DEFINED STEMWARE_SIMD OR STEMWARE_SIMD STREQUAL "native")
+  return()
+endif()
+
+# Without them CPack makes packages that name none of their libraries.
+find_program(STEMWARE_SHLIBDEPS dpkg-shlibdeps REQUIRED)
+find_program(STEMWARE_FILE file REQUIRED)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The Stemware authors")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+
+# deal.II is another one in each release of Debian.
+cmake_host_system_information(RESULT distribution QUERY DISTRIB_ID)
+cmake_host_system_information(RESULT release QUERY DISTRIB_VERSION_ID)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1~${distribution}${release})
+set(CPACK_DEBIAN_PACKAGE_VERSION ${STEMWARE_VERSION})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL program ring_model fem)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME stemware)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS gnuplot-nox)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial") # several ranks; a fast BLAS
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+    "From a glass, a table and a moving hand to the spin of the glass: contact of
+its elastic foot by finite elements, friction, and what each effect does.")
+
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libstemware-dev)
+set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
+get_directory_property(dealii_version DIRECTORY fem DEFINITION DEAL_II_PACKAGE_VERSION)
+string(
+  JOIN ", " CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS
+  "libdeal.ii-dev (>= ${dealii_version})" libsuitesparse-dev libeigen3-dev libboost-dev libtbb-dev)
+set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
+    "Headers, archives and CMake package of the ring model and of the finite
+elements.")
+
+foreach(package IN ITEMS program=stemware ring_model=libstemware-dev)
+  string(REPLACE "=" ";" package ${package})
+  list(GET package 0 component)
+  list(GET package 1 package)
+  install(
+    FILES LICENSE
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+    RENAME copyright
+    COMPONENT ${component})
+endforeach()
+
+include(CPack)
+cpack_add_component(program)
+cpack_add_component_group(libraries)
+foreach(component IN ITEMS ring_model fem)
+  cpack_add_component(${component} GROUP libraries)
+endforeach()

@@ -1,0 +1,24 @@
+// The elastic foot of a wine glass on a mat, its weight off the axis: the harmonics of the load on its rim.
+#include <fem/revolution/revolution_foot.h>
+
+#include <cmath>
+#include <cstdio>
+
+int main()
+{
+  using namespace stemware::fem;
+  const double weight = 0.30 * 9.81, radius = 0.03; // N, m
+  RevolutionSetup setup;                            // 70 GPa, a rounded rim, a mat of 1e10 Pa/m
+  setup.profile.shape = GlassShape::foot;
+  RevolutionFoot foot(setup.resolved_for(weight));
+
+  const double moment = 1.2 * weight * radius / 2; // a load a_0 + a_1 cos(theta) would have to pull
+  const LoadHarmonics load = foot.solve({ weight, 0, -moment }).load;
+  for (unsigned int n = 0; n <= 6; ++n)
+    std::printf("a_%u = %9.6f N/rad\n", n, load.a[0][n]);
+
+  const double pi = std::acos(-1.);
+  const bool is_balanced = std::abs(2 * pi * load.a[0][0] / weight - 1) < 1e-8 &&
+                           std::abs(pi * load.a[0][1] * load.radii[0] / moment - 1) < 1e-8;
+  return is_balanced ? 0 : 1;
+}
