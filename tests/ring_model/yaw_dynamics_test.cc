@@ -5,6 +5,8 @@
 #include "ring_model/yaw_dynamics.h"
 #include "tests/ring_model/reference.h"
 
+#include <Eigen/LU>
+
 #include <stdexcept>
 
 namespace stemware::ring
@@ -183,6 +185,35 @@ TEST(HandDrive, FollowsARampLikeAClassicalRungeKutta)
     }
     EXPECT_NEAR(spin_up(torque, motion.yaw_inertia, 0., { 0.6, 1.2 }, 1e-10)[1].omega, omega, 1e-8);
   }
+}
+
+TEST(HandDrive, TorqueOnARampIsThatOfAllMomentsWrittenOut)
+{
+  // While the hand speeds up, M_N = -dz m k x acceleration + (z_CM + dz) k x T = pi R (b_1, -a_1). Friction
+  // by sums over the rim: columns are those of the loads 1, cos theta and sin theta, rows T_x, T_y and tau_z.
+  constexpr double radius = 0.03, mass = 0.3, offset = -0.05, arm = 0.08 + offset;
+  constexpr double speed = 0.35, acceleration = 2., omega = -3.;
+  const double turn = 2. * std::acos(-1.), a_0 = mass * 9.81 / turn, lever = turn / 2. * radius;
+  Eigen::Matrix3d friction = Eigen::Matrix3d::Zero();
+  constexpr unsigned int n_points = 360;
+  for (unsigned int i = 0; i < n_points; ++i)
+  {
+    const double c = std::cos(turn * i / n_points), s = std::sin(turn * i / n_points);
+    const Eigen::Vector2d slip(speed - omega * radius * s, omega * radius * c);
+    const Eigen::Vector2d force = -0.3 * turn / n_points * slip.normalized();
+    friction += Eigen::Vector3d(force.x(), force.y(), radius * (c * force.y() - s * force.x())) *
+                Eigen::RowVector3d(1., c, s);
+  }
+  const Eigen::Matrix2d balance = lever * Eigen::Matrix2d::Identity() + arm * friction.topRightCorner<2, 2>();
+  const Eigen::Vector2d inertia = offset * mass * Eigen::Vector2d(acceleration, speed * speed / 0.15);
+  const Eigen::Vector2d a_b = balance.inverse() * (inertia - arm * a_0 * friction.topLeftCorner<2, 1>());
+  const double expected = friction.row(2).dot(Eigen::RowVector3d(a_0, a_b.x(), a_b.y()));
+
+  const OrbitSpeedTable ramp({ 0., 0.2 }, { speed - 0.1 * acceleration, speed + 0.1 * acceleration });
+  const auto model = std::make_shared<FirstHarmonicModel>(radius);
+  expect_relative(driven_torque(Closure::full, Motion(), radius, ramp)(0.1, omega), expected, 1e-12,
+                  "formula");
+  expect_relative(driven_torque(Closure::full, Motion(), model, ramp)(0.1, omega), expected, 1e-10, "model");
 }
 
 TEST(HandDrive, TangentialForceTiltsTheGlass)

@@ -1,12 +1,14 @@
 // What a study says about its contact: the friction of the pressure where it lies, at the state that it is
 // named after.
 #include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -107,6 +109,70 @@ TEST(ContactReport, LoadAtTheTerminalSpinIsThatOfThePressureThere)
               -motion.friction_coefficient * motion.normal_force(), 1e-9);
   EXPECT_NEAR(friction_of(glass, rest, study, 0).torque,
               motion.friction_coefficient * glass.report.load.moment.x(), 1e-9 * scale);
+}
+
+TEST(ContactReport, NumbersOfTheLoadAreThoseOfThePressureWhereItLies)
+{
+  // Sums over point forces, at rest and at the terminal spin; a flat land whose load leaves the middle.
+  Study study = coarse_study_in_balance();
+  study.glass.profile.crown_radius = 0;
+  const Described glass(study);
+  const double rim = study.glass.profile.contact_radius;
+  const auto check = [&](const LoadReport &load, const fem::ContactState &contact, double moment_ratio)
+  {
+    double force = 0, first_moment = 0;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    for (const fem::PointForce &point : glass.foot->body().point_forces(contact))
+    {
+      force += point.force;
+      first_moment += point.force * std::hypot(point.x, point.y);
+      centre += point.force * Eigen::Vector2d(point.x, point.y);
+    }
+    EXPECT_NEAR(load.mean_radius, first_moment / force, 1e-9 * rim);
+    EXPECT_GT(std::abs(load.rings.radius() - load.mean_radius),
+              1e-7 * rim); // the radius of one ring is another
+    EXPECT_NEAR(load.moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
+    EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
+  };
+  const SpinRow row = spin_row(glass.load, spin_question(study));
+  const fem::ContactState spinning = glass.load.contact_at()(glass.omega);
+  check(glass.report.load, glass.report.foot->at_rest, row.at_rest->moment_ratio);
+  check(glass.report.load_at_end, spinning, row.at_terminal->moment_ratio);
+  EXPECT_GT(std::abs(row.at_terminal->moment_ratio - row.at_rest->moment_ratio), 1e-3);
+}
+
+TEST(ContactReport, FrictionThatDeformsTheFootFollowsTheSpinOverTheSpeed)
+{
+  // The harmonics in balance are those of another foot that is pressed by the resultants found, without a
+  // balance, its friction turned by omega / v.
+  const Study study = coarse_study_in_balance();
+  const Described glass(study);
+  const double speed = study.motion.orbit.orbit_speed;
+  const fem::LoadHarmonics balanced = glass.load.contact_at()(glass.omega).load;
+  const auto difference_to = [&](double spin_per_speed)
+  {
+    fem::ComplianceCache cache;
+    const auto foot = study_foot(study, cache);
+    const fem::ContactState pressed =
+      foot->solve({ balanced.normal_force, balanced.moment_x, balanced.moment_y }, { spin_per_speed, {} });
+    const fem::LoadHarmonics load = foot->body().gather(pressed, balanced.radii, 4);
+    double largest = 0;
+    for (unsigned int n = 0; n <= 4; ++n)
+    {
+      double a = 0, b = 0, mean = 0;
+      for (std::size_t j = 0; j < load.radii.size(); ++j)
+      {
+        a += load.a[j][n] - balanced.a[j][n];
+        b += load.b[j][n] - balanced.b[j][n];
+        mean += balanced.a[j][0];
+      }
+      largest = std::max(largest, std::hypot(a, b) / mean);
+    }
+    return largest;
+  };
+  EXPECT_LT(difference_to(glass.omega / speed), 1e-8);
+  EXPECT_GT(difference_to(glass.omega), 1e-6);
+  EXPECT_GT(difference_to(-glass.omega / speed), 1e-6);
 }
 
 } // namespace
