@@ -98,7 +98,9 @@ TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
     }
   }
   if (second_harmonics.size() == 2) // a crown that is lost in the file would be seen
+  {
     EXPECT_GT(std::abs(second_harmonics[0] - second_harmonics[1]), 0.03);
+  }
 }
 
 TEST(SolidFoot, SaysWhatItIs)
