@@ -196,7 +196,8 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
   }
   // A solid body needs MPI, which the program starts and ends.
   const std::string file = scratch.write("study.prm", study_as_prm(study));
-  const test::Ended ended = test::stemware(scratch, { "run", file, "--quick", "--output", "results", "--quiet" });
+  const test::Ended ended =
+    test::stemware(scratch, { "run", file, "--quick", "--output", "results", "--quiet" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   return Json::parse(test::read_text(scratch / "results/summary.json"));
 }
