@@ -19,7 +19,7 @@ void describe_program(CLI::App &program)
   stemware run                               the default study; results in results/default
   stemware new my_glass.prm                  a study of twelve entries to change
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Motion/Orbit speed=20 cm/s"
-  stemware new --cookbook lift_off           a study of the cookbooks; `stemware new --help` lists them
+  stemware new --cookbook lift_off           a study of a cookbook; `stemware new --help` lists all
   stemware sweep my_glass.prm --vary "Motion/Mass=200:400 g:5"
   stemware defaults Glass                    all entries of a section, with their meaning
   stemware help run                          more about a verb

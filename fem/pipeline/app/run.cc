@@ -79,7 +79,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
   verb->footer(R"(Examples:
   stemware run                                                the default study
-  stemware new --cookbook lift_off                            writes lift_off.prm, to be read and changed
+  stemware new --cookbook lift_off                            writes lift_off.prm, to be changed
   stemware run lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
   stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
   stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"

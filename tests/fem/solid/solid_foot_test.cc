@@ -86,10 +86,12 @@ TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
 
     SolidFoot generated(generate_solid_mesh(profile, resolution), setup);
     SolidFoot read(read_solid_mesh(file.name), setup);
-    const LoadHarmonics expected = harmonics_of(generated.point_forces(generated.solve(load_at(1.3))), 6);
-    const LoadHarmonics load = harmonics_of(read.point_forces(read.solve(load_at(1.3))), 6);
+    const auto expected_forces = generated.point_forces(generated.solve(load_at(1.3)));
+    const auto forces = read.point_forces(read.solve(load_at(1.3)));
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
-      continue;
+      continue; // the first rank has all forces
+    const LoadHarmonics expected = harmonics_of(expected_forces, 6);
+    const LoadHarmonics load = harmonics_of(forces, 6);
     second_harmonics.push_back(load.a[0][2] / load.a[0][0]);
     for (unsigned int n = 1; n <= 6; ++n)
     {

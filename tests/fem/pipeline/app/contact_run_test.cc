@@ -169,7 +169,7 @@ TEST(ContactRun, LoadFileContinuesFromHarmonics)
 {
   const ScratchFolder scratch;
   const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // a file has one ring
-  const Ended ended = stemware(scratch, { "run", "coarse.prm", "--output", "ring", "--set",
+  const Ended ended = stemware(scratch, { "run", "coarse.prm", "--quick", "--output", "ring", "--set",
                                           "Load/Source=file", "--set", "Load/File=contact/harmonics.dat" });
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   const auto ring = read_summary(scratch / "ring");
