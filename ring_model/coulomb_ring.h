@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
 namespace stemware::ring
 {
@@ -39,12 +39,6 @@ public:
    * @throws std::invalid_argument if a value is not finite, v < 0, or the ring neither slides nor spins.
    */
   Wrench wrench(const RingStack &load, double omega, double speed) const;
-
-  /**
-   * wrench() by the periodic trapezoidal rule on @p n_points angles: independent of the kernels, and as slow
-   * and inexact near |eps| = 1 as such a rule must be. Points without slip carry no friction.
-   */
-  Wrench wrench_by_quadrature(const RingStack &load, double omega, double speed, unsigned int n_points) const;
 
   /// Power lost to friction, -(T.v + tau_z omega) [W]: never negative where lambda >= 0.
   double dissipation(const RingStack &load, double omega, double speed) const;

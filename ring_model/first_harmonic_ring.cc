@@ -1,8 +1,8 @@
 #include "ring_model/first_harmonic_ring.h"
 
-#include "ring_model/constants.h"
 #include "ring_model/friction_kernels.h"
-#include "ring_model/require.h"
+#include "ring_model/load/constants.h"
+#include "ring_model/load/require.h"
 
 namespace stemware::ring
 {

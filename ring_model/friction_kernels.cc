@@ -1,6 +1,6 @@
 #include "ring_model/friction_kernels.h"
 
-#include "ring_model/require.h"
+#include "ring_model/load/require.h"
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 

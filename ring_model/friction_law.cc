@@ -1,7 +1,7 @@
 #include "ring_model/friction_law.h"
 
-#include "ring_model/constants.h"
-#include "ring_model/require.h"
+#include "ring_model/load/constants.h"
+#include "ring_model/load/require.h"
 
 #include <Eigen/Core>
 #include <boost/math/quadrature/gauss.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ring_model/coulomb_ring.h"
-#include "ring_model/load_functional.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/motion.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 #include "ring_model/motion.h"
 
 #include "ring_model/friction_law.h"
-#include "ring_model/require.h"
+#include "ring_model/load/require.h"
 
 namespace stemware::ring
 {

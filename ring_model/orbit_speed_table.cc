@@ -1,6 +1,6 @@
 #include "ring_model/orbit_speed_table.h"
 
-#include "ring_model/require.h"
+#include "ring_model/load/require.h"
 
 // Boost 1.74 calls isnan() unqualified: the C header has to come first.
 // clang-format off

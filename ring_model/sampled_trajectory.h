@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/require.h"
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>

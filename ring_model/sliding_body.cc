@@ -1,6 +1,6 @@
 #include "ring_model/sliding_body.h"
 
-#include "ring_model/require.h"
+#include "ring_model/load/require.h"
 
 #include <boost/math/quadrature/gauss.hpp>
 

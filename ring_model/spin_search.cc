@@ -1,6 +1,6 @@
 #include "ring_model/spin_search.h"
 
-#include "ring_model/require.h"
+#include "ring_model/load/require.h"
 
 #include <algorithm>
 #include <cmath>

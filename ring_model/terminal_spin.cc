@@ -1,8 +1,8 @@
 #include "ring_model/terminal_spin.h"
 
 #include "ring_model/friction_law.h"
+#include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/require.h"
 
 #include <boost/math/differentiation/finite_difference.hpp>
 #include <boost/math/tools/minima.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ring_model/load/ring_stack.h"
 #include "ring_model/motion.h"
-#include "ring_model/ring_stack.h"
 #include "ring_model/spin_search.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 #include "ring_model/unilateral_foundation.h"
 
-#include "ring_model/constants.h"
+#include "ring_model/load/constants.h"
+#include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/require.h"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -177,8 +177,7 @@ std::vector<double> UnilateralFoundation::shape(double moment_ratio) const
   return a;
 }
 
-RingStack UnilateralFoundation::rings(double normal_force, const Eigen::Vector2d &moment,
-                                      const Slip & /*slip*/) const
+RingStack UnilateralFoundation::rings(double normal_force, const Eigen::Vector2d &moment) const
 {
   require_positive(normal_force, "the normal force", "N");
   require(moment.allFinite(), "the moment is (", moment.x(), ", ", moment.y(), ") N m, but must be finite");

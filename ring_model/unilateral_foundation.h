@@ -27,9 +27,10 @@ public:
    */
   UnilateralFoundation(double radius, double exponent, unsigned int n_harmonics = 128);
 
-  RingStack rings(double normal_force, const Eigen::Vector2d &moment, const Slip &slip = {}) const override;
+  RingStack rings(double normal_force, const Eigen::Vector2d &moment) const override;
   double radius() const override { return ring_radius; }
-  double lift_off_ratio() const override { return 2. * p / (p + 1.); }
+  /// Moment ratio above which a part of the ring carries no load.
+  double lift_off_ratio() const { return 2. * p / (p + 1.); }
 
   /**
    * The edge parameter c at the moment ratio @p moment_ratio, 0 <= m < 2: the cosine of the angle at which

@@ -1,5 +1,7 @@
 #include "fem/contact/contact_demand.h"
 
+#include "fem/contact/contact_load.h"
+
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
@@ -15,7 +17,7 @@ namespace
 class RingValues
 {
 public:
-  explicit RingValues(const LoadFunction &function)
+  explicit RingValues(const ring::LoadFunctional &function)
       : function(function)
       , values(static_cast<Eigen::Index>(function.a.size()))
   {
@@ -43,7 +45,7 @@ public:
   }
 
 private:
-  const LoadFunction &function;
+  const ring::LoadFunctional &function;
   Eigen::VectorXd values;
   double last_cosine = 2;
   double last_sine = 2;
@@ -59,14 +61,14 @@ ContactDemand ContactDemand::in_axes_turned_by(double angle) const
   demand.moment_y = cosine * moment_y - sine * moment_x;
   if (has_friction())
   {
-    demand.friction_x = (cosine * friction_x + sine * friction_y).of_turned(angle);
-    demand.friction_y = (cosine * friction_y + -sine * friction_x).of_turned(angle);
+    demand.friction_x = (cosine * friction_x + sine * friction_y).of_rotated(angle);
+    demand.friction_y = (cosine * friction_y + -sine * friction_x).of_rotated(angle);
   }
   return demand;
 }
 
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
-                            const LoadFunction &function)
+                            const ring::LoadFunctional &function)
 {
   const RingShares shares(ring_radii);
   RingValues values(function);

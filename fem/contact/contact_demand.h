@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/contact/linear_conditions.h"
-#include "fem/contact/load_harmonics.h"
+#include "ring_model/load/load_functional.h"
 
 #include <vector>
 
@@ -32,8 +32,8 @@ struct ContactDemand : Resultants
   std::vector<double> ring_radii;
   unsigned int n_harmonics = 0; ///< of the load; 0: as many as the contact resolves
   /// Moment of the load's friction [N m] as functions of the load on `ring_radii`; empty: none.
-  LoadFunction friction_x;
-  LoadFunction friction_y;
+  ring::LoadFunctional friction_x;
+  ring::LoadFunctional friction_y;
   double tilt_moment = 0; ///< N z_CM [N m]
 
   bool has_friction() const { return !friction_x.a.empty(); }
@@ -45,7 +45,7 @@ struct ContactDemand : Resultants
 /// What a unit force on each contact node of @p surface adds to @p function of the load on rings of @p
 /// ring_radii. Shape [n_nodes].
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
-                            const LoadFunction &function);
+                            const ring::LoadFunctional &function);
 
 /// The demand as linear conditions on the nodal forces of @p surface and the table motions. Throws
 /// std::invalid_argument unless N > 0 and all is finite.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/load_harmonics.h"
+#include "ring_model/load/load_functional.h"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ namespace stemware::fem
 struct ContactGoal
 {
   std::vector<double> ring_radii;                      ///< on which the load is gathered, ascending [m]
-  LoadFunction of_load;                                ///< [J rad/N]
+  ring::LoadFunctional of_load;                        ///< [J rad/N]
   Eigen::Vector2d of_moment = Eigen::Vector2d::Zero(); ///< [J/(N m)]
   Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< of the table motions [J/m, J/rad, J/rad]
 };

@@ -108,6 +108,7 @@ public:
   {
     ContactSolution result;
     result.forces = body.elastic_forces(contact.forces);
+    result.beyond_law = result.forces - contact.forces;
     result.normal_displacement = normal_displacement;
     result.motion = motion;
     result.n_iterations = n_steps;

@@ -44,8 +44,10 @@ struct ContactSolution
 {
   ContactOutcome outcome = ContactOutcome::converged; ///< converged or narrow_contact
   Eigen::VectorXd forces;                             ///< upward forces on the foot at the contact nodes [N]
-  Eigen::VectorXd normal_displacement;                ///< u_z + Q q at the contact nodes [m]
-  Eigen::Vector3d motion = Eigen::Vector3d::Zero();   ///< q0 [m], q1, q2 [rad] of the table
+  Eigen::VectorXd
+    beyond_law; ///< what these have more than the table law's: its balance with the body is not exact [N]
+  Eigen::VectorXd normal_displacement;              ///< u_z + Q q at the contact nodes [m]
+  Eigen::Vector3d motion = Eigen::Vector3d::Zero(); ///< q0 [m], q1, q2 [rad] of the table
   unsigned int n_iterations = 0;
   unsigned int n_linear_iterations = 0;
   unsigned int n_loaded_nodes = 0; ///< contact nodes under pressure

@@ -2,14 +2,15 @@
 
 #include "fem/contact/contact_demand.h"
 #include "fem/contact/contact_goal.h"
+#include "fem/contact/contact_load.h"
 #include "fem/contact/contact_newton.h"
-#include "fem/contact/load_harmonics.h"
 #include "fem/contact/pressure_map.h"
 #include "fem/geometry/mesh_io.h"
-#include "fem/geometry/waviness.h"
+#include "ring_model/load/slip.h"
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,27 +18,31 @@
 namespace stemware::fem
 {
 
-/// How the foot slides over the table, as far as its contact depends on it.
-struct Slip
-{
-  /// omega / v [1/m], counter-clockwise > 0: the direction of the friction tractions.
-  double spin_per_speed = 0;
-  /// Where the marks of glass and table stand; only a foot or a table that is out of flat knows them.
-  FootOrientation orientation;
-};
-
-/// One solved contact: plain data that stays what it is when the foot is pressed again.
+/// One solved contact: all that its load, fields and estimates need, and that the next contact may start
+/// from.
 struct ContactState
 {
-  LoadHarmonics load;                    ///< in the slip frame
+  ContactLoad load;                      ///< in the slip frame
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
   ContactDemand demand;                  ///< that it was solved for
-  Slip slip;                             ///< that it was solved for
-  unsigned int zone = 0; ///< which of the foot's contact zones the solution is of, for the foot itself
+  ring::Slip slip;                       ///< that it was solved for
   /// Between which radii the load lies but for rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
+
+  // For the foot itself:
+  unsigned int zone = 0;    ///< which of the foot's contact zones the solution is of
+  bool with_crests = false; ///< whether it was found where the contact before goes to with the crests
+  std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
+};
+
+/// From where a foot looks for a contact.
+struct ContactGuess
+{
+  const ContactState *before = nullptr; ///< a contact of the same foot that is near; nothing: none is known
+  /// What is to be expected, in the slip frame, at the nodes of `before`'s zone, or of the first.
+  std::optional<ContactStart> expected = {};
 };
 
 /// What a foot is made of, for people and for summary.json.
@@ -72,9 +77,9 @@ struct FieldFile
 
 /// An elastic foot on its table: mesh, stiffness and table law, set up once for any number of loads.
 ///
-/// Where capabilities().is_collective, MPI must have been started and all ranks call every function together.
-/// A foot answers one call at a time; different feet may be solved by different threads unless they are
-/// collective.
+/// Answers depend on the arguments alone. Where capabilities().is_collective, MPI must have been started and
+/// all ranks call every function together. A foot works on one call at a time; different feet may be solved
+/// by different threads unless they are collective.
 class Foot
 {
 public:
@@ -86,43 +91,44 @@ public:
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 
-  /// Solves the contact under @p demand at @p slip, from the solution before where there is one.
+  /// Solves the contact under @p demand at @p slip, from @p guess.
   /// @p progress is called after each Newton step, which the state's history keeps too, where a solve takes
   /// long (a solid foot; not a body of revolution); may be empty. Throws ContactFailure.
-  virtual ContactState solve(const ContactDemand &demand, const Slip &slip = {},
-                             const std::function<void(const ContactIteration &)> &progress = {}) = 0;
+  virtual ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {},
+                             const ContactGuess &guess = {},
+                             const std::function<void(const ContactIteration &)> &progress = {}) const = 0;
 
-  /// Makes @p state, a contact of this foot, the solution before: where several contacts are followed in
-  /// turn, each starts from its own. A foot whose state is more than that may go on from the last one.
-  virtual void resume(const ContactState & /*state*/) {}
-
-  /// Contacts of this foot start from what those of @p similar let expect, a foot that differs little. Feet
-  /// that cannot make use of it go on as they are.
-  virtual void start_like(const Foot & /*similar*/) {}
+  /// What @p start, of a contact of @p similar in its zone @p zone, lets expect of this foot, which differs
+  /// little; nothing where it tells nothing.
+  virtual std::optional<ContactStart> expected_from(const ContactStart & /*start*/, unsigned int /*zone*/,
+                                                    const Foot & /*similar*/) const
+  {
+    return std::nullopt;
+  }
 
   /// Highest harmonic that the contact resolves.
   virtual unsigned int n_resolved_harmonics() const = 0;
 
   /// The load of any state of this foot, rings and harmonics as ContactDemand has them.
-  virtual LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
-                               unsigned int n_harmonics) = 0;
+  virtual ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
+                             unsigned int n_harmonics) const = 0;
 
   /// The pressure of any state of this foot as forces where they lie, slip frame; of a collective foot on the
   /// first rank, nothing on the others.
-  virtual std::vector<PointForce> point_forces(const ContactState &state) = 0;
+  virtual std::vector<PointForce> point_forces(const ContactState &state) const = 0;
 
   /// The pressure p(r, theta) of any state of this foot, slip frame; of a collective foot on the first rank,
   /// empty on the others.
-  virtual PressureMap pressure_map(const ContactState &state) = 0;
+  virtual PressureMap pressure_map(const ContactState &state) const = 0;
 
-  /// Displacement, stress and contact pressure of @p state, the last one solved, as VTU files: what this rank
-  /// has to write. Throws std::logic_error for a state whose displacement the body has left.
-  virtual std::vector<FieldFile> fields(const ContactState &state) = 0;
+  /// Displacement, stress and contact pressure of any state of this foot as VTU files: what this rank has to
+  /// write.
+  virtual std::vector<FieldFile> fields(const ContactState &state) const = 0;
 
   /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing
   /// where this foot cannot tell. @p with_cells: with the cells' shares.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
-                                              bool /*with_cells*/)
+                                              bool /*with_cells*/) const
   {
     return std::nullopt;
   }
@@ -134,11 +140,5 @@ protected:
     return asked == 0 ? n_resolved_harmonics() : std::min(asked, n_resolved_harmonics());
   }
 };
-
-/// Throws std::logic_error unless the displacement of @p body is that of @p solution, u_z + Q q = normal
-/// displacement to rounding.
-void require_latest(const ElasticBody &body, const ContactSolution &solution);
-/// Whether @p body has the displacement of @p solution.
-bool is_latest(const ElasticBody &body, const ContactSolution &solution);
 
 } // namespace stemware::fem

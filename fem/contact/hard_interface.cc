@@ -53,6 +53,11 @@ public:
     return solution.forces.cwiseQuotient(surface.node_area);
   }
 
+  void start_from(const Eigen::VectorXd &forces) override
+  {
+    multipliers = forces.size() > 0 ? forces : Eigen::VectorXd::Zero(surface.n_nodes());
+  }
+
   double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
     const Eigen::VectorXd updated = forces(normal_displacement);

@@ -80,6 +80,9 @@ public:
       }
       line_forces.push_back(line_force);
     }
+    for (Eigen::Index i = 0; i < solution.beyond_law.size(); ++i)
+      if (const double force = solution.beyond_law(i); force != 0)
+        result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), force });
     result.density = density_of_lines(surface, line_forces);
     return result;
   }

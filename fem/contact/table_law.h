@@ -39,8 +39,8 @@ struct ContactForces
 struct TableLoad
 {
   SurfaceParts parts; ///< of the surface
-  /// Fine enough for harmonics: quadrature points of the pressure, or nodal forces where there is no
-  /// pressure.
+  /// Fine enough for harmonics: quadrature points of the pressure, and what the body's forces have beyond it
+  /// at the nodes; or nodal forces where there is no pressure.
   std::vector<PointForce> points;
   /// Load per radian at the azimuth of each line, sorted by azimuth; sectors' means where the lines are not
   /// radial.
@@ -77,7 +77,11 @@ public:
   /// Pressure [Pa] at a penetration [m], for laws by which it depends on that alone; nothing for the others.
   virtual std::optional<double> pressure_at(double /*penetration*/) const { return std::nullopt; }
 
-  /// Tells a law with multipliers (rigid table) that Newton's method has converged; returns the largest
+  /// Tells a law with multipliers (rigid table) the nodal @p forces of a contact nearby; empty: none is
+  /// known.
+  virtual void start_from(const Eigen::VectorXd & /*forces*/) {}
+
+  /// Tells a law with multipliers that Newton's method has converged; returns the largest
   /// violation of the contact conditions that it has left [m]. Laws without multipliers have none: 0.
   virtual double augmented_lagrangian_update(const Eigen::VectorXd & /*normal_displacement*/) { return 0; }
 };

@@ -19,9 +19,9 @@ double sum(const std::vector<WavinessHarmonic> &harmonics, double radius_ratio, 
 }
 } // namespace
 
-double RimImperfection::gap(double radius_ratio, double theta, const FootOrientation &phase) const
+double RimImperfection::gap(double radius_ratio, double theta, double of_glass, double of_table) const
 {
-  return sum(glass, radius_ratio, theta - phase.glass) + sum(table, radius_ratio, theta - phase.table);
+  return sum(glass, radius_ratio, theta - of_glass) + sum(table, radius_ratio, theta - of_table);
 }
 
 double RimImperfection::largest_amplitude() const

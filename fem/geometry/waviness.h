@@ -16,15 +16,6 @@ struct WavinessHarmonic
   double azimuth = 0;   ///< of a crest: a place that is farthest from a flat counterpart [rad]
 };
 
-/// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
-/// theta = chi + glass, one of the table at theta = chi + table [rad]. Counter-clockwise orbit: glass = psi -
-/// phi - pi/2, table = -phi - pi/2; clockwise: + pi/2.
-struct FootOrientation
-{
-  double glass = 0;
-  double table = 0;
-};
-
 /// Out-of-flat rim and table: distance between them on top of the crown's. Harmonics 0 and 1 are an offset
 /// and a tilt, which the table motions absorb.
 struct RimImperfection
@@ -35,8 +26,8 @@ struct RimImperfection
 
   bool empty() const { return glass.empty() && table.empty(); }
   /// Additional distance at r = @p radius_ratio times the contact radius and the azimuth @p theta of the slip
-  /// frame [m].
-  double gap(double radius_ratio, double theta, const FootOrientation &phase) const;
+  /// frame [m], where the marks chi = 0 of the glass and of the ground stand at @p of_glass and @p of_table.
+  double gap(double radius_ratio, double theta, double of_glass, double of_table) const;
   /// Bound of gap() at the contact radius [m].
   double largest_amplitude() const;
   /// Throws std::invalid_argument unless all amplitudes and azimuths are finite.

@@ -1,6 +1,5 @@
 #include "fem/revolution/revolution_foot.h"
 
-#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/goal_estimate.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/revolution_output.h"
@@ -15,11 +14,21 @@
 namespace stemware::fem
 {
 
+namespace
+{
+
+/// The table motions of @p solution in axes turned by @p angle, counter-clockwise.
+Eigen::Vector3d motion_in_axes(const Eigen::Vector3d &motion, double angle)
+{
+  const Eigen::Vector2d tilts = Eigen::Rotation2Dd(-angle) * motion.tail<2>();
+  return { motion(0), tilts(0), tilts(1) };
+}
+
+} // namespace
+
 RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size)
     : first(first)
-    , body(
-        foot.compliance->part(first, size), [&foot](double r, double theta) { return foot.gap(r, theta); },
-        foot.setup.n_lines)
+    , body(foot.compliance->part(first, size), foot.gap_at({}), foot.setup.n_lines)
     , law(foot.interface->make(body.contact_surface(), 0))
 {
 }
@@ -31,10 +40,15 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &ca
 {
   constexpr double reach = 10; // half-widths: room for a load that gathers on a part of the rim
   setup.imperfection.validate();
-  add_zone(reach * setup.contact_half_width);
+  zones.front() = make_zone(reach * setup.contact_half_width);
 }
 
-void RevolutionFoot::add_zone(double reach)
+RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
+    : RevolutionFoot(setup, *std::make_unique<ComplianceCache>())
+{
+}
+
+std::unique_ptr<RevolutionFoot::Zone> RevolutionFoot::make_zone(double reach) const
 {
   const Eigen::Index degree = compliance->degree;
   Eigen::Index first = 0, last = compliance->radii.size() - 1;
@@ -45,15 +59,34 @@ void RevolutionFoot::add_zone(double reach)
     while (last - degree > first && compliance->radii(last - degree) > setup.profile.contact_radius + reach)
       last -= degree;
   }
-  zones.push_back(std::make_unique<Zone>(*this, first, last - first + 1));
-  before.reset();
-  recent.clear();
-  of_similar.clear();
+  return std::make_unique<Zone>(*this, first, last - first + 1);
 }
 
-bool RevolutionFoot::has_left_zone() const
+RevolutionFoot::Zone &RevolutionFoot::zone_at(unsigned int index, const ring::Orientation &marks) const
 {
-  const Zone &zone = *zones.back();
+  if (!zones[index])
+    zones[index] = make_zone(0);
+  Zone &zone = *zones[index];
+  const bool has_turned = marks.glass != zone.marks.glass || marks.table != zone.marks.table;
+  if (has_turned && !setup.imperfection.empty())
+  {
+    zone.body.set_gap(gap_at(marks));
+    zone.marks = marks;
+  }
+  return zone;
+}
+
+RevolutionFoot::Zone &RevolutionFoot::zone_of(const ContactState &state) const
+{
+  Zone &zone = zone_at(state.zone, state.slip.orientation);
+  if (setup.friction_coefficient > 0)
+    zone.body.set_sliding(sliding_at(state.slip));
+  zone.body.set_forces(state.solution.forces);
+  return zone;
+}
+
+bool RevolutionFoot::has_left(const Zone &zone) const
+{
   const Eigen::MatrixXd &forces = zone.body.forces();
   const double threshold = 1e-9 * forces.cwiseAbs().maxCoeff();
   const auto carries = [&](Eigen::Index row) { return forces.row(row).cwiseAbs().maxCoeff() > threshold; };
@@ -61,21 +94,18 @@ bool RevolutionFoot::has_left_zone() const
          (zone.first + forces.rows() < compliance->radii.size() && carries(forces.rows() - 1));
 }
 
-RevolutionFoot::Zone &RevolutionFoot::zone_of(const ContactState &state)
+BodyOfRevolution::Gap RevolutionFoot::gap_at(const ring::Orientation &marks) const
 {
-  set_orientation(state.slip.orientation);
-  return *zones.at(state.zone);
+  return [this, marks, first = axis(marks)](double radius, double azimuth)
+  {
+    return setup.profile.gap(radius) + setup.imperfection.gap(radius / setup.profile.contact_radius,
+                                                              azimuth + first, marks.glass, marks.table);
+  };
 }
 
-RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
-    : RevolutionFoot(setup, *std::make_unique<ComplianceCache>())
+SlidingTraction RevolutionFoot::sliding_at(const ring::Slip &slip) const
 {
-}
-
-double RevolutionFoot::gap(double radius, double azimuth) const
-{
-  return setup.profile.gap(radius) +
-         setup.imperfection.gap(radius / setup.profile.contact_radius, azimuth + axis(), phase);
+  return { setup.friction_coefficient, slip.spin_per_speed, axis(slip.orientation), setup.friction_by_slip };
 }
 
 FootDescription RevolutionFoot::description() const
@@ -94,31 +124,36 @@ FootCapabilities RevolutionFoot::capabilities() const
   return capabilities;
 }
 
-void RevolutionFoot::set_orientation(const FootOrientation &orientation)
+RevolutionStarts RevolutionFoot::starts_from(const ContactGuess &guess, const ring::Orientation &marks) const
 {
-  if (setup.imperfection.empty() || (orientation.glass == phase.glass && orientation.table == phase.table))
-    return;
-  const long line_before = crest_line();
-  phase = orientation;
-  const long n_turned = crest_line() - line_before;
-  const Eigen::VectorXd gap_before = zones.back()->body.contact_surface().node_gap;
-  for (const auto &zone : zones)
-    zone->body.set_gap([this](double r, double theta) { return gap(r, theta); });
-  turned.reset();
-  recent.clear();
-  crests_have_moved = true;
-  if (!before)
-    return;
-  // The next contact starts from the penetration of the last one, where it is or turned with the crests.
-  const Eigen::VectorXd &gap_now = zones.back()->body.contact_surface().node_gap;
-  const Eigen::VectorXd penetration = -(gap_before + before->normal_displacement);
-  before->normal_displacement = -(gap_now + penetration);
-  if (n_turned == 0)
-    return;
-  turned = before;
-  turned->normal_displacement = -(gap_now + turned_by_lines(penetration, n_turned));
-  turned->motion.tail<2>() =
-    Eigen::Rotation2Dd(static_cast<double>(n_turned) * line_spacing()) * before->motion.tail<2>();
+  RevolutionStarts starts;
+  if (guess.expected)
+    starts.expected = { motion_in_axes(guess.expected->motion, axis(marks)),
+                        guess.expected->normal_displacement };
+  if (!guess.before)
+    return starts;
+  const ContactState &before = *guess.before;
+  const ring::Orientation &marks_before = before.slip.orientation;
+  ContactStart start = { motion_in_axes(before.solution.motion, axis(marks_before)),
+                         before.solution.normal_displacement };
+  starts.crests_have_moved = marks.glass != marks_before.glass || marks.table != marks_before.table;
+  if (setup.imperfection.empty() || !starts.crests_have_moved)
+  {
+    starts.before = { start };
+    return starts;
+  }
+  const Eigen::VectorXd gap_before = zone_at(before.zone, marks_before).body.contact_surface().node_gap;
+  const Eigen::VectorXd &gap_now = zone_at(before.zone, marks).body.contact_surface().node_gap;
+  const Eigen::VectorXd penetration = -(gap_before + start.normal_displacement);
+  start.normal_displacement = -(gap_now + penetration);
+  starts.before = { start };
+  if (const long n_turned = crest_line(marks) - crest_line(marks_before); n_turned != 0)
+  {
+    start.normal_displacement = -(gap_now + turned_by_lines(penetration, n_turned));
+    start.motion = motion_in_axes(start.motion, -static_cast<double>(n_turned) * line_spacing());
+    starts.before.insert(before.with_crests ? starts.before.begin() : starts.before.end(), start);
+  }
+  return starts;
 }
 
 double RevolutionFoot::line_spacing() const
@@ -126,27 +161,21 @@ double RevolutionFoot::line_spacing() const
   return boost::math::double_constants::two_pi / setup.n_lines;
 }
 
-double RevolutionFoot::crest() const
+double RevolutionFoot::crest(const ring::Orientation &marks) const
 {
   if (setup.imperfection.empty())
     return 0;
-  return setup.imperfection.glass.empty() ? phase.table : phase.glass;
+  return setup.imperfection.glass.empty() ? marks.table : marks.glass;
 }
 
-long RevolutionFoot::crest_line() const
+long RevolutionFoot::crest_line(const ring::Orientation &marks) const
 {
-  return std::lround(crest() / line_spacing());
+  return std::lround(crest(marks) / line_spacing());
 }
 
-double RevolutionFoot::axis() const
+double RevolutionFoot::axis(const ring::Orientation &marks) const
 {
-  return crest() - static_cast<double>(crest_line()) * line_spacing();
-}
-
-ContactSolution RevolutionFoot::in_axes_of_lines(ContactSolution solution) const
-{
-  solution.motion.tail<2>() = Eigen::Rotation2Dd(-axis()) * solution.motion.tail<2>();
-  return solution;
+  return crest(marks) - static_cast<double>(crest_line(marks)) * line_spacing();
 }
 
 Eigen::VectorXd RevolutionFoot::turned_by_lines(const Eigen::VectorXd &nodal, long n) const
@@ -163,22 +192,24 @@ unsigned int RevolutionFoot::n_resolved_harmonics() const
   return (setup.n_lines - 1) / 2;
 }
 
-ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip,
-                                   const std::function<void(const ContactIteration &)> &)
+ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip &slip,
+                                   const ContactGuess &guess,
+                                   const std::function<void(const ContactIteration &)> &) const
 {
   ContactState state;
   state.demand = demand;
   state.slip = slip;
-  set_orientation(slip.orientation);
-  state.solution = press(demand, slip);
-  state.zone = static_cast<unsigned int>(zones.size() - 1);
-  crests_have_moved = false;
-  before = { state.solution.motion, state.solution.normal_displacement };
-  remember(demand, slip);
-  state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis()) * state.solution.motion.tail<2>();
+  state.zone = guess.before ? guess.before->zone : 0;
+  press(guess, state);
+  if (has_left(*zones[state.zone]))
+  {
+    state.zone = 1;
+    press({}, state);
+  }
+  state.solution.motion = motion_in_axes(state.solution.motion, -axis(slip.orientation));
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
 
-  const BodyOfRevolution &body = zones.back()->body;
+  const BodyOfRevolution &body = zones[state.zone]->body;
   const Eigen::VectorXd &radii = body.contact_compliance().radii;
   const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();
   const double threshold = 1e-9 * on_circles.maxCoeff();
@@ -192,79 +223,98 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const Slip &slip
   return state;
 }
 
-void RevolutionFoot::resume(const ContactState &state)
+void RevolutionFoot::press(const ContactGuess &guess, ContactState &state) const
 {
-  set_orientation(state.slip.orientation);
-  turned.reset();
-  before.reset();
-  crests_have_moved = false;
-  if (state.zone + 1 != zones.size())
-    return;
-  zones.back()->body.set_forces(state.solution.forces);
-  before = { in_axes_of_lines(state.solution).motion, state.solution.normal_displacement };
+  const ring::Orientation &marks = state.slip.orientation;
+  const double first = axis(marks);
+  const RevolutionStarts starts = starts_from(guess, marks);
+  Zone &zone = zone_at(state.zone, marks);
+  if (setup.friction_coefficient > 0)
+    zone.body.set_sliding(sliding_at(state.slip));
+  if (guess.before)
+    zone.body.set_forces(guess.before->solution.forces);
+  else
+    zone.body.reset();
+  const LinearConditions conditions = conditions_of(
+    zone.body.contact_surface(), first == 0 ? state.demand : state.demand.in_axes_turned_by(first));
+  RevolutionContact contact(setup, *interface, zone.body, *zone.law, conditions);
+  state.solution = contact.solve(starts);
+  state.with_crests = guess.before && guess.before->with_crests != (contact.start_used().value_or(0) > 0);
 }
 
-LoadHarmonics RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                                     unsigned int n_harmonics)
+std::optional<ContactStart> RevolutionFoot::expected_from(const ContactStart &start, unsigned int zone,
+                                                          const Foot &similar) const
 {
-  const Zone &zone = zone_of(state);
-  const Eigen::VectorXd &radii = zone.body.contact_compliance().radii;
-  const unsigned int highest = kept_harmonics(n_harmonics);
-  const auto of_nodes = [&](const Eigen::VectorXd &forces)
-  { return harmonics_on_lines(forces.reshaped(radii.size(), setup.n_lines), radii, highest, ring_radii); };
-  LoadHarmonics load = of_nodes(state.solution.forces);
-  if (ring_radii.size() <= 2)
-    return load.turned(axis());
-  // Nodal forces have the radial moments of the pressure up to the elements' degree; what the pressure where
-  // it lies has beyond is added. Force and moments stay what they are, those of the elastic forces.
-  ContactForces by_law;
-  zone.law->evaluate(state.solution.normal_displacement, by_law);
-  const LoadHarmonics nodal = of_nodes(by_law.forces);
-  const LoadHarmonics resolved = harmonics_of(
-    zone.law->load(state.solution, parts_of_lines(ring_radii.size())).points, highest, ring_radii);
-  for (std::size_t j = 0; j < load.n_rings(); ++j)
-    for (std::size_t n = 0; n <= highest; ++n)
-    {
-      load.a[j][n] += resolved.a[j][n] - nodal.a[j][n];
-      load.b[j][n] += resolved.b[j][n] - nodal.b[j][n];
-    }
-  return load.turned(axis());
+  const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
+  // Contacts of other widths lead nowhere.
+  if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty() ||
+      setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
+      setup.plane_strain_compliance() != other->setup.plane_strain_compliance())
+    return std::nullopt;
+  const BodyOfRevolution &body = elastic_body(), &others = other->zones[zone]->body;
+  const Eigen::VectorXd &from = others.contact_compliance().radii;
+  const Eigen::VectorXd &to = body.contact_compliance().radii;
+  const Eigen::Index n_from = other->setup.n_lines, n_to = setup.n_lines;
+  Eigen::MatrixXd in_r(to.size(), from.size());
+  for (Eigen::Index i = 0; i < to.size(); ++i)
+    in_r.row(i) = others.contact_compliance().shape_at(std::clamp(to(i), from(0), from(from.size() - 1)));
+  // A penetration counts by the pressure that it makes, which the interface of the one has at another depth.
+  const double pressure = setup.line_load(setup.normal_force) / setup.profile.land_width;
+  const double softer = other->interface->stiffness_at(pressure) / interface->stiffness_at(pressure);
+  const auto scaled = [&](double separation) { return separation < 0 ? softer * separation : separation; };
+  const Eigen::VectorXd separation =
+    (others.contact_surface().node_gap + start.normal_displacement).unaryExpr(scaled);
+  const Eigen::MatrixXd on_lines = in_r * separation.reshaped(from.size(), n_from);
+  Eigen::MatrixXd result(to.size(), n_to);
+  for (Eigen::Index j = 0; j < n_to; ++j)
+  {
+    const double place = static_cast<double>(j) / static_cast<double>(n_to) * static_cast<double>(n_from);
+    const auto line = static_cast<Eigen::Index>(place);
+    const double share = place - static_cast<double>(line);
+    result.col(j) = (1 - share) * on_lines.col(line) + share * on_lines.col((line + 1) % n_from);
+  }
+  return ContactStart{ start.motion, result.reshaped() - body.contact_surface().node_gap };
 }
 
-std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state)
+ContactLoad RevolutionFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
+                                   unsigned int n_harmonics) const
 {
-  const std::vector<PointForce> on_lines = zone_of(state).law->load(state.solution, 1).points;
-  return turned_by(on_lines, axis()); // which is that of the state by now
+  const TableLaw &law = *zone_at(state.zone, state.slip.orientation).law;
+  return extract_load(law, state.solution, kept_harmonics(n_harmonics), ring_radii)
+    .turned(axis(state.slip.orientation));
 }
 
-PressureMap RevolutionFoot::pressure_map(const ContactState &state)
+std::vector<PointForce> RevolutionFoot::point_forces(const ContactState &state) const
 {
-  PressureMap map = zone_of(state).law->pressure_map(state.solution);
-  return axis() == 0 ? map : map.turned(axis());
+  const TableLaw &law = *zone_at(state.zone, state.slip.orientation).law;
+  return turned_by(law.load(state.solution, 1).points, axis(state.slip.orientation));
+}
+
+PressureMap RevolutionFoot::pressure_map(const ContactState &state) const
+{
+  const double first = axis(state.slip.orientation);
+  PressureMap map = zone_at(state.zone, state.slip.orientation).law->pressure_map(state.solution);
+  return first == 0 ? map : map.turned(first);
 }
 
 std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
-                                                    bool with_cells)
+                                                    bool with_cells) const
 {
   if (!setup.imperfection.empty())
     return std::nullopt;
   const Zone &zone = zone_of(state);
   SolvedContact contact = { setup, zone.body, *interface };
-  contact.gap = [this](double r, double theta) { return gap(r, theta); };
+  contact.gap = gap_at({});
   contact.state = &state;
   contact.cache = &finer;
   if (setup.friction_coefficient > 0)
-    contact.sliding =
-      SlidingTraction{ setup.friction_coefficient, state.slip.spin_per_speed, 0, setup.friction_by_slip };
+    contact.sliding = sliding_at(state.slip);
   return estimate_mesh_error(contact, goal, with_cells);
 }
 
-std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
+std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state) const
 {
   const Zone &zone = zone_of(state);
-  ContactState on_lines = state;
-  on_lines.solution = in_axes_of_lines(state.solution);
-  require_latest(zone.body, on_lines.solution);
   const MeridianMeshes meshes(setup);
   const MeridianSpace space(meshes.foot, setup.material, setup.meridian.degree);
   const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
@@ -278,10 +328,9 @@ std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state)
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
   const MeridianField field(space, setup.material,
                             { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) });
-  const PressureField pressure(zone.body, *zone.law, on_lines.solution,
-                               [this](double r, double theta) { return gap(r, theta); });
+  const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
   std::ostringstream file;
-  write_revolution_fields(field, pressure, state.solution.motion, axis(), file);
+  write_revolution_fields(field, pressure, state.solution.motion, axis(state.slip.orientation), file);
   return { { "contact.vtu", file.str() } };
 }
 

@@ -148,10 +148,9 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
-  const auto n_harmonics = static_cast<unsigned int>(contact.load.n_harmonics());
-  const LoadHarmonics load = extract_load(law, solution, n_harmonics, goal.ring_radii);
-  const Eigen::Vector2d moment(load.moment_x - contact.load.moment_x, load.moment_y - contact.load.moment_y);
-  return goal.of_load(load) - goal.of_load(contact.load) + goal.of_moment.dot(moment) +
+  const ContactLoad load = extract_load(law, solution, contact.load.n_harmonics(), goal.ring_radii);
+  return goal.of_load(load) - goal.of_load(contact.load) +
+         goal.of_moment.dot(load.moment() - contact.load.moment()) +
          goal.of_motion.dot(solution.motion - contact.solution.motion);
 }
 

@@ -17,7 +17,7 @@ struct SolvedSolidContact
   SlidingTraction sliding;
   ContactDemand demand = {};
   ContactSolution solution = {};
-  LoadHarmonics load = {}; ///< on the rings of the goal
+  ContactLoad load = {}; ///< on the rings of the goal
   double inner_radius = 0;
   double outer_radius = 0;
   bool straight_edges = false; ///< SolidOptions::straight_edges

@@ -57,7 +57,7 @@ bool is_spring(const SolidSetup &setup, const SolidBody &body)
 }
 
 /// All numbers of a demand and a slip.
-std::string text_of(const ContactDemand &demand, const Slip &slip)
+std::string text_of(const ContactDemand &demand, const ring::Slip &slip)
 {
   std::ostringstream text;
   text << std::setprecision(17);
@@ -66,7 +66,7 @@ std::string text_of(const ContactDemand &demand, const Slip &slip)
     text << number << ' ';
   for (const double radius : demand.ring_radii)
     text << radius << ' ';
-  for (const LoadFunction &function : { demand.friction_x, demand.friction_y })
+  for (const ring::LoadFunctional &function : { demand.friction_x, demand.friction_y })
     for (const auto &coefficients : { function.a, function.b })
       for (const std::vector<double> &ring : coefficients)
         for (const double number : ring)
@@ -112,13 +112,14 @@ SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, con
 SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     : setup(setup)
     , mesh(mesh)
-    , body(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile), options_of(mesh, setup.options))
-    , interface(interface_of(setup, body))
-    , softening_of_coarser(is_spring(setup, body) ? softening : 1)
-    , law(interface->make(body.contact_surface(), setup.material.young_modulus / body.contact_cell_size()))
-    , n_contact_nodes(body.contact_surface().n_nodes_of_whole())
+    , body(std::make_unique<SolidBody>(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile),
+                                       options_of(mesh, setup.options)))
+    , interface(interface_of(setup, *body))
+    , softening_of_coarser(is_spring(setup, *body) ? softening : 1)
+    , law(interface->make(body->contact_surface(), setup.material.young_modulus / body->contact_cell_size()))
+    , n_contact_nodes(body->contact_surface().n_nodes_of_whole())
 {
-  if (!setup.checkpoint_folder.empty() && !body.has_hierarchy())
+  if (!setup.checkpoint_folder.empty() && !body->has_hierarchy())
     throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
                                 "Contact/Refinements to at least 1 and Contact/Linear solver = automatic, or "
                                 "leave it empty.");
@@ -129,10 +130,10 @@ FootDescription SolidFoot::description() const
   FootDescription description;
   description.body = "solid";
   description.n_cells = static_cast<unsigned int>(mesh.triangulation->n_global_active_cells());
-  description.n_unknowns = body.n_unknowns();
+  description.n_unknowns = body->n_unknowns();
   description.n_contact_nodes = n_contact_nodes;
   description.mesh_report = mesh.report;
-  description.contact_cell_size = body.contact_cell_size();
+  description.contact_cell_size = body->contact_cell_size();
   return description;
 }
 
@@ -146,8 +147,8 @@ FootCapabilities SolidFoot::capabilities() const
   return capabilities;
 }
 
-ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
-                              const std::function<void(const ContactIteration &)> &progress)
+ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &slip, const ContactGuess &guess,
+                              const std::function<void(const ContactIteration &)> &progress) const
 {
   ContactState state;
   state.demand = demand;
@@ -162,16 +163,23 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const Slip &slip,
       progress(iteration);
   };
   const double axis = axis_of(slip);
-  body.set_sliding(sliding_at(slip));
-  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), slip, control);
-  before = { state.solution.motion, state.solution.normal_displacement };
+  state.solution = press(axis == 0 ? demand : demand.in_axes_turned_by(axis), slip, guess.before, control);
+  std::ostringstream written;
+  body->write_state(written);
+  state.body = std::make_shared<const std::string>(written.str());
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution, 1));
   return state;
 }
 
-SlidingTraction SolidFoot::sliding_at(const Slip &slip) const
+void SolidFoot::restore(const ContactState &state) const
+{
+  std::istringstream written(*state.body);
+  body->read_state(written);
+}
+
+SlidingTraction SolidFoot::sliding_at(const ring::Slip &slip) const
 {
   return { setup.friction_coefficient, slip.spin_per_speed, axis_of(slip), setup.friction_by_slip };
 }
@@ -183,24 +191,29 @@ ContactSolution SolidFoot::in_mesh_axes(const ContactState &state) const
   return solution;
 }
 
-ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, ContactControl control)
+ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &slip,
+                                 const ContactState *before, ContactControl control) const
 {
   const double radius = setup.profile.contact_radius;
-  const LinearConditions conditions = conditions_of(body.contact_surface(), demand);
+  const LinearConditions conditions = conditions_of(body->contact_surface(), demand);
+  body->set_sliding(sliding_at(slip));
   if (before)
     try
     {
-      const ContactSolution solution = solve_contact(body, *law, conditions, radius, control, &*before);
+      restore(*before);
+      law->start_from(before->solution.forces);
+      const ContactSolution nearby = in_mesh_axes(*before);
+      const ContactStart start = { nearby.motion, nearby.normal_displacement };
+      const ContactSolution solution = solve_contact(*body, *law, conditions, radius, control, &start);
       if (solution.steadiness > 0)
         return solution;
-      before.reset();
     }
     catch (const ContactFailure &failure)
     {
-      before.reset();
       if (failure.outcome == ContactOutcome::tipping)
         throw;
     }
+  law->start_from({});
   std::optional<ContactCheckpoint> checkpoint;
   std::optional<ContactStart> start;
   std::vector<ContactIteration> history; // of this solve, with the steps before it was stopped
@@ -211,9 +224,9 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
     control.checkpoint = [&](const ContactStart &at, const ContactIteration &step)
     {
       history.push_back(step);
-      checkpoint->save(body, at, history);
+      checkpoint->save(*body, at, history);
     };
-    if (const auto kept = checkpoint->restore(body))
+    if (const auto kept = checkpoint->restore(*body))
     {
       start = kept->start;
       history = kept->history;
@@ -222,10 +235,10 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
     }
   }
   if (!start)
-    start = start_from_coarser_mesh(body, *interface, softening_of_coarser, demand, radius,
+    start = start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius,
                                     checkpoint ? &*checkpoint : nullptr);
   const ContactSolution solution =
-    solve_contact(body, *law, conditions, radius, control, start ? &*start : nullptr);
+    solve_contact(*body, *law, conditions, radius, control, start ? &*start : nullptr);
   if (checkpoint)
     checkpoint->remove();
   if (!(solution.steadiness > 0))
@@ -239,48 +252,48 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const Slip &slip, 
 unsigned int SolidFoot::n_resolved_harmonics() const
 {
   // Half the cells round the rim resolve that many; more than 24 matter nowhere.
-  return std::clamp(body.contact_surface().n_sectors / 2, 1u, 24u);
+  return std::clamp(body->contact_surface().n_sectors / 2, 1u, 24u);
 }
 
-LoadHarmonics SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
-                                unsigned int n_harmonics)
+ContactLoad SolidFoot::gather(const ContactState &state, const std::vector<double> &ring_radii,
+                              unsigned int n_harmonics) const
 {
   return extract_load(*law, state.solution, kept_harmonics(n_harmonics), ring_radii)
     .turned(axis_of(state.slip));
 }
 
-std::vector<PointForce> SolidFoot::point_forces(const ContactState &state)
+std::vector<PointForce> SolidFoot::point_forces(const ContactState &state) const
 {
   std::vector<double> packed;
   for (const PointForce &point : law->load(state.solution, 1).points)
     packed.insert(packed.end(), { point.x, point.y, point.force });
-  packed = body.contact_surface().parts.gather(std::move(packed));
+  packed = body->contact_surface().parts.gather(std::move(packed));
   std::vector<PointForce> points;
   for (std::size_t i = 0; i < packed.size(); i += 3)
     points.push_back({ packed[i], packed[i + 1], packed[i + 2] });
   return turned_by(std::move(points), axis_of(state.slip));
 }
 
-PressureMap SolidFoot::pressure_map(const ContactState &state)
+PressureMap SolidFoot::pressure_map(const ContactState &state) const
 {
   const double axis = axis_of(state.slip);
   PressureMap map = law->pressure_map(state.solution);
   return axis == 0 ? map : map.turned(axis);
 }
 
-std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const ContactGoal &goal,
-                                               bool with_cells)
+std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
+                                               bool with_cells) const
 {
   const bool is_at_right_angle =
     !mesh.report && setup.profile.shape == GlassShape::step && setup.profile.crown_radius == 0;
   const bool is_narrow =
-    !is_at_right_angle && given.outer_radius - given.inner_radius < 2 * body.contact_cell_size();
+    !is_at_right_angle && state.outer_radius - state.inner_radius < 2 * body->contact_cell_size();
   if (setup.table.interface->is_hard() && (softening_of_coarser == 1 || is_narrow))
     return std::nullopt;
-  const ContactState state = is_latest(body, in_mesh_axes(given)) ? given : solve(given.demand, given.slip);
+  restore(state);
   const double axis = axis_of(state.slip);
   const Eigen::Rotation2Dd back(-axis);
-  SolvedSolidContact contact = { body.equations(), *interface, gap_of(mesh, setup.profile),
+  SolvedSolidContact contact = { body->equations(), *interface, gap_of(mesh, setup.profile),
                                  sliding_at(state.slip) };
   contact.demand = axis == 0 ? state.demand : state.demand.in_axes_turned_by(axis);
   contact.solution = in_mesh_axes(state);
@@ -291,17 +304,17 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &given, const 
   contact.straight_edges = has_straight_edges(mesh);
   ContactGoal in_mesh_axes = goal;
   if (axis != 0)
-    in_mesh_axes.of_load = goal.of_load.of_turned(axis);
+    in_mesh_axes.of_load = goal.of_load.of_rotated(axis);
   in_mesh_axes.of_moment = back * goal.of_moment;
   in_mesh_axes.of_motion.tail<2>() = back * goal.of_motion.tail<2>();
   return estimate_mesh_error(contact, in_mesh_axes, with_cells);
 }
 
-std::vector<FieldFile> SolidFoot::fields(const ContactState &state)
+std::vector<FieldFile> SolidFoot::fields(const ContactState &state) const
 {
   const ContactSolution solution = in_mesh_axes(state);
-  require_latest(body, solution);
-  return body.fields(solution.motion, law->nodal_pressure(solution));
+  restore(state);
+  return body->fields(solution.motion, law->nodal_pressure(solution));
 }
 
 } // namespace stemware::fem

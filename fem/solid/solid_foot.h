@@ -52,8 +52,8 @@ struct SolidSetup
 };
 
 /// The foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of
-/// the glass: the foot turns with Slip::orientation. A generated mesh is one of a body of revolution and does
-/// not turn.
+/// the glass: the foot turns with ring::Slip::orientation. A generated mesh is one of a body of revolution
+/// and does not turn.
 class SolidFoot : public Foot
 {
 public:
@@ -63,37 +63,39 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  ContactState solve(const ContactDemand &demand, const Slip &slip = {},
-                     const std::function<void(const ContactIteration &)> &progress = {}) override;
+  /// From ContactGuess::before.
+  ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
+                     const std::function<void(const ContactIteration &)> &progress = {}) const override;
   unsigned int n_resolved_harmonics() const override;
-  LoadHarmonics gather(const ContactState &state, const std::vector<double> &ring_radii,
-                       unsigned int n_harmonics) override;
-  std::vector<PointForce> point_forces(const ContactState &state) override;
-  PressureMap pressure_map(const ContactState &state) override;
-  std::vector<FieldFile> fields(const ContactState &state) override;
+  ContactLoad gather(const ContactState &state, const std::vector<double> &ring_radii,
+                     unsigned int n_harmonics) const override;
+  std::vector<PointForce> point_forces(const ContactState &state) const override;
+  PressureMap pressure_map(const ContactState &state) const override;
+  std::vector<FieldFile> fields(const ContactState &state) const override;
   /// As estimate_mesh_error(). Nothing for a hard table under a mesh without a hierarchy, whose nodal
   /// multipliers have no counterpart on other elements, nor where its contact is narrower than two cells, of
   /// which the finer elements see too little; they see enough at the right angle beside a step's flat land.
-  /// Presses the foot again unless @p state is its last.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
-                                      bool with_cells) override;
+                                      bool with_cells) const override;
 
 private:
-  SlidingTraction sliding_at(const Slip &slip) const;
+  SlidingTraction sliding_at(const ring::Slip &slip) const;
+  /// Gives the body the displacement of @p state.
+  void restore(const ContactState &state) const;
   /// The contact of @p state in the axes of the mesh.
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
-  double axis_of(const Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
-  ContactSolution press(const ContactDemand &demand, const Slip &slip, ContactControl control);
+  double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
+  ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
+                        ContactControl control) const;
 
   const SolidSetup setup;
   const SolidMesh mesh;
-  SolidBody body;
+  const std::unique_ptr<SolidBody> body; ///< what a contact is worked out on: its state is that of any
   const std::shared_ptr<const InterfaceLaw> interface; ///< a stiff spring for a hard one on a mesh hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
   const unsigned int n_contact_nodes; ///< of all ranks
-  std::optional<ContactStart> before; ///< of the table under the solution before
 };
 
 } // namespace stemware::fem

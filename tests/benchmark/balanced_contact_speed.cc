@@ -81,9 +81,10 @@ bool measure(const Case &one)
     const auto foot = study_foot(study, cache); // compliances and mesh are not part of what is timed
     foot_of_study = foot->body().description();
     const auto start = std::clock();
-    omega = terminal_spin(find_load(study, foot), motion, 0, false, study.motion.grip_torque).spin.omega;
+    const SharedLoad load = find_load(study, foot);
+    omega = terminal_spin(*load, motion, 0, false, study.motion.grip_torque).spin.omega;
     times_of_spin.push_back(milliseconds_since(start));
-    n_contacts = foot->n_solutions();
+    n_contacts = load->statistics() ? load->statistics()->n_contact_solutions : 1;
   }
 
   const auto foot = study_foot(study, cache);

@@ -145,16 +145,16 @@ Study finer_in_everything(const Study &study)
 struct Solved
 {
   std::shared_ptr<ElasticFoot> foot;
-  BalancedLoad load;
+  SharedLoad load;
   double omega = 0;
 };
 
 Solved solve(const Study &study, fem::ComplianceCache &cache, double expected = 0)
 {
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
+  const SharedLoad load = find_load(study, foot);
   const double omega =
-    terminal_spin(load, study.motion.orbit, expected, false, study.motion.grip_torque).spin.omega;
+    terminal_spin(*load, study.motion.orbit, expected, false, study.motion.grip_torque).spin.omega;
   return { foot, load, omega };
 }
 
@@ -177,16 +177,14 @@ double torque_of_points(const std::vector<fem::PointForce> &points, const ring::
 double change_by_points(const Study &study, const Solved &solved)
 {
   const ring::Motion &motion = study.motion.orbit;
-  if (!solved.load.contact())
+  const std::optional<fem::ContactState> state = solved.load->contact(solved.omega);
+  if (!state)
     return 0;
-  const fem::ContactState state =
-    solved.load.contact_at() ? solved.load.contact_at()(solved.omega) : *solved.load.contact();
-  const ring::RingStack rings = ring_stack(state.load);
-  const double difference = torque_of_points(solved.foot->body().point_forces(state), motion, solved.omega) -
-                            ring::wrench(motion, rings, solved.omega).torque;
-  const double step = solved.load.spin_scale(motion) / 512;
-  const double slope = (yaw_torque(solved.load, motion, solved.omega + step) -
-                        yaw_torque(solved.load, motion, solved.omega - step)) /
+  const double difference = torque_of_points(solved.foot->body().point_forces(*state), motion, solved.omega) -
+                            ring::wrench(motion, state->load, solved.omega).torque;
+  const double step = solved.load->spin_scale(motion) / 512;
+  const double slope = (yaw_torque(*solved.load, motion, solved.omega + step) -
+                        yaw_torque(*solved.load, motion, solved.omega - step)) /
                        (2 * step);
   return -difference / slope;
 }

@@ -40,7 +40,7 @@ struct Case
   RevolutionSetup revolution;
   FootResolution resolution;
   ContactDemand demand;
-  Slip slip = { 10, {} };
+  stemware::ring::Slip slip = { 10, {} };
   unsigned int most_refinements = 2;
   unsigned int n_meshes = 6;
   unsigned int most_unknowns = 2000000;
@@ -180,13 +180,13 @@ stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &
   using namespace stemware::pipeline;
   ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
+  const SharedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
   dealii::Timer timer;
   GoalError found;
   found.value = omega;
   if (estimates)
-    found = given_estimate(goal_error(study, *foot, load, omega, Goal::terminal_spin, true));
+    found = given_estimate(goal_error(study, *foot, *load, omega, Goal::terminal_spin, true));
   const FootDescription mesh = foot->body().description();
   say("{:10} {:9} {:+.9f} {:7.1f} ", mesh.body, mesh.n_unknowns, omega, timer.wall_time());
   return found;

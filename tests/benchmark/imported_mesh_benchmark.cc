@@ -6,7 +6,7 @@
 // cells=48,2,2 (round the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat land
 // of 2 mm), shape=foot|step, defect=none|oval|lobes|chip, width=0.95 (of an oval, over its length),
 // solver=multigrid|direct|automatic, modulus=1e11, moment=1.3.
-#include "fem/contact/load_harmonics.h"
+#include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
@@ -104,12 +104,11 @@ void run(const NamedValues &values)
   timer.restart();
   const ContactSolution solution = solve_contact(body, *law, load, radius);
   const double contact_seconds = timer.wall_time();
-  const LoadHarmonics harmonics = extract_load(*law, solution, 8);
+  const ContactLoad harmonics = extract_load(*law, solution, 8);
   fmt::print("{} unknowns, set-up {:.1f} s; contact {:.1f} s, {} steps, {} iterations; a_2/a_0 = {:.9f}, "
              "a_3/a_0 = {:.9f}\n",
              body.n_unknowns(), setup_seconds, contact_seconds, solution.n_iterations,
-             solution.n_linear_iterations, harmonics.a[0][2] / harmonics.a[0][0],
-             harmonics.a[0][3] / harmonics.a[0][0]);
+             solution.n_linear_iterations, harmonics.a(2) / harmonics.a(0), harmonics.a(3) / harmonics.a(0));
   ContactForces contact;
   law->evaluate(solution.normal_displacement, contact);
   body.reset();

@@ -6,8 +6,8 @@
 // land=0 (further halvings of the land), edge=0 (of its inner side), degree=2, crown=0.003 (0: a flat land of
 // 2 mm), shape=step|foot, table=winkler|rough|spring (stiff, for a hard one), modulus=1e11, moment=1.3,
 // tolerance=1e-8 (of the linear solve), compare=no|yes (with the body of revolution).
+#include "fem/contact/contact_load.h"
 #include "fem/contact/hard_interface.h"
-#include "fem/contact/load_harmonics.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
@@ -77,7 +77,7 @@ Case read_case(int argc, char **argv)
 
 /// Largest difference of a_2 ... a_8 over a_0 to a body of revolution, whose mesh, degree, harmonics and
 /// lines are finer than usual.
-double distance_from_revolution(const Case &study, const LoadHarmonics &load)
+double distance_from_revolution(const Case &study, const ContactLoad &load)
 {
   RevolutionSetup setup;
   setup.profile = study.profile;
@@ -88,11 +88,10 @@ double distance_from_revolution(const Case &study, const LoadHarmonics &load)
   setup.n_lines = 512;
   ContactDemand demand = study.load;
   demand.n_harmonics = 8;
-  const LoadHarmonics expected =
-    RevolutionFoot(setup.resolved_for(study.load.normal_force)).solve(demand).load;
+  const ContactLoad expected = RevolutionFoot(setup.resolved_for(study.load.normal_force)).solve(demand).load;
   double largest = 0;
   for (unsigned int n = 2; n <= 8; ++n)
-    largest = std::max(largest, std::abs(load.a[0][n] - expected.a[0][n]) / expected.a[0][0]);
+    largest = std::max(largest, std::abs(load.a(n) - expected.a(n)) / expected.a(0));
   return largest;
 }
 
@@ -144,10 +143,10 @@ void run(const Case &study)
   const ContactSolution solution =
     solve_contact(body, *law, study.load, radius, control, start ? &*start : nullptr);
   const double contact_seconds = timer.wall_time();
-  const LoadHarmonics load = extract_load(*law, solution, 8);
+  const ContactLoad load = extract_load(*law, solution, 8);
   say("a_n / a_0:");
   for (unsigned int h = 1; h <= 8; ++h)
-    say(" {:.7f}", load.a[0][h] / load.a[0][0]);
+    say(" {:.7f}", load.a(h) / load.a(0));
   say("\n{} steps, {} iterations, residuals {:.1e} {:.1e} {:.1e}\n", solution.n_iterations,
       solution.n_linear_iterations, solution.force_residual, solution.moment_residual,
       solution.equilibrium_residual);

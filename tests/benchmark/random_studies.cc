@@ -74,8 +74,8 @@ void find_spin(const Study &study, Ending &ending)
   study.required_resultants();
   const auto foot = study_foot(study, cache);
   ending.seconds_of_foot = deadline.clock.seconds();
-  const BalancedLoad load = find_load(study, foot, deadline);
-  ending.omega = terminal_spin(load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+  const SharedLoad load = find_load(study, foot, deadline);
+  ending.omega = terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
 }
 
 Ending attempt(const Study &study)
@@ -160,8 +160,8 @@ Path follow_in_speed(const Study &study, double slip)
     const auto foot = study_foot(slower, cache);
     find_load(slower, foot);
     BalancedContact contact(foot, { moment_balance(slower), slower.tilts() });
-    const fem::LoadHarmonics load = contact.contact(slip * motion.orbit_speed / radius).load;
-    ratios[share] = moment_ratio({ load.normal_force, load.moment_x, load.moment_y }, radius);
+    const fem::ContactLoad load = contact.contact(slip * motion.orbit_speed / radius).load;
+    ratios[share] = load.moment_ratio(radius);
   };
   double reached = 0, step = 0.125;
   while (step > 1e-4 && reached < 1)

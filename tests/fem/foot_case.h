@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/load_harmonics.h"
+#include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/solid/solid_body.h"
@@ -31,13 +31,13 @@ struct FootCase
       options);
   }
 
-  LoadHarmonics solve(TableLaw &law, const Resultants &load, unsigned int n_harmonics = 8)
+  ContactLoad solve(TableLaw &law, const Resultants &load, unsigned int n_harmonics = 8)
   {
     solution = solve_contact(*body, law, load, radius);
     return extract_load(law, solution, n_harmonics);
   }
 
-  LoadHarmonics solve_on_winkler(double modulus, const Resultants &load, unsigned int n_harmonics = 8)
+  ContactLoad solve_on_winkler(double modulus, const Resultants &load, unsigned int n_harmonics = 8)
   {
     const auto mat = make_law(WinklerInterface(modulus), body->contact_surface());
     return solve(*mat, load, n_harmonics);

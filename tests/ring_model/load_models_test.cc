@@ -1,4 +1,4 @@
-#include "ring_model/constants.h"
+#include "ring_model/load/constants.h"
 #include "ring_model/load_model.h"
 #include "ring_model/unilateral_foundation.h"
 #include "tests/ring_model/reference.h"
@@ -146,19 +146,8 @@ TEST(UnilateralFoundation, NamesTippingAndRefusesBadInput)
 TEST(FirstHarmonicModel, SaysWhenItTurnsNegative)
 {
   const FirstHarmonicModel model(0.03);
-  EXPECT_EQ(model.lift_off_ratio(), 1.);
   EXPECT_GT(model.rings(2., { 0.029, 0. }).minimum(), 0.);
   EXPECT_LT(model.rings(2., { 0.031, 0. }).minimum(), 0.);
-}
-
-TEST(FixedLoad, DoesNotAnswer)
-{
-  const RingStack load({ 1., 0.3 }, { 0., 0.1 }, 0.03);
-  const FixedLoad fixed(load);
-  EXPECT_FALSE(fixed.follows_moment());
-  EXPECT_EQ(fixed.rings(5., { 1., 1. }).a(1), 0.3);
-  EXPECT_EQ(fixed.radius(), 0.03);
-  EXPECT_EQ(FixedLoad(RingStack({ 1., 1.3 }, { 0., 0. }, 0.03)).lift_off_ratio(), 0.);
 }
 } // namespace
 } // namespace stemware::ring

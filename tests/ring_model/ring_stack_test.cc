@@ -1,6 +1,7 @@
-#include "ring_model/constants.h"
 #include "ring_model/coulomb_ring.h"
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/constants.h"
+#include "ring_model/load/ring_stack.h"
+#include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 
 #include <limits>
@@ -100,7 +101,7 @@ TEST(RingStack, TurnsMirrorsAndTruncates)
   test::Numbers numbers(3);
   const auto [a, b] = numbers.nonnegative_load(6);
   const RingStack load(a, b, 0.03);
-  const RingStack turned = load.rotated(0.7), mirror = load.mirrored(), cut = load.truncated(2);
+  const RingStack turned = load.rotated(0.7), mirror = test::mirrored(load), cut = load.truncated(2);
   for (const double theta : { 0., 0.5, 2., 4. })
   {
     EXPECT_NEAR(turned(theta + 0.7), load(theta), 1e-14);
@@ -142,7 +143,7 @@ TEST(RingStack, OfSeveralRingsIsTheirSum)
   const RingStack one({ load.a(0), load.a(1), load.a(2) }, { 0., load.b(1), load.b(2) }, load.radius());
   EXPECT_NEAR(one.moment().norm(), load.moment().norm(), 1e-17);
   EXPECT_NEAR(load.rotated(0.4)(1.4), load(1.0), 1e-15);
-  EXPECT_NEAR(load.mirrored()(-1.0), load(1.0), 1e-15);
+  EXPECT_NEAR(test::mirrored(load)(-1.0), load(1.0), 1e-15);
   EXPECT_EQ(load.truncated(1).rings().size(), 3u);
 }
 
@@ -153,7 +154,7 @@ TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
   for (const double omega : { 0., -3., 11.7, 40. })
   {
     const Wrench exact = friction.wrench(load, omega, 0.35),
-                 sum = friction.wrench_by_quadrature(load, omega, 0.35, 20000);
+                 sum = test::wrench_by_quadrature(friction.friction_coefficient(), load, omega, 0.35, 20000);
     EXPECT_NEAR(exact.torque, sum.torque, 1e-7 * 0.3 * 0.03);
     EXPECT_NEAR(exact.force_x, sum.force_x, 1e-6 * 0.3);
     EXPECT_NEAR(exact.force_y, sum.force_y, 1e-6 * 0.3);

@@ -12,8 +12,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-LoadHarmonics solve(unsigned int refinements, unsigned int degree, unsigned int n_harmonics = 16,
-                    unsigned int n_lines = 256, double m = 1.2)
+ContactLoad solve(unsigned int refinements, unsigned int degree, unsigned int n_harmonics = 16,
+                  unsigned int n_lines = 256, double m = 1.2)
 {
   const GlassProfile profile;
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(refinements), { degree, n_harmonics }),
@@ -22,18 +22,18 @@ LoadHarmonics solve(unsigned int refinements, unsigned int degree, unsigned int 
 }
 
 /// Largest difference of a_n / a_0, n = 2 ... 8.
-double difference(const LoadHarmonics &one, const LoadHarmonics &other)
+double difference(const ContactLoad &one, const ContactLoad &other)
 {
   double largest = 0;
   for (unsigned int n = 2; n <= 8; ++n)
-    largest = std::max(largest, std::abs(one.a[0][n] / one.a[0][0] - other.a[0][n] / other.a[0][0]));
+    largest = std::max(largest, std::abs(one.a(n) / one.a(0) - other.a(n) / other.a(0)));
   return largest;
 }
 
 /// Observed order of @p one, its halved and its twice halved mesh in a_2 / a_0.
-double order_of(const LoadHarmonics &one, const LoadHarmonics &halved, const LoadHarmonics &quartered)
+double order_of(const ContactLoad &one, const ContactLoad &halved, const ContactLoad &quartered)
 {
-  const auto value = [](const LoadHarmonics &load) { return load.a[0][2] / load.a[0][0]; };
+  const auto value = [](const ContactLoad &load) { return load.a(2) / load.a(0); };
   return std::log2((value(one) - value(halved)) / (value(halved) - value(quartered)));
 }
 
@@ -51,13 +51,13 @@ double exponent_of_the_corner()
 }
 
 /// Largest difference of a_n / a_0, n = 2 ... 6, from CalculiX's; 1e10 Pa/m, m = 1.2.
-double distance_from_calculix(const LoadHarmonics &load)
+double distance_from_calculix(const ContactLoad &load)
 {
   double largest = -1;
   for (const auto &expected : stemware::verification::CalculixFoot("crown").loads)
     if (expected.modulus == 1e10 && expected.moment_ratio == 1.2)
       for (unsigned int n = 2; n <= 6; ++n)
-        largest = std::max(largest, std::abs(load.a[0][n] / load.a[0][0] - expected.a[n]));
+        largest = std::max(largest, std::abs(load.a(n) / load.a(0) - expected.a[n]));
   return largest;
 }
 
@@ -67,7 +67,7 @@ TEST(Convergence, OfMeshAndOrder)
 {
   // The step profile's re-entrant right angles carry stresses like r^(lambda - 1), so that harmonics of the
   // load converge like h^(2 lambda) in the end, whatever the degree, and not slower before.
-  std::vector<std::vector<LoadHarmonics>> loads;
+  std::vector<std::vector<ContactLoad>> loads;
   for (const unsigned int degree : { 1u, 2u, 3u })
     loads.push_back({ solve(0, degree, 8), solve(1, degree, 8), solve(2, degree, 8) });
   loads.push_back({ solve(0, 4, 8), solve(1, 4, 8) });
@@ -81,7 +81,7 @@ TEST(Convergence, OfMeshAndOrder)
     EXPECT_LT(order, 2 * p) << "degree " << p; // what a body without corners would give
   }
   EXPECT_NEAR(order_of(loads[2][0], loads[2][1], loads[2][2]), order_of_corners, 0.05);
-  const LoadHarmonics &finest = loads[3][1];
+  const ContactLoad &finest = loads[3][1];
   // CalculiX's own mesh leaves 2e-5.
   EXPECT_LT(distance_from_calculix(finest), 3e-5);
   EXPECT_LT(distance_from_calculix(loads[1][0]), 6e-5);
@@ -96,12 +96,12 @@ TEST(Convergence, OfMeshAndOrder)
 TEST(Convergence, OfHarmonics)
 {
   // Full contact: the load is smooth, and the harmonics converge faster than any power.
-  const LoadHarmonics smooth = solve(0, 2, 32, 1024, 0.8);
+  const ContactLoad smooth = solve(0, 2, 32, 1024, 0.8);
   const double smooth_errors[] = { 2.07e-5, 5.7e-8, 3e-12 };
   for (unsigned int i = 0; i < 3; ++i)
     EXPECT_LT(difference(solve(0, 2, 2u << i, 1024, 0.8), smooth), 1.5 * smooth_errors[i]) << (2u << i);
   // Lift-off: at least the fourth order.
-  const LoadHarmonics lifted = solve(0, 2, 32, 1024, 1.5);
+  const ContactLoad lifted = solve(0, 2, 32, 1024, 1.5);
   const double four = difference(solve(0, 2, 4, 1024, 1.5), lifted);
   const double eight = difference(solve(0, 2, 8, 1024, 1.5), lifted);
   const double sixteen = difference(solve(0, 2, 16, 1024, 1.5), lifted);
@@ -115,7 +115,7 @@ TEST(Convergence, OfLines)
   // Full contact: nothing is left to the lines. Lift-off: the load ends like the power 3/2, an error like
   // N^-2.5 on average; where the end falls between two lines makes it larger or smaller.
   EXPECT_LT(difference(solve(0, 2, 16, 64, 0.8), solve(0, 2, 16, 256, 0.8)), 1e-12);
-  const LoadHarmonics finest = solve(0, 2, 16, 4096, 1.5);
+  const ContactLoad finest = solve(0, 2, 16, 4096, 1.5);
   const double coarse = difference(solve(0, 2, 16, 64, 1.5), finest);
   const double fine = difference(solve(0, 2, 16, 1024, 1.5), finest);
   EXPECT_LT(coarse, 2e-4);

@@ -13,8 +13,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-LoadHarmonics press_sliding(RevolutionCase &foot, double modulus, double friction, const Resultants &load,
-                            double spin = 0)
+ContactLoad press_sliding(RevolutionCase &foot, double modulus, double friction, const Resultants &load,
+                          double spin = 0)
 {
   foot.body.set_sliding(SlidingTraction{ friction, spin });
   return foot.solve_on_winkler(modulus, load);
@@ -133,11 +133,11 @@ TEST_F(FrictionCoupling, SecondHarmonicOfTheFlatFoot)
   for (const auto &expected : stemware::verification::CalculixFoot("flat").loads)
     if (expected.modulus && expected.friction > 0 && expected.spin_per_speed == 0)
     {
-      const LoadHarmonics load =
+      const ContactLoad load =
         press_sliding(foot, *expected.modulus, expected.friction, load_at(expected.moment_ratio));
-      EXPECT_NEAR(load.a[0][2] / load.a[0][0] / expected.a[2], 1, 5e-3) << expected.name();
-      EXPECT_NEAR(load.normal_force / weight, 1, 1e-10);
-      EXPECT_NEAR(load.moment_y / load_at(expected.moment_ratio).moment_y, 1, 1e-9);
+      EXPECT_NEAR(load.a(2) / load.a(0) / expected.a[2], 1, 5e-3) << expected.name();
+      EXPECT_NEAR(load.normal_force() / weight, 1, 1e-10);
+      EXPECT_NEAR(load.moment().y() / load_at(expected.moment_ratio).moment_y, 1, 1e-9);
       ++n_compared;
     }
   EXPECT_EQ(n_compared, 3u);
@@ -145,20 +145,20 @@ TEST_F(FrictionCoupling, SecondHarmonicOfTheFlatFoot)
 
 TEST_F(FrictionCoupling, IsOddInFrictionAndDirectionAndTurnsIntoASine)
 {
-  const LoadHarmonics forward = press_sliding(foot, 1e10, 0.3, load_at(0.4));
-  const LoadHarmonics negative = press_sliding(foot, 1e10, 0.3, load_at(0.4, M_PI));
-  const LoadHarmonics left = press_sliding(foot, 1e10, 0.3, load_at(0.4, M_PI / 2));
-  const LoadHarmonics right = press_sliding(foot, 1e10, 0.3, load_at(0.4, -M_PI / 2));
-  const double size = forward.a[0][2];
+  const ContactLoad forward = press_sliding(foot, 1e10, 0.3, load_at(0.4));
+  const ContactLoad negative = press_sliding(foot, 1e10, 0.3, load_at(0.4, M_PI));
+  const ContactLoad left = press_sliding(foot, 1e10, 0.3, load_at(0.4, M_PI / 2));
+  const ContactLoad right = press_sliding(foot, 1e10, 0.3, load_at(0.4, -M_PI / 2));
+  const double size = forward.a(2);
   // The second order in mu breaks the oddness by mu kappa C, a few parts in ten thousand here.
-  EXPECT_NEAR(negative.a[0][2] / size, -1, 1e-3);
-  EXPECT_NEAR(left.b[0][2] / size, 1, 1e-3);
-  EXPECT_NEAR(right.b[0][2] / size, -1, 1e-3);
-  EXPECT_NEAR(left.a[0][2] / size, 0, 1e-3);
-  const LoadHarmonics half = press_sliding(foot, 1e10, 0.15, load_at(0.4));
-  EXPECT_NEAR(half.a[0][2] / size, 0.5, 1e-3);
-  const LoadHarmonics weak = press_sliding(foot, 1e10, 0.3, load_at(0.2));
-  EXPECT_NEAR(weak.a[0][2] / size, 0.5, 1e-3);
+  EXPECT_NEAR(negative.a(2) / size, -1, 1e-3);
+  EXPECT_NEAR(left.b(2) / size, 1, 1e-3);
+  EXPECT_NEAR(right.b(2) / size, -1, 1e-3);
+  EXPECT_NEAR(left.a(2) / size, 0, 1e-3);
+  const ContactLoad half = press_sliding(foot, 1e10, 0.15, load_at(0.4));
+  EXPECT_NEAR(half.a(2) / size, 0.5, 1e-3);
+  const ContactLoad weak = press_sliding(foot, 1e10, 0.3, load_at(0.2));
+  EXPECT_NEAR(weak.a(2) / size, 0.5, 1e-3);
 }
 
 // A rigid foot on wood: all of a_2 is the table's, and has the sign of a table that is dragged along, z up.
@@ -173,33 +173,33 @@ TEST(FrictionOfTheTable, DeformsItAsAHalfSpace)
   setup.meridian.n_harmonics = 8;
   setup.n_lines = 64;
   RevolutionFoot foot(setup.resolved_for(weight));
-  const LoadHarmonics load = foot.solve(load_at(0.4)).load;
+  const ContactLoad load = foot.solve(load_at(0.4)).load;
   const SlidingAnnulus expected({ setup.profile.land_inner_radius(), setup.profile.land_outer_radius() },
                                 wood, 1e12, 0.3, weight, -load_at(0.4).moment_y);
   EXPECT_EQ(load.contact_fraction, 1);
-  EXPECT_NEAR(load.a[0][1] / load.a[0][0], expected.harmonic(1), 1e-4);
-  EXPECT_NEAR(load.a[0][2] / load.a[0][0] / expected.harmonic(2), 1, 1e-2);
-  EXPECT_NEAR(load.a[0][3] / load.a[0][0] / expected.harmonic(3), 1, 2e-2);
+  EXPECT_NEAR(load.a(1) / load.a(0), expected.harmonic(1), 1e-4);
+  EXPECT_NEAR(load.a(2) / load.a(0) / expected.harmonic(2), 1, 1e-2);
+  EXPECT_NEAR(load.a(3) / load.a(0) / expected.harmonic(3), 1, 2e-2);
 }
 
 TEST_F(FrictionCoupling, YawMakesBothSinesAndCosines)
 {
-  const LoadHarmonics load = press_sliding(foot, 1e11, 0.3, load_at(0.4), -0.5 / 0.03);
-  EXPECT_GT(std::abs(load.b[0][2] / load.a[0][0]), 1e-3);
-  EXPECT_GT(std::abs(load.a[0][2] / load.a[0][0]), 1e-3);
+  const ContactLoad load = press_sliding(foot, 1e11, 0.3, load_at(0.4), -0.5 / 0.03);
+  EXPECT_GT(std::abs(load.b(2) / load.a(0)), 1e-3);
+  EXPECT_GT(std::abs(load.a(2) / load.a(0)), 1e-3);
   // Opposite spin is the mirror image in the plane of travel.
-  const LoadHarmonics mirrored = press_sliding(foot, 1e11, 0.3, load_at(0.4), 0.5 / 0.03);
+  const ContactLoad mirrored = press_sliding(foot, 1e11, 0.3, load_at(0.4), 0.5 / 0.03);
   for (unsigned int n = 1; n <= 8; ++n)
   {
-    EXPECT_NEAR(mirrored.a[0][n], load.a[0][n], 1e-9 * load.a[0][0]);
-    EXPECT_NEAR(mirrored.b[0][n], -load.b[0][n], 1e-9 * load.a[0][0]);
+    EXPECT_NEAR(mirrored.a(n), load.a(n), 1e-9 * load.a(0));
+    EXPECT_NEAR(mirrored.b(n), -load.b(n), 1e-9 * load.a(0));
   }
 }
 
 TEST_F(FrictionCoupling, WithoutFrictionNothingChanges)
 {
-  const LoadHarmonics plain = foot.solve_on_winkler(1e10, load_at(1.2));
-  const LoadHarmonics none = press_sliding(foot, 1e10, 0, load_at(1.2));
+  const ContactLoad plain = foot.solve_on_winkler(1e10, load_at(1.2));
+  const ContactLoad none = press_sliding(foot, 1e10, 0, load_at(1.2));
   for (unsigned int n = 0; n <= 8; ++n)
-    EXPECT_EQ(plain.a[0][n], none.a[0][n]);
+    EXPECT_EQ(plain.a(n), none.a(n));
 }

@@ -23,19 +23,18 @@ RevolutionSetup hard_on(const std::optional<Substrate> &substrate = {})
   return setup;
 }
 
-LoadHarmonics press_on(const RevolutionSetup &setup, const Resultants &load, double spin_per_speed = 0)
+ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, double spin_per_speed = 0)
 {
   return RevolutionFoot(setup.resolved_for(weight)).solve(load, { spin_per_speed, {} }).load;
 }
 
 /// Largest difference of harmonics 0 ... 8 over a_0.
-double farthest_harmonic(const LoadHarmonics &one, const LoadHarmonics &other)
+double farthest_harmonic(const ContactLoad &one, const ContactLoad &other)
 {
   double farthest = 0;
   for (unsigned int n = 0; n <= 8; ++n)
-    farthest =
-      std::max({ farthest, std::abs(one.a[0][n] - other.a[0][n]), std::abs(one.b[0][n] - other.b[0][n]) });
-  return farthest / one.a[0][0];
+    farthest = std::max({ farthest, std::abs(one.a(n) - other.a(n)), std::abs(one.b(n) - other.b(n)) });
+  return farthest / one.a(0);
 }
 
 } // namespace
@@ -52,17 +51,17 @@ TEST(RigidTable, HarmonicsOfAFlatLandThatLiftsOff)
       RevolutionSetup setup = hard_on();
       setup.profile = flat_profile();
       setup.friction_coefficient = expected.friction;
-      const LoadHarmonics load =
+      const ContactLoad load =
         press_on(setup, load_at(expected.moment_ratio, expected.direction), expected.spin_per_speed);
       for (unsigned int n = 1; n <= 6; ++n)
       {
-        EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[n], 6e-4) << expected.name() << ", " << n;
-        EXPECT_NEAR(load.b[0][n] / load.a[0][0], expected.b[n], 6e-4) << expected.name() << ", " << n;
+        EXPECT_NEAR(load.a(n) / load.a(0), expected.a[n], 6e-4) << expected.name() << ", " << n;
+        EXPECT_NEAR(load.b(n) / load.a(0), expected.b[n], 6e-4) << expected.name() << ", " << n;
       }
       if (expected.moment_ratio == 1.3)
       {
-        EXPECT_NEAR(load.a[0][7] / load.a[0][0], -0.1415, 0.003);
-        EXPECT_NEAR(load.a[0][8] / load.a[0][0], -0.0125, 0.003);
+        EXPECT_NEAR(load.a(7) / load.a(0), -0.1415, 0.003);
+        EXPECT_NEAR(load.a(8) / load.a(0), -0.0125, 0.003);
       }
       ++n_compared;
     }
@@ -77,7 +76,7 @@ TEST(HardTable, HarmonicsDoNotDependOnHowItIsComputed)
     for (const double m : { 0.4, 1.3 })
     {
       SCOPED_TRACE("m = " + std::to_string(m) + (setup.table.substrate ? ", wood" : ", rigid"));
-      const LoadHarmonics usual = press_on(setup, load_at(m));
+      const ContactLoad usual = press_on(setup, load_at(m));
       RevolutionSetup harder = setup, more_harmonics = setup, more_lines = setup;
       harder.hardness *= 10;
       more_harmonics.meridian.n_harmonics *= 2;
@@ -127,15 +126,14 @@ TEST(YieldingTable, CarriesARigidFootAsPlainSumsSay)
       setup.table.interface = interface;
       setup.n_lines = 128;
       const Resultants demand = load_at(m, 0.4);
-      const LoadHarmonics load = press_on(setup, demand);
+      const ContactLoad load = press_on(setup, demand);
       const Eigen::Vector3d lie = plain->lie_under(weight, demand.moment_x, demand.moment_y, depth);
       const std::vector<PlainPoint> points = plain->forces(lie);
       const double tolerance = m < 1 ? 2e-6 : 6e-6; // where the load ends between two lines
       for (unsigned int n = 1; n <= 6; ++n)
       {
-        EXPECT_NEAR(load.a[0][n] / load.a[0][0], harmonic_over_mean(points, n), tolerance) << m << ", " << n;
-        EXPECT_NEAR(load.b[0][n] / load.a[0][0], harmonic_over_mean(points, n, true), tolerance)
-          << m << ", " << n;
+        EXPECT_NEAR(load.a(n) / load.a(0), harmonic_over_mean(points, n), tolerance) << m << ", " << n;
+        EXPECT_NEAR(load.b(n) / load.a(0), harmonic_over_mean(points, n, true), tolerance) << m << ", " << n;
       }
     }
 }
@@ -159,10 +157,9 @@ TEST(ElasticLayer, CarriesARigidCrownAsLineContactOnALayer)
   for (const double m : { 0.2775, 0.9 })
   {
     const LineContact expected(m, 32, slenderness, eigenvalue);
-    const LoadHarmonics load = foot.solve(load_at(m)).load;
+    const ContactLoad load = foot.solve(load_at(m)).load;
     for (unsigned int n = 2; n <= 4; ++n)
-      EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.harmonic(n),
-                  1e-2 * std::abs(expected.harmonic(n)) + 6e-6)
+      EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1e-2 * std::abs(expected.harmonic(n)) + 6e-6)
         << m << ", " << n;
   }
 }

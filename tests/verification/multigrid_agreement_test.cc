@@ -15,8 +15,8 @@ using namespace stemware::revolution_tests;
 namespace
 {
 
-LoadHarmonics solid_load(const GlassProfile &profile, const FootResolution &resolution, double modulus,
-                         const Resultants &load)
+ContactLoad solid_load(const GlassProfile &profile, const FootResolution &resolution, double modulus,
+                       const Resultants &load)
 {
   SolidOptions options;
   options.linear_solver = LinearSolver::multigrid;
@@ -28,11 +28,11 @@ LoadHarmonics solid_load(const GlassProfile &profile, const FootResolution &reso
 }
 
 /// Largest |a_n - expected a_n| / a_0 over n = 2 ... 8.
-double largest_difference(const LoadHarmonics &load, const LoadHarmonics &expected)
+double largest_difference(const ContactLoad &load, const ContactLoad &expected)
 {
   double largest = 0;
   for (unsigned int n = 2; n <= 8; ++n)
-    largest = std::max(largest, std::abs(load.a[0][n] - expected.a[0][n]) / expected.a[0][0]);
+    largest = std::max(largest, std::abs(load.a(n) - expected.a(n)) / expected.a(0));
   return largest;
 }
 
@@ -51,8 +51,8 @@ TEST(MultigridAgreement, CrownedFeetOnAStiffMat)
     RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
     for (const double m : { 0.5, 1.2 })
     {
-      const LoadHarmonics expected = revolution.solve_on_winkler(1e11, load_at(m));
-      const LoadHarmonics load = solid_load(profile, { 48, 2, 2, 1 }, 1e11, load_at(m));
+      const ContactLoad expected = revolution.solve_on_winkler(1e11, load_at(m));
+      const ContactLoad load = solid_load(profile, { 48, 2, 2, 1 }, 1e11, load_at(m));
       EXPECT_LT(largest_difference(load, expected), tolerance) << "m = " << m;
     }
   }
@@ -66,7 +66,7 @@ TEST(MultigridAgreement, HangingNodesInTheContact)
   MeridianOptions options;
   options.n_harmonics = 32;
   RevolutionCase revolution(profile, foot_compliance(profile, graded_cells(2), options), 512);
-  const LoadHarmonics expected = revolution.solve_on_winkler(1e11, load_at(1.2));
+  const ContactLoad expected = revolution.solve_on_winkler(1e11, load_at(1.2));
   const double uniform =
     largest_difference(solid_load(profile, { 24, 2, 1, 1 }, 1e11, load_at(1.2)), expected);
   const double finer =
@@ -83,7 +83,7 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
   setup.table.interface = std::make_shared<HardInterface>();
   setup.options.linear_solver = LinearSolver::multigrid;
   SolidFoot foot(generate_solid_mesh(setup.profile, { 48, 2, 2, 1 }), setup);
-  const LoadHarmonics load = foot.solve(load_at(1.3)).load;
+  const ContactLoad load = foot.solve(load_at(1.3)).load;
   std::vector<double> expected;
   for (const auto &other : stemware::verification::CalculixFoot("flat").loads)
     if (!other.modulus && other.moment_ratio == 1.3)
@@ -91,7 +91,7 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
   ASSERT_EQ(expected.size(), 7u);
   expected.insert(expected.end(), { -0.1415, -0.0125 });
   for (unsigned int n = 1; n <= 8; ++n)
-    EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
+    EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
 namespace
@@ -157,8 +157,8 @@ TEST(MultigridAgreement, HardFlatLandOnTheUsualMeshOfRevolution)
 {
   ContactDemand demand = load_at(1.2);
   demand.n_harmonics = 8;
-  const LoadHarmonics usual = RevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
-  const LoadHarmonics expected =
+  const ContactLoad usual = RevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
+  const ContactLoad expected =
     RevolutionFoot(finer(hard_flat_revolution()).resolved_for(weight)).solve(demand).load;
   EXPECT_LT(largest_difference(usual, expected), 1.2e-4);
 }

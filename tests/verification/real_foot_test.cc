@@ -19,11 +19,11 @@ using stemware::fem_tests::foot_profile;
 using stemware::fem_tests::FootCase;
 
 /// Largest difference of a_n / a_0, n = 2 ... @p highest.
-double difference(const LoadHarmonics &one, const LoadHarmonics &other, unsigned int highest)
+double difference(const ContactLoad &one, const ContactLoad &other, unsigned int highest)
 {
   double largest = 0;
   for (unsigned int n = 2; n <= highest; ++n)
-    largest = std::max(largest, std::abs(one.a[0][n] / one.a[0][0] - other.a[0][n] / other.a[0][0]));
+    largest = std::max(largest, std::abs(one.a(n) / one.a(0) - other.a(n) / other.a(0)));
   return largest;
 }
 
@@ -36,7 +36,7 @@ double observed_order(const GlassProfile &profile)
     RevolutionCase foot(profile, foot_compliance(profile, graded_cells(refinements), { degree, 8 }));
     return foot.solve_on_winkler(1e10, load_at(1.2));
   };
-  const LoadHarmonics finest = solve(1, 3);
+  const ContactLoad finest = solve(1, 3);
   return std::log2(difference(solve(0, 2), finest, 4) / difference(solve(1, 2), finest, 4));
 }
 
@@ -107,16 +107,16 @@ TEST(RealFoot, SolidBodyAgrees)
   profile.shape = GlassShape::foot;
   RevolutionCase revolution(profile, foot_compliance(profile, equal_cells(1)));
   const Resultants load = load_at(1.3);
-  const LoadHarmonics expected = revolution.solve_on_winkler(1e10, load);
+  const ContactLoad expected = revolution.solve_on_winkler(1e10, load);
   SolidOptions linear;
   linear.degree = 1;
   double before = 0;
   for (const unsigned int n : { 12u, 24u, 48u })
   {
     FootCase solid(profile, { n, n / 6, n / 12 }, linear);
-    const LoadHarmonics answer = solid.solve_on_winkler(1e10, load);
-    EXPECT_NEAR(answer.a[0][0] / expected.a[0][0], 1, 1e-10);
-    EXPECT_NEAR(answer.moment_y / expected.moment_y, 1, 1e-9);
+    const ContactLoad answer = solid.solve_on_winkler(1e10, load);
+    EXPECT_NEAR(answer.a(0) / expected.a(0), 1, 1e-10);
+    EXPECT_NEAR(answer.moment().y() / expected.moment().y(), 1, 1e-9);
     const double now = difference(answer, expected, 6);
     if (before > 0)
     {
@@ -205,12 +205,12 @@ TEST(RealFoot, StandsOnHardTables)
                   Substrate{ { 0.3, 0.3 }, ElasticMaterial{ 10e9, 0.3 } } };
   setup.meridian.n_harmonics = 8;
   RevolutionFoot foot(setup.resolved_for(weight));
-  const LoadHarmonics load = foot.solve(load_at(0.9)).load;
+  const ContactLoad load = foot.solve(load_at(0.9)).load;
   const stemware::verification::LineContact expected(
     0.9, 64, hertz_half_width(setup, weight) / setup.profile.contact_radius);
-  EXPECT_NEAR(load.a[0][1] / load.a[0][0], 0.9, 1e-5);
-  EXPECT_NEAR(load.a[0][0], weight / (2 * dealii::numbers::PI), 1e-9);
+  EXPECT_NEAR(load.a(1) / load.a(0), 0.9, 1e-5);
+  EXPECT_NEAR(load.a(0), weight / (2 * dealii::numbers::PI), 1e-9);
   // 0.0125, -0.0021, 0.0006
   for (unsigned int n = 2; n <= 4; ++n)
-    EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.harmonic(n), 1e-4) << n;
+    EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), 1e-4) << n;
 }

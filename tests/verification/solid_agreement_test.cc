@@ -10,11 +10,11 @@ namespace
 using namespace stemware::revolution_tests;
 using stemware::fem_tests::FootCase;
 
-double difference_of_bodies(const LoadHarmonics &one, const LoadHarmonics &other)
+double difference_of_bodies(const ContactLoad &one, const ContactLoad &other)
 {
   double largest = 0;
   for (unsigned int n = 2; n <= 6; ++n)
-    largest = std::max(largest, std::abs(one.a[0][n] / one.a[0][0] - other.a[0][n] / other.a[0][0]));
+    largest = std::max(largest, std::abs(one.a(n) / one.a(0) - other.a(n) / other.a(0)));
   return largest;
 }
 
@@ -25,7 +25,7 @@ TEST(SolidAgreement, DifferencesShrinkWithTheSolidMesh)
   const GlassProfile profile = flat_profile();
   RevolutionCase revolution(profile, foot_compliance(profile, equal_cells(1)));
   const Resultants load = load_at(1.3);
-  const LoadHarmonics expected = revolution.solve_on_winkler(1e10, load);
+  const ContactLoad expected = revolution.solve_on_winkler(1e10, load);
   SolidOptions linear;
   linear.degree = 1;
   double before = 0;

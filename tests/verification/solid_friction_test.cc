@@ -71,16 +71,16 @@ TEST(SolidFriction, DeformsTheFootAsItDoesTheBodyOfRevolution)
     ContactDemand demand = load_at(0.8, 0.3);
     demand.n_harmonics = 8;
     demand.tilt_moment = 0.1 * weight; // the conditions are then no resultants
-    const Slip slip = { -10, {} };
+    const stemware::ring::Slip slip = { -10, {} };
     const ContactState state = solid_foot(given, { 24, 2, 1, 1 }, solver).solve(demand, slip);
     const ContactState expected = revolution_foot(given).solve(demand, slip);
     EXPECT_LT(state.solution.equilibrium_residual, 1e-9);
     EXPECT_LT(state.solution.moment_residual, 1e-9);
     for (unsigned int n = 2; n <= 4; ++n)
     {
-      const double a_0 = expected.load.a[0][0];
-      EXPECT_NEAR(state.load.a[0][n] / a_0, expected.load.a[0][n] / a_0, tolerance) << n;
-      EXPECT_NEAR(state.load.b[0][n] / a_0, expected.load.b[0][n] / a_0, tolerance) << n;
+      const double a_0 = expected.load.a(0);
+      EXPECT_NEAR(state.load.a(n) / a_0, expected.load.a(n) / a_0, tolerance) << n;
+      EXPECT_NEAR(state.load.b(n) / a_0, expected.load.b(n) / a_0, tolerance) << n;
     }
   }
 }
@@ -98,15 +98,15 @@ TEST(SolidFriction, DeformsTheFootOfAnotherProgram)
         interface = std::make_shared<WinklerInterface>(*expected.modulus);
       ContactDemand demand = load_at(expected.moment_ratio, expected.direction);
       demand.n_harmonics = 8;
-      const LoadHarmonics load =
+      const ContactLoad load =
         solid_foot({ flat_profile(), interface, expected.friction }, { 24, 2, 1, 1 }, LinearSolver::multigrid)
           .solve(demand, { expected.spin_per_speed, {} })
           .load;
       const double tolerance = expected.modulus ? 1e-4 : 2e-3;
       for (unsigned int n = 1; n <= 4; ++n)
       {
-        EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[n], tolerance) << expected.name() << ", " << n;
-        EXPECT_NEAR(load.b[0][n] / load.a[0][0], expected.b[n], tolerance) << expected.name() << ", " << n;
+        EXPECT_NEAR(load.a(n) / load.a(0), expected.a[n], tolerance) << expected.name() << ", " << n;
+        EXPECT_NEAR(load.b(n) / load.a(0), expected.b[n], tolerance) << expected.name() << ", " << n;
       }
       ++n_compared;
     }

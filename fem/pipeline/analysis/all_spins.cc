@@ -75,24 +75,24 @@ private:
     const auto known = loads.lower_bound(omega - rounding);
     return known != loads.end() && known->first <= omega + rounding
              ? known->second
-             : loads.emplace(omega, load.leaning(omega)).first->second;
+             : loads.emplace(omega, load.at(omega)).first->second;
   }
 
   LeaningLoad between(double lower, double upper, double omega)
   {
     const LeaningLoad &below = at(lower), &above = at(upper);
-    const unsigned int n = std::max(below.rings.n_harmonics(), above.rings.n_harmonics());
+    const unsigned int n = std::max(below.n_harmonics(), above.n_harmonics());
     const double share = (omega - lower) / (upper - lower);
     std::vector<double> row = below.coefficients(n);
     const std::vector<double> other = above.coefficients(n);
     for (std::size_t i = 0; i < row.size(); ++i)
       row[i] += share * (other[i] - row[i]);
-    return LeaningLoad::from_coefficients(row, below.rings.rings().size());
+    return LeaningLoad::from_coefficients(row, below.rings().size());
   }
 
   double torque_of(const LeaningLoad &at_spin, double omega) const
   {
-    const double torque = ring::wrench(motion, at_spin.rings, omega).torque + at_spin.lean_torque();
+    const double torque = ring::wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
     return against_grip(torque, omega, grip_torque);
   }
 

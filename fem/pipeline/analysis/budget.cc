@@ -66,7 +66,7 @@ std::optional<double> unless_nan(double value)
 struct ChainLink
 {
   BudgetRow row;
-  std::optional<BalancedLoad> load;
+  SharedLoad load;
   ring::Motion motion;
 };
 
@@ -216,9 +216,9 @@ std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<Ela
 Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress)
 {
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
-  const BalancedLoad load = find_load(study, foot, progress);
-  return find_budget(study, foot, rows_by_harmonics(study, foot, load, spin_question(study), progress), cache,
-                     progress);
+  const SharedLoad load = find_load(study, foot, progress);
+  return find_budget(study, foot, rows_by_harmonics(study, foot, *load, spin_question(study), progress),
+                     cache, progress);
 }
 
 Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,

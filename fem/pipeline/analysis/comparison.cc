@@ -24,7 +24,7 @@ struct ComparedLoad
 {
   std::string name;
   /// The load of a study with its harmonics up to n. Throws what contacts and balances throw.
-  std::function<BalancedLoad(const Study &study, unsigned int n_harmonics)> find;
+  std::function<SharedLoad(const Study &study, unsigned int n_harmonics)> find;
   /// Share of the rim that carries load in balance at a spin; empty for a formal load.
   std::function<double(const BalancedLoad &load, double omega)> contact_fraction;
 };
@@ -64,7 +64,7 @@ ComparedLoad rigid_rim(const std::string &name, double contact_radius, double ex
              const ring::Closure closure = study.motion.closure;
              const LoadReport at_rest =
                report_of(ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
-             return balance(ring, { motion, closure, {} }, at_rest, n_harmonics);
+             return balance(ring, motion, closure, at_rest, n_harmonics);
            },
            [ring](const BalancedLoad &load, double omega)
            { return loaded_share(ring->edge(load.at(omega).moment_ratio(ring->radius()))); } };
@@ -81,10 +81,7 @@ ComparedLoad foot_load(const std::string &name, const std::function<std::shared_
              return find_load(variant(study), foot(), silent_progress(), n_harmonics);
            },
            [](const BalancedLoad &load, double omega)
-           {
-             return load.contact_at() ? load.contact_at()(omega).load.contact_fraction
-                                      : load.report().contact_fraction;
-           } };
+           { return load.contact(omega)->load.contact_fraction; } };
 }
 
 Study with_coupling(Study study, LoadCoupling coupling)
@@ -142,11 +139,11 @@ SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned 
   SpinRow row;
   try
   {
-    const BalancedLoad load = compared.find(study, n);
-    row = attempt_spin_row(load, spin_question(study));
+    const SharedLoad load = compared.find(study, n);
+    row = attempt_spin_row(*load, spin_question(study));
     row.all_harmonics = is_all;
     if (row.terminal && compared.contact_fraction)
-      row.contact_fraction = compared.contact_fraction(load, row.terminal->omega);
+      row.contact_fraction = compared.contact_fraction(*load, row.terminal->omega);
     if (row.terminal)
       row.standing = standing_of(row);
     if (row.reason.empty())

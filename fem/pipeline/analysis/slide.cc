@@ -43,8 +43,8 @@ TiltingFriction friction_of_body(const ring::FreeSlider &slider)
 /// The load depends on the ratio of spin and speed: it is asked for at the orbit's speed.
 TiltingFriction friction_of_load(const BalancedLoad &load, const ring::Motion &motion, double contact_radius)
 {
-  const auto load_at = [load, reference = motion.orbit_speed](double speed, double omega)
-  { return load.at(omega / speed * reference); };
+  const auto load_at = [load = load.shared_from_this(), reference = motion.orbit_speed](
+                         double speed, double omega) { return load->at(omega / speed * reference); };
   const auto friction =
     [load_at, ring = ring::CoulombRing(motion.friction_coefficient)](double speed, double omega)
   { return ring.wrench(load_at(speed, omega), omega, speed); };
@@ -105,8 +105,8 @@ void follow(const TiltingFriction &tilting, const ring::SlidingPath &path, Slide
 }
 
 /// The load of a glass between two slip ratios, interpolated, in balance with its friction.
-BalancedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, double radius, double one,
-                          double other)
+SharedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, double radius, double one,
+                        double other)
 {
   const double unit = motion.orbit_speed / radius, margin = 1e-3;
   const auto [least, most] = std::minmax({ one, other });
@@ -127,10 +127,9 @@ std::optional<double> change_on_coarser_mesh(const Study &study, const ElasticFo
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius,
                most = motion.friction_at_rest() * motion.normal_force();
+  const SharedLoad coarse_load = find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot));
   const TiltingFriction own = friction_of_load(load, motion, radius),
-                        other = friction_of_load(
-                          find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot)), motion,
-                          radius);
+                        other = friction_of_load(*coarse_load, motion, radius);
   double change = 0;
   for (const double slip_ratio : { start, (start + end) / 2, end })
   {
@@ -151,9 +150,9 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   slide.centre_of_mass_height = motion.centre_of_mass_height;
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
-  const BalancedLoad load = find_load(study, foot, progress);
+  const SharedLoad load = find_load(study, foot, progress);
   const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
-  const TiltingFriction exact = friction_of_load(load, motion, slide.inertia.outer_radius);
+  const TiltingFriction exact = friction_of_load(*load, motion, slide.inertia.outer_radius);
   constexpr unsigned int n_intervals = 20;
   const double end =
     start == 0
@@ -170,16 +169,16 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
           },
           start, n_intervals);
   progress.stage_done("final slip ratio");
-  const BalancedLoad on_the_way = load_between(load, motion, slide.inertia.outer_radius, start, end);
-  if (const auto statistics = on_the_way.statistics())
+  const SharedLoad on_the_way = load_between(*load, motion, slide.inertia.outer_radius, start, end);
+  if (const auto statistics = on_the_way->statistics())
     slide.load_error = statistics->interpolation_error.value_or(0);
-  const TiltingFriction tilting = friction_of_load(on_the_way, motion, slide.inertia.outer_radius);
+  const TiltingFriction tilting = friction_of_load(*on_the_way, motion, slide.inertia.outer_radius);
   ring::SlidingPath path =
     ring::slide_to_stop(slide.inertia, tilting.friction, slide.question.speed, slide.question.spin, 1e-10);
   path.final_slip_ratio = end;
   follow(tilting, path, slide);
   if (foot)
-    slide.mesh_change = change_on_coarser_mesh(study, *foot, load, start, end, cache);
+    slide.mesh_change = change_on_coarser_mesh(study, *foot, *load, start, end, cache);
 }
 
 void slide_body(const Study &study, SlideStudy &slide)

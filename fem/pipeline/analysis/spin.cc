@@ -37,8 +37,8 @@ double averaging_window(const PhasePeriods &periods, const ring::Motion &motion,
 
 RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega)
 {
-  const LeaningLoad leaning = load.leaning(omega);
-  RingState state = { leaning.rings };
+  const LeaningLoad leaning = load.at(omega);
+  RingState state = { leaning };
   const ring::Motion &motion = question.motion;
   state.friction = ring::wrench(motion, state.load, omega);
   state.lean_torque = leaning.lean_torque();
@@ -53,7 +53,7 @@ RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, dou
 }
 
 /// The load between rest and @p terminal, and a little beyond.
-BalancedLoad on_the_way_to(double terminal, const BalancedLoad &load)
+SharedLoad on_the_way_to(double terminal, const BalancedLoad &load)
 {
   const double margin = 0.02 * std::abs(terminal);
   return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
@@ -64,7 +64,7 @@ std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion
 {
   try
   {
-    return ring::terminal_spin(load.at_rest(), motion).omega;
+    return ring::terminal_spin(load.at(0), motion).omega;
   }
   catch (const ring::NoTerminalSpin &)
   {
@@ -143,7 +143,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
   if (!question.times.empty())
     for (const ring::YawSample &sample :
-         spin_up(question.on_the_way ? *question.on_the_way : on_the_way_to(omega, load), question.motion,
+         spin_up(question.on_the_way ? *question.on_the_way : *on_the_way_to(omega, load), question.motion,
                  question.times, question.grip_torque))
       row.spin_up.push_back(sample.omega);
 }
@@ -152,17 +152,17 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
 
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
-  const LeaningLoad at_spin = load.leaning(omega);
-  return ring::wrench(motion, at_spin.rings, omega).torque + at_spin.lean_torque();
+  const LeaningLoad at_spin = load.at(omega);
+  return ring::wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
 }
 
 ring::PhasedTorqueFunction torque_function(const BalancedLoad &load, const ring::Motion &motion,
                                            double grip_torque)
 {
-  return [=](double time, double yaw_angle, double omega)
+  return [load = load.shared_from_this(), motion, grip_torque](double time, double yaw_angle, double omega)
   {
-    const LeaningLoad at_phase = load.leaning(omega, orientation_of_marks(motion, time, yaw_angle));
-    const double torque = ring::wrench(motion, at_phase.rings, omega).torque + at_phase.lean_torque();
+    const LeaningLoad at_phase = load->at(omega, orientation_of_marks(motion, time, yaw_angle));
+    const double torque = ring::wrench(motion, at_phase, omega).torque + at_phase.lean_torque();
     return grip_torque > 0 ? against_grip(torque, omega, grip_torque) : torque;
   };
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ring_model/coulomb_ring.h"
+#include "ring_model/load/ring_stack.h"
 #include "ring_model/moment_balance.h"
-#include "ring_model/ring_stack.h"
 #include "ring_model/terminal_spin.h"
 
 #include <optional>

@@ -96,8 +96,8 @@ double unless_fallen(double omega, const std::optional<Fall> &fall)
 }
 
 /// @p first and @p all are loads for curves; @p row is the answer to the latter.
-SpinUpCurves spin_up_curves(const Study &study, const std::optional<BalancedLoad> &first,
-                            const BalancedLoad &all, const SpinRow &row)
+SpinUpCurves spin_up_curves(const Study &study, const SharedLoad &first, const BalancedLoad &all,
+                            const SpinRow &row)
 {
   const ring::Motion &orbit = study.motion.orbit;
   const ring::PhasedTorqueFunction torque =
@@ -136,8 +136,8 @@ SpinTorques torques_or_nan(const BalancedLoad &load, const Study &study, double 
   return if_balanced(
            [&]
            {
-             const LeaningLoad at_spin = load.leaning(omega);
-             const ring::Wrench friction = ring::wrench(study.motion.orbit, at_spin.rings, omega);
+             const LeaningLoad at_spin = load.at(omega);
+             const ring::Wrench friction = ring::wrench(study.motion.orbit, at_spin, omega);
              const double lean = at_spin.lean_torque();
              return SpinTorques{ friction, lean,
                                  grip_torque(friction.torque + lean, omega, study.motion.grip_torque) };
@@ -234,7 +234,7 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times)
 {
   const Study paper = paper_study(study);
-  return spins_of(spin_up(find_load(paper, nullptr), paper.motion.orbit, times));
+  return spins_of(spin_up(*find_load(paper, nullptr), paper.motion.orbit, times));
 }
 
 /// DrivenSpinUp::interpolation_change and that at the end.
@@ -299,6 +299,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, solved);
+  if (const auto statistics = solved.back().load->statistics())
+    result.curve_error = statistics->interpolation_error;
   result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
   if (depth == Depth::full)
     result.budget = find_budget(study, foot, solved, cache, progress);

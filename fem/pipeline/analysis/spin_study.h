@@ -85,6 +85,8 @@ struct SpinStudy
   /// takes minutes (a solid body in balance at every spin).
   std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
+  /// Of the load that the curves are made of, interpolated in the spin, over a_0; nothing where it is exact.
+  std::optional<double> curve_error = {};
   /// Of a drawn profile whose points scatter, where somebody asked for it: profile_scatter().
   std::optional<ProfileScatter> profile_scatter = {};
 

@@ -37,10 +37,9 @@ void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, dou
 }
 
 /// The load interpolated in the spin; nothing where it has no balance somewhere.
-std::optional<BalancedLoad> interpolated(const BalancedLoad &load, double lower, double upper,
-                                         double coarsest = 1e-5)
+SharedLoad interpolated(const BalancedLoad &load, double lower, double upper, double coarsest = 1e-5)
 {
-  return if_balanced([&] { return load.interpolated(lower, upper, coarsest); });
+  return if_balanced([&] { return load.interpolated(lower, upper, coarsest); }).value_or(nullptr);
 }
 
 } // namespace
@@ -146,8 +145,8 @@ LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &
 {
   if (study.load.is_in_balance())
     return attempt_row(study, foot, question, n_harmonics);
-  const BalancedLoad cut = load.truncated(n_harmonics);
-  return { attempt_spin_row(cut, question), cut };
+  const SharedLoad cut = load.truncated(n_harmonics);
+  return { attempt_spin_row(*cut, question), cut };
 }
 
 std::optional<ring::KnownZero> known_zero(const SpinRow &row)
@@ -163,7 +162,7 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
-  const LoadedRow whole = { spin_row(load, question), load };
+  const LoadedRow whole = { spin_row(load, question), load.shared_from_this() };
   question.with_slope = false;
   question.near = known_zero(whole.row);
   std::vector<LoadedRow> rows;
@@ -189,7 +188,7 @@ void interpolate_loads(double lower, double upper, unsigned int n_most, std::vec
   {
     if (!answer.load || (answer.row.harmonics > n_most && &answer != &rows.back()))
       continue;
-    std::optional<BalancedLoad> curve;
+    SharedLoad curve;
     if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
       curve = interpolated(*answer.load, std::min(0., fall->omega), std::max(0., fall->omega), 1e-3);
     else

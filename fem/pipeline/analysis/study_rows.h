@@ -18,7 +18,7 @@ namespace stemware::pipeline
 struct LoadedRow
 {
   SpinRow row;
-  std::optional<BalancedLoad> load = {}; ///< nothing where the study has none; SpinRow::reason says why
+  SharedLoad load = {}; ///< nothing where the study has none; SpinRow::reason says why
 };
 
 /// v / R with the contact radius of the study's glass [rad/s].

@@ -52,10 +52,10 @@ void converge(const ConvergeOptions &options)
     axes.insert(axes.begin(), goal_axis(study, cache));
   }
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
-  const BalancedLoad load = find_load(study, foot);
-  const double omega_terminal = terminal_spin(load, study.motion.orbit).spin.omega;
+  const SharedLoad load = find_load(study, foot);
+  const double omega_terminal = terminal_spin(*load, study.motion.orbit).spin.omega;
   const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
-  const auto own = quantities_of_load(study, load, spins, omega_terminal, foot.get());
+  const auto own = quantities_of_load(study, *load, spins, omega_terminal, foot.get());
   stopwatch.finish("study");
   const RefinementResult result = refine(study, own, spins, axes, cache, progress);
   stopwatch.finish("levels");

@@ -46,11 +46,13 @@ void run(const RunOptions &run_options)
   fem::ComplianceCache cache;
   const auto [study, goal] = mesh_for_goal(given, cache, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
-  const BalancedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, load, cache, progress, depth);
+  const SharedLoad load = find_load(study, foot, progress);
+  SpinStudy spin = study_spin(study, foot, *load, cache, progress, depth);
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
-  const ContactReport report = describe(study, foot, load, last_spin);
+  ContactReport report = describe(study, foot, *load, last_spin);
+  if (report.coupling)
+    report.coupling->interpolation_error = spin.curve_error;
   stopwatch.finish("report_of_contact");
   ErrorBands bands;
   if (depth == Depth::full)

@@ -41,8 +41,8 @@ void truncate(const TruncateOptions &options)
   fem::ComplianceCache cache;
   const Study study = mesh_for_goal(given, cache, progress).study;
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
-  const BalancedLoad load = find_load(study, foot, progress);
-  TruncationStudy result = study_truncations(study, foot, load, options.omega, progress);
+  const SharedLoad load = find_load(study, foot, progress);
+  TruncationStudy result = study_truncations(study, foot, *load, options.omega, progress);
   stopwatch.finish("truncations");
   SpinRow &all = result.rows.back();
   const ErrorBands bands = estimate_bands(study, foot, all, result.rows.front().omega_terminal(), cache);
@@ -51,7 +51,7 @@ void truncate(const TruncateOptions &options)
   stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, tabulate(study, load.report(), result, bands), folder, stopwatch);
+  publish(options, study, tabulate(study, load->report(), result, bands), folder, stopwatch);
 }
 
 } // namespace

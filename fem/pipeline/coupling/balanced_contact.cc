@@ -9,34 +9,19 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-/// @p factor times the functional of a load that is turned by @p rotation first.
-fem::LoadFunction load_function(const ring::LoadFunctional &functional, double factor, double rotation)
-{
-  return (factor * fem::LoadFunction{ functional.a, functional.b }).of_turned(rotation);
-}
-
-} // namespace
-
-BalancedContact::BalancedContact(std::shared_ptr<const ElasticFoot> foot_given, const ContactBalance &balance,
+BalancedContact::BalancedContact(std::shared_ptr<ElasticFoot> foot_given, const ContactBalance &balance,
                                  std::optional<fem::ContactState> start)
     : foot(std::move(foot_given))
     , balance(balance)
     , one_radius(foot->radius())
     , before(std::move(start))
-    , place_of_before(foot->n_solutions())
 {
 }
 
 fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega, Progress &progress)
 {
-  if (before && place_of_before != foot->n_solutions())
-    foot->resume(*before);
   const ring::Slip slip = { omega / balance.moments.motion.orbit_speed, balance.moments.orientation };
-  before = foot->solve(demand, slip, progress);
-  place_of_before = foot->n_solutions();
+  before = foot->solve(demand, slip, progress, before ? &*before : nullptr);
   ++n_solved;
   return *before;
 }
@@ -57,8 +42,8 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
   // The friction's part of M_N is h k x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
-  demand.friction_x = load_function(friction.side, -arm, rotation);
-  demand.friction_y = load_function(friction.drag, arm, rotation);
+  demand.friction_x = -arm * friction.side.of_rotated(rotation);
+  demand.friction_y = arm * friction.drag.of_rotated(rotation);
   return demand;
 }
 
@@ -70,7 +55,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
   {
     fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega, progress);
     state.load = foot->gather(state);
-    const double radius = state.load.radii.front(), rotation = ring_rotation(state.load);
+    const double radius = state.load.radius(), rotation = state.load.rotation;
     const bool settled =
       std::abs(radius - one_radius) < 1e-12 * radius && std::abs(rotation - one_rotation) < 1e-12;
     one_radius = radius;
@@ -90,19 +75,12 @@ fem::ContactState BalancedContact::contact(double omega, Progress &progress)
   return solve(demand_at(omega, foot->ring_radii(), 0), omega, progress);
 }
 
-const LeaningLoad &BalancedContact::at(double omega)
+LeaningLoad BalancedContact::load(double omega)
 {
-  const auto known = loads.find(omega);
-  if (known != loads.end())
-    return known->second;
-  return loads.emplace(omega, leaning_load(contact(omega), balance.tilts)).first->second;
-}
-
-LeaningLoad leaning_load(const fem::ContactState &state, bool tilts)
-{
-  if (!tilts)
-    return ring_stack(state.load);
-  return { ring_stack(state.load), state.solution.motion.tail<2>() };
+  const fem::ContactState state = contact(omega);
+  if (!balance.tilts)
+    return state.load;
+  return { state.load, state.solution.motion.tail<2>() };
 }
 
 } // namespace stemware::pipeline

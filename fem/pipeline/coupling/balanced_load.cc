@@ -1,126 +1,140 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 
-#include "fem/pipeline/coupling/balanced_states.h"
 #include "fem/pipeline/coupling/load_curve.h"
-#include "fem/pipeline/coupling/phase_loads.h"
-#include "ring_model/truncated_model.h"
+#include "ring_model/self_consistent_ring.h"
 
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
-#include <stdexcept>
+#include <map>
 #include <utility>
 
 namespace stemware::pipeline
 {
 
-BalancedLoad::BalancedLoad(Parts given)
-    : parts(std::make_shared<const Parts>(std::move(given)))
-    , n_kept(parts->n_kept)
+namespace
 {
+
+/// A load without its harmonics above some number.
+class TruncatedLoad : public ChangedLoad
+{
+public:
+  TruncatedLoad(SharedLoad whole, unsigned int n_harmonics)
+      : ChangedLoad(std::move(whole))
+      , n_kept(n_harmonics)
+  {
+  }
+
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
+  {
+    return whole->at(omega, marks).truncated(n_kept);
+  }
+  unsigned int n_harmonics() const override { return n_kept; }
+
+private:
+  const unsigned int n_kept;
+};
+
+/// A load interpolated between samples on an interval of spins.
+class InterpolatedLoad : public ChangedLoad
+{
+public:
+  InterpolatedLoad(SharedLoad whole, const LoadCurve &samples, double lower, double upper)
+      : ChangedLoad(std::move(whole))
+      , inside(samples.interpolate())
+      , error(samples.error)
+      , lower(lower)
+      , upper(upper)
+  {
+  }
+
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
+  {
+    return lower <= omega && omega <= upper ? inside(omega) : whole->at(omega, marks);
+  }
+  bool is_costly() const override { return false; }
+  std::optional<CouplingStatistics> statistics() const override
+  {
+    std::optional<CouplingStatistics> statistics = whole->statistics();
+    if (statistics)
+      statistics->interpolation_error = error;
+    return statistics;
+  }
+
+private:
+  const LoadFunction inside;
+  const double error, lower, upper;
+};
+
+/// The load of a model of the ring in balance at every spin. Loads are kept.
+class ModelInBalance : public BalancedLoad
+{
+public:
+  ModelInBalance(ring::SelfConsistentRing glass, LoadReport at_rest, Progress &progress)
+      : glass(std::move(glass))
+      , at_rest(std::move(at_rest))
+      , progress(progress)
+  {
+  }
+
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
+  {
+    if (omega == 0)
+      return at_rest.rings;
+    const auto known = loads.find(omega);
+    if (known != loads.end())
+      return known->second;
+    const auto found = loads.emplace(omega, glass.at(omega).load).first;
+    progress.pieces_done("spins in balance", loads.size(), 0);
+    return found->second;
+  }
+  const LoadReport &report() const override { return at_rest; }
+  std::optional<CouplingStatistics> statistics() const override
+  {
+    return CouplingStatistics{ loads.size(), 0, {}, {} };
+  }
+
+private:
+  const ring::SelfConsistentRing glass;
+  const LoadReport at_rest;
+  Progress &progress;
+  mutable std::map<double, ring::RingStack> loads;
+};
+
+} // namespace
+
+SharedLoad BalancedLoad::truncated(unsigned int n_harmonics) const
+{
+  if (n_harmonics >= this->n_harmonics())
+    return shared_from_this();
+  return std::make_shared<TruncatedLoad>(shared_from_this(), n_harmonics);
 }
 
-LeaningLoad BalancedLoad::leaning(double omega) const
+SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest) const
 {
-  const AtSpin &at_spin = curve ? curve : parts->at_spin;
-  const LeaningLoad load = at_spin ? at_spin(omega) : LeaningLoad(parts->at_rest.rings, parts->at_rest.tilt);
-  return load.rings.n_harmonics() > n_kept ? load.truncated(n_kept) : load;
-}
-
-ring::RingStack BalancedLoad::at(double omega) const
-{
-  return leaning(omega).rings;
-}
-
-LeaningLoad BalancedLoad::leaning(double omega, const ring::Orientation &orientation) const
-{
-  return parts->phases ? parts->phases->at(omega, orientation).truncated(n_kept) : leaning(omega);
-}
-
-ring::RingStack BalancedLoad::at(double omega, const ring::Orientation &orientation) const
-{
-  return leaning(omega, orientation).rings;
-}
-
-BalancedLoad BalancedLoad::truncated(unsigned int n_harmonics) const
-{
-  BalancedLoad cut = *this;
-  cut.n_kept = std::min(n_kept, n_harmonics);
-  return cut;
-}
-
-BalancedLoad BalancedLoad::with_curve(AtSpin interpolated) const
-{
-  BalancedLoad other = *this;
-  other.curve = std::move(interpolated);
-  return other;
-}
-
-BalancedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest) const
-{
-  if (!parts->is_costly || !(lower < upper))
-    return *this;
+  if (!is_costly() || !(lower < upper))
+    return shared_from_this();
   // With lift-off the load has a small kink wherever a line of contact is lost. The spins solved for one
   // tolerance serve the next.
+  const LoadFunction exact = [this](double omega) { return at(omega); };
   for (const double tolerance : { 1e-8, 1e-6, 1e-5, coarsest })
     try
     {
-      const LoadCurve samples = sample_load_curve(parts->at_spin, lower, upper, tolerance, 200);
-      parts->statistics->interpolation_error = samples.error;
-      return with_curve([inside = samples.interpolate(), exact = parts->at_spin, lower, upper](double omega)
-                        { return lower <= omega && omega <= upper ? inside(omega) : exact(omega); });
+      return std::make_shared<InterpolatedLoad>(
+        shared_from_this(), sample_load_curve(exact, lower, upper, tolerance, 200), lower, upper);
     }
     catch (const ToleranceMissed &)
     {
     }
-  return *this;
+  return shared_from_this();
 }
 
-unsigned int BalancedLoad::n_harmonics() const
+SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
+                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics, Progress &progress)
 {
-  return std::min(n_kept, parts->at_rest.rings.n_harmonics());
-}
-
-double BalancedLoad::spin_scale(const ring::Motion &motion) const
-{
-  return motion.orbit_speed / parts->at_rest.rings.radius();
-}
-
-std::optional<CouplingStatistics> BalancedLoad::statistics() const
-{
-  return parts->statistics ? std::optional(*parts->statistics) : std::nullopt;
-}
-
-BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const MomentBalance &balance,
-                     const LoadReport &at_rest, unsigned int n_harmonics, Progress &progress)
-{
-  const ring::Motion &motion = balance.motion;
-  const bool is_cut = n_harmonics < at_rest.rings.n_harmonics();
-  std::shared_ptr<const ring::LoadModel> acting = model;
-  if (is_cut)
-    acting = std::make_shared<ring::TruncatedModel>(model, n_harmonics);
-  const auto states =
-    std::make_shared<BalancedStates>(ring::SelfConsistentRing(balance.closure, motion, acting),
-                                     motion.orbit_speed / model->radius(), balance.orientation);
-  const auto statistics = std::make_shared<CouplingStatistics>();
-  BalancedLoad::Parts parts = { at_rest };
-  if (is_cut)
-    parts.at_rest.rings = at_rest.rings.truncated(n_harmonics);
-  parts.statistics = statistics;
-  parts.is_costly = model->is_costly();
-  parts.at_spin = [=, &progress, rest = parts.at_rest.rings](double omega) -> LeaningLoad
-  {
-    if (omega == 0)
-      return rest;
-    const ring::RingEquilibrium &state = states->at(omega);
-    if (states->size() > statistics->n_balances)
-    {
-      statistics->n_balances = states->size();
-      progress.pieces_done("spins in balance", states->size(), 0);
-    }
-    return state.load;
-  };
-  return BalancedLoad(std::move(parts));
+  if (n_harmonics < at_rest.rings.n_harmonics())
+    at_rest.rings = at_rest.rings.truncated(n_harmonics);
+  return std::make_shared<ModelInBalance>(ring::SelfConsistentRing(closure, motion, model, n_harmonics),
+                                          std::move(at_rest), progress);
 }
 
 LoadReport report_of(const ring::RingStack &load)

@@ -12,95 +12,120 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace stemware::pipeline
 {
 
+class BalancedLoad;
 class PhaseLoads;
+
+/// Loads are shared: the balances that one owner finds are known to all.
+using SharedLoad = std::shared_ptr<const BalancedLoad>;
 
 /// No truncation.
 inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
 
 /// The load on the ring at every spin: what all questions about the spin are asked of, wherever the load
-/// comes from.
-///
-/// A value with shared insides: copies are cheap, and the balances that one copy finds are known to all. A
-/// load that is the same at every spin, or at every phase of an out-of-flat rim, is the special case that
-/// does not look at the argument.
-class BalancedLoad
+/// comes from. All loads are SharedLoad.
+class BalancedLoad : public std::enable_shared_from_this<BalancedLoad>
 {
 public:
-  using AtSpin = std::function<LeaningLoad(double omega)>;
+  virtual ~BalancedLoad() = default;
 
-  /// The insides of a load; at() goes through the functions, so they may solve contacts.
-  struct Parts
-  {
-    LoadReport at_rest;
-    AtSpin at_spin = {};                                 ///< empty: the load at rest
-    std::shared_ptr<const PhaseLoads> phases = {};       ///< nothing where the phase does not matter
-    std::shared_ptr<CouplingStatistics> statistics = {}; ///< nothing where the spin does not matter
-    std::shared_ptr<const fem::ContactState>
-      contact = {}; ///< at rest; nothing where the load does not come from one
-    /// Solves the contact at a spin again; empty where it is the same at every spin.
-    std::function<fem::ContactState(double omega)> contact_at = {};
-    unsigned int n_kept = std::numeric_limits<unsigned int>::max(); ///< harmonics that at() gives
-    bool is_costly = false; ///< whether a load takes contact solutions
-  };
+  /// The load at the spin @p omega [rad/s] and the glass's tilt, with the marks of glass and table at @p
+  /// marks; the mean over the phases where these matter and are not given. Throws what contact solutions and
+  /// balances throw.
+  virtual LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks = {}) const = 0;
 
-  explicit BalancedLoad(Parts parts);
-
-  /// The load at the spin @p omega [rad/s]; the mean over the phases where these matter. Throws what contact
-  /// solutions and balances throw.
-  ring::RingStack at(double omega) const;
-
-  /// The load with the marks of glass and table at @p orientation.
-  ring::RingStack at(double omega, const ring::Orientation &orientation) const;
-
-  ring::RingStack at_rest() const { return at(0); }
-
-  /// at() with the glass's tilt.
-  LeaningLoad leaning(double omega) const;
-  LeaningLoad leaning(double omega, const ring::Orientation &orientation) const;
+  /// The whole load at rest.
+  virtual const LoadReport &report() const = 0;
+  /// Highest harmonic of at().
+  virtual unsigned int n_harmonics() const { return report().rings.n_harmonics(); }
+  /// Whether a load takes contact solutions.
+  virtual bool is_costly() const { return false; }
+  /// The contact at a spin; nothing where the load does not come from one.
+  virtual std::optional<fem::ContactState> contact(double /*omega*/) const { return std::nullopt; }
+  /// Nothing where the phase does not matter.
+  virtual const PhaseLoads *phases() const { return nullptr; }
+  /// How the loads have been found so far; nothing where they are the same at every spin.
+  virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
 
   /// This load cut off after @p n_harmonics; neither contact nor friction is solved again.
-  BalancedLoad truncated(unsigned int n_harmonics) const;
+  SharedLoad truncated(unsigned int n_harmonics) const;
 
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
   /// would be a balance of its own: interpolated between exact ones, to 1e-8 of a_0 where 200 of them
   /// suffice, else to 1e-6 or 1e-5, or to @p coarsest if that is more, else exact; outside exact. The error
-  /// goes to statistics(). A load that is not costly stays as it is.
-  BalancedLoad interpolated(double lower, double upper, double coarsest = 1e-5) const;
-
-  /// Highest harmonic of at().
-  unsigned int n_harmonics() const;
+  /// is in its statistics(). A load that is not costly stays as it is.
+  SharedLoad interpolated(double lower, double upper, double coarsest = 1e-5) const;
 
   /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
-  double spin_scale(const ring::Motion &motion) const;
-
-  /// The insides, to make another load of.
-  const Parts &insides() const { return *parts; }
-  const LoadReport &report() const { return parts->at_rest; } ///< of the whole load at rest
-  const PhaseLoads *phases() const { return parts->phases.get(); }
-  const fem::ContactState *contact() const { return parts->contact.get(); }
-  /// Parts::contact_at
-  const std::function<fem::ContactState(double omega)> &contact_at() const { return parts->contact_at; }
-  std::optional<CouplingStatistics> statistics() const;
-  bool follows_spin() const { return parts->statistics != nullptr; }
-
-private:
-  BalancedLoad with_curve(AtSpin curve) const;
-
-  std::shared_ptr<const Parts> parts;
-  AtSpin curve; ///< in the place of parts->at_spin; empty: that itself
-  unsigned int n_kept;
+  double spin_scale(const ring::Motion &motion) const { return motion.orbit_speed / report().rings.radius(); }
 };
 
-/// What a load is to be in balance with.
-struct MomentBalance
+/// The same load at every spin.
+class ConstantLoad : public BalancedLoad
 {
-  ring::Motion motion;
-  ring::Closure closure = ring::Closure::full;
-  ring::Orientation orientation; ///< of the marks of glass and table
+public:
+  /// @p state is the contact that it comes from, if any.
+  explicit ConstantLoad(LoadReport report, std::optional<fem::ContactState> state = {})
+      : at_rest(std::move(report))
+      , state(std::move(state))
+  {
+  }
+
+  LeaningLoad at(double, const std::optional<ring::Orientation> &) const override
+  {
+    return { at_rest.rings, at_rest.tilt };
+  }
+  const LoadReport &report() const override { return at_rest; }
+  std::optional<fem::ContactState> contact(double) const override { return state; }
+
+private:
+  const LoadReport at_rest;
+  const std::optional<fem::ContactState> state;
+};
+
+/// A load that a function of the spin gives.
+class GivenLoad : public BalancedLoad
+{
+public:
+  GivenLoad(LoadReport at_rest, std::function<LeaningLoad(double omega)> function)
+      : at_rest(std::move(at_rest))
+      , function(std::move(function))
+  {
+  }
+
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
+  {
+    return function(omega);
+  }
+  const LoadReport &report() const override { return at_rest; }
+
+private:
+  const LoadReport at_rest;
+  const std::function<LeaningLoad(double omega)> function;
+};
+
+/// Another load but for what it changes.
+class ChangedLoad : public BalancedLoad
+{
+public:
+  explicit ChangedLoad(SharedLoad whole)
+      : whole(std::move(whole))
+  {
+  }
+
+  const LoadReport &report() const override { return whole->report(); }
+  unsigned int n_harmonics() const override { return whole->n_harmonics(); }
+  bool is_costly() const override { return whole->is_costly(); }
+  std::optional<fem::ContactState> contact(double omega) const override { return whole->contact(omega); }
+  const PhaseLoads *phases() const override { return whole->phases(); }
+  std::optional<CouplingStatistics> statistics() const override { return whole->statistics(); }
+
+protected:
+  const SharedLoad whole;
 };
 
 /// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p
@@ -109,10 +134,9 @@ struct MomentBalance
 /// every balance and must live as long as the load.
 ///
 /// The load throws as ring::SelfConsistentRing::at() and the model do.
-BalancedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const MomentBalance &balance,
-                     const LoadReport &at_rest,
-                     unsigned int n_harmonics = std::numeric_limits<unsigned int>::max(),
-                     Progress &progress = silent_progress());
+SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
+                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics = all_harmonics,
+                   Progress &progress = silent_progress());
 
 /// A load that a formula gives, as a report: pointwise quantities are those of the series.
 LoadReport report_of(const ring::RingStack &load);

@@ -3,7 +3,7 @@
 #include "fem/contact/foot.h"
 #include "fem/geometry/section_view.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
 #include <Eigen/Core>
 
@@ -70,7 +70,7 @@ class BalancedLoad;
 class ElasticFoot;
 
 /// Describes the load of @p study at rest and at @p last_spin, at which the spin-up ends [rad/s]. @p foot is
-/// study_foot(), @p load find_load() of it. May solve the contact there, and again at rest. Throws as the
+/// study_foot(), @p load find_load() of it. May solve the contact there. Throws as the
 /// load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double last_spin);

@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-ElasticFoot::ElasticFoot(std::shared_ptr<fem::Foot> foot_given, double contact_radius)
+ElasticFoot::ElasticFoot(std::shared_ptr<const fem::Foot> foot_given, double contact_radius)
     : foot(std::move(foot_given))
     , contact_radius(contact_radius)
     , highest(foot->n_resolved_harmonics())
@@ -31,57 +31,39 @@ ElasticFoot ElasticFoot::without_rings() const
   return same;
 }
 
-fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip,
-                                     Progress &progress) const
+fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,
+                                     const fem::ContactState *before)
 {
-  ++n_solved;
   if (!demand.has_friction()) // else the demand knows the rings that its friction is of
     demand.ring_radii = radii;
   demand.n_harmonics = highest;
-  return foot->solve(demand, { slip.spin_per_speed, { slip.orientation.glass, slip.orientation.table } },
-                     [&progress](const fem::ContactIteration &step)
-                     {
-                       progress.iteration({ step.number, step.n_loaded, step.n_changed, step.residual,
-                                            step.step_length, step.linear_iterations });
-                     });
+  fem::ContactState state =
+    foot->solve(demand, slip, path.guess(demand, slip, before),
+                [&progress](const fem::ContactIteration &step)
+                {
+                  progress.iteration({ step.number, step.n_loaded, step.n_changed, step.residual,
+                                       step.step_length, step.linear_iterations });
+                });
+  path.append(state);
+  return state;
 }
 
-const fem::ContactState &ElasticFoot::solve_at_rest(const fem::ContactDemand &demand,
-                                                    const ring::Orientation &marks, Progress &progress)
+fem::ContactState ElasticFoot::solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
+                                             Progress &progress)
 {
   const auto is_known = [&]
   {
-    const fem::FootOrientation &known = at_rest->slip.orientation;
-    return demand.normal_force == demand_at_rest.normal_force && demand.moment_x == demand_at_rest.moment_x &&
-           demand.moment_y == demand_at_rest.moment_y && demand.tilt_moment == demand_at_rest.tilt_moment &&
-           known.glass == marks.glass && known.table == marks.table;
+    const fem::ContactDemand &known = at_rest->demand;
+    const ring::Orientation &known_marks = at_rest->slip.orientation;
+    return demand.normal_force == known.normal_force && demand.moment_x == known.moment_x &&
+           demand.moment_y == known.moment_y && demand.tilt_moment == known.tilt_moment &&
+           marks.glass == known_marks.glass && marks.table == known_marks.table;
   };
   if (at_rest && is_known())
-  {
     at_rest->load = gather(*at_rest); // the rings may be others by now
-    return *at_rest;
-  }
-  at_rest = solve(demand, { 0, marks }, progress);
-  demand_at_rest = demand;
+  else
+    at_rest = solve(demand, { 0, marks }, progress);
   return *at_rest;
-}
-
-ring::RingStack ring_stack(const fem::LoadHarmonics &load)
-{
-  std::vector<ring::RingStack::Ring> rings;
-  for (std::size_t j = 0; j < load.radii.size(); ++j)
-    rings.push_back({ load.radii[j], load.a[j], load.b[j] });
-  ring::RingStack stack(std::move(rings));
-  const double moment = std::hypot(load.moment_x, load.moment_y);
-  if (load.n_rings() > 1 || load.n_harmonics() == 0 || moment < 1e-10 * load.normal_force * load.mean_radius)
-    return stack;
-  return stack.rotated(ring_rotation(load));
-}
-
-double ring_rotation(const fem::LoadHarmonics &load)
-{
-  return std::remainder(std::atan2(load.moment_x, -load.moment_y) - std::atan2(load.b[0][1], load.a[0][1]),
-                        boost::math::double_constants::two_pi);
 }
 
 std::vector<double> chebyshev_radii(double inner, double outer, unsigned int n_rings)

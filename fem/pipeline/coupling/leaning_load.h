@@ -1,42 +1,51 @@
 #pragma once
 
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
 /// The load on the rings at one spin, and how the glass leans under it.
-struct LeaningLoad
+struct LeaningLoad : ring::RingStack
 {
-  LeaningLoad(ring::RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
-      : rings(std::move(rings))
+  LeaningLoad(RingStack rings, const Eigen::Vector2d &tilt = Eigen::Vector2d::Zero()) // NOLINT
+      : RingStack(std::move(rings))
       , tilt(tilt)
   {
   }
 
-  ring::RingStack rings;
   /// (q1, q2): the table's tilts in the frame of the glass, whose axis leans by (-q1, -q2) [rad]; 0 where the
   /// tilt is left out of the moment balance.
   Eigen::Vector2d tilt;
 
   /// Moment of the normal forces about the leaning axis, -q1 M_Nx - q2 M_Ny [N m]: it turns the glass as
   /// tau_z does (docs/theory/closures.md).
-  double lean_torque() const { return -tilt.dot(rings.moment()); }
+  double lean_torque() const { return -tilt.dot(moment()); }
 
   /// All numbers in a row, RingStack::coefficients() and the tilt: rows of equally many rings and harmonics
   /// may be added and interpolated.
-  std::vector<double> coefficients(unsigned int n_harmonics) const;
-  static LeaningLoad from_coefficients(std::vector<double> row, std::size_t n_rings);
+  std::vector<double> coefficients(unsigned int n_harmonics) const
+  {
+    std::vector<double> row = RingStack::coefficients(n_harmonics);
+    row.insert(row.end(), { tilt.x(), tilt.y() });
+    return row;
+  }
+  static LeaningLoad from_coefficients(const std::vector<double> &row, std::size_t n_rings)
+  {
+    const Eigen::Vector2d tilt(*(row.end() - 2), row.back());
+    return { RingStack::from_coefficients({ row.begin(), row.end() - 2 }, n_rings), tilt };
+  }
 
-  /// RingStack::difference() of the rings.
-  double difference(const LeaningLoad &other) const { return rings.difference(other.rings); }
-
-  LeaningLoad truncated(unsigned int n_harmonics) const { return { rings.truncated(n_harmonics), tilt }; }
+  LeaningLoad truncated(unsigned int n_harmonics) const
+  {
+    return { RingStack::truncated(n_harmonics), tilt };
+  }
 };
 
 } // namespace stemware::pipeline

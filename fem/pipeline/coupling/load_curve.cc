@@ -24,10 +24,10 @@ namespace
 /// The polynomial through all samples.
 LoadFunction polynomial(const LoadSamples &samples)
 {
-  const std::size_t n_rings = samples.begin()->second.rings.rings().size();
+  const std::size_t n_rings = samples.begin()->second.rings().size();
   unsigned int n_harmonics = 0;
   for (const auto &[place, load] : samples)
-    n_harmonics = std::max(n_harmonics, load.rings.n_harmonics());
+    n_harmonics = std::max(n_harmonics, load.n_harmonics());
   std::vector<double> x;
   std::vector<std::vector<double>> rows;
   for (const auto &[place, load] : samples)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
 #include <string>
 

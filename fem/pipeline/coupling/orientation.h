@@ -2,8 +2,8 @@
 
 #include "fem/geometry/waviness.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/load/slip.h"
 #include "ring_model/motion.h"
-#include "ring_model/slip.h"
 
 namespace stemware::pipeline
 {

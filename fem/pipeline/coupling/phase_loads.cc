@@ -30,7 +30,7 @@ constexpr unsigned int most_phases = 128; ///< of one angle
 
 Eigen::VectorXd column_of(const LeaningLoad &load)
 {
-  const std::vector<double> row = load.coefficients(load.rings.n_harmonics());
+  const std::vector<double> row = load.coefficients(load.n_harmonics());
   return Eigen::Map<const Eigen::VectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
 }
 
@@ -116,15 +116,15 @@ void require_resolved(unsigned int n_phases, double error, double mean_error)
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
 {
   const ring::CoulombRing friction(1);
-  const double radius = other.rings.radius();
+  const double radius = other.radius();
   double largest = 0;
   for (int quarter = -4; quarter <= 4; ++quarter)
   {
     const auto torque = [&](const LeaningLoad &load)
-    { return friction.wrench(load.rings, quarter / 4., radius).torque; };
+    { return friction.wrench(load, quarter / 4., radius).torque; };
     largest = std::max(largest, std::abs(torque(one) - torque(other)));
   }
-  return largest / (other.rings.normal_force() * radius);
+  return largest / (other.normal_force() * radius);
 }
 
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples)
@@ -220,7 +220,7 @@ std::vector<Eigen::MatrixXd> PhaseLoads::sample(const std::vector<double> &omega
     for (std::size_t k = 0; k < omegas.size(); ++k)
     {
       const LeaningLoad exact = load(omegas[k], on.phase(i));
-      n_rings = exact.rings.rings().size();
+      n_rings = exact.rings().size();
       Eigen::VectorXd column = column_of(exact);
       turn(column, -on.turning_angle(on.phase(i)));
       columns[k].conservativeResize(column.size(), on.size());
@@ -406,14 +406,14 @@ LeaningLoad PhaseLoads::mean_of(const Eigen::MatrixXd &columns) const
           mean_column(static_cast<Eigen::Index>(j) * (2 * n_max + 2) + row) *=
             2 * crest_harmonic(n) == grids.n_turning_phases() ? 0.5 : 0;
   const LeaningLoad mean = load_of(mean_column);
-  if (mean.rings.rings().size() > 1)
+  if (mean.rings().size() > 1)
     return mean; // its radii are the same at every phase
   // M_N = pi R (b_1, -a_1): the radius that makes it the mean moment.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
-    moment += load_of(loads.col(i)).rings.moment() / static_cast<double>(loads.cols());
-  const ring::RingStack::Ring &ring = mean.rings.rings().front();
-  const double first = mean.rings.moment().norm() / ring.radius;
+    moment += load_of(loads.col(i)).moment() / static_cast<double>(loads.cols());
+  const ring::RingStack::Ring &ring = mean.rings().front();
+  const double first = mean.moment().norm() / ring.radius;
   if (first == 0)
     return mean;
   return { ring::RingStack(ring.a, ring.b, moment.norm() / first), mean.tilt };
@@ -424,7 +424,7 @@ std::vector<ring::RingStack> PhaseLoads::samples(double omega) const
   const Eigen::MatrixXd loads = in_slip_frame(at_spin(omega));
   std::vector<ring::RingStack> all;
   for (Eigen::Index i = 0; i < loads.cols(); ++i)
-    all.push_back(load_of(loads.col(i)).rings);
+    all.push_back(load_of(loads.col(i)));
   return all;
 }
 

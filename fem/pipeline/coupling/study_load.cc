@@ -1,6 +1,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 
 #include "fem/pipeline/coupling/balanced_contact.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
@@ -23,11 +24,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-BalancedLoad constant_load(LoadReport at_rest)
-{
-  return BalancedLoad({ std::move(at_rest), {} });
-}
 
 /// Azimuths in [0, 2 pi), sorted.
 std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
@@ -63,89 +59,84 @@ bool follows_spin(const Study &study)
   return study.load.is_in_balance() && spin_matters(study);
 }
 
-/// The foot in balance at every spin, with its marks where they are; @p at_rest is its contact at rest.
-BalancedLoad balanced_contact(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ring::Orientation &orientation, const fem::ContactState &at_rest,
-                              unsigned int n_harmonics, Progress &progress)
-{
-  const auto contact =
-    std::make_shared<BalancedContact>(foot, contact_balance(study, orientation, n_harmonics), at_rest);
-  const auto statistics = std::make_shared<CouplingStatistics>();
-  BalancedLoad::Parts parts = { report_of(at_rest, foot->radius(), study.tilts()) };
-  parts.statistics = statistics;
-  parts.is_costly = true;
-  parts.n_kept = n_harmonics;
-  parts.at_spin = [contact, statistics, &progress, rest = leaning_load(at_rest, study.tilts())](double omega)
-  {
-    if (omega == 0)
-      return rest;
-    const LeaningLoad &load = contact->at(omega);
-    if (contact->n_spins() > statistics->n_balances)
-      progress.pieces_done("spins in balance", contact->n_spins(), 0);
-    statistics->n_balances = contact->n_spins();
-    statistics->n_contact_solutions = contact->n_contact_solutions();
-    return load;
-  };
-  parts.contact_at = [contact](double omega) { return contact->contact(omega); };
-  return BalancedLoad(std::move(parts));
-}
-
-/// The load of a contact whose marks stay where they are.
-BalancedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                               const ring::Orientation &orientation, const fem::ContactState &at_rest,
-                               unsigned int n_harmonics, Progress &progress)
-{
-  if (follows_spin(study))
-    return balanced_contact(study, foot, orientation, at_rest, n_harmonics, progress);
-  BalancedLoad::Parts parts = { report_of(at_rest, foot->radius(), study.tilts()) };
-  parts.n_kept = n_harmonics;
-  return BalancedLoad(std::move(parts));
-}
-
-/// Loads of a foot or table that is not one of revolution, each phase with its own balances, solved as they
-/// are asked for.
-class LoadsByPhase
+/// An elastic foot in balance at every spin, with its marks where they are.
+class ContactInBalance : public BalancedLoad
 {
 public:
-  LoadsByPhase(const Study &study, std::shared_ptr<ElasticFoot> foot, unsigned int n_harmonics,
-               Progress &progress)
-      : study(study)
-      , foot(std::move(foot))
-      , n_harmonics(n_harmonics)
+  /// @p at_rest is its contact at rest.
+  ContactInBalance(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                   const ContactBalance &balance, const fem::ContactState &at_rest, Progress &progress)
+      : contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
+      , state_at_rest(at_rest)
+      , report_at_rest(report_of(at_rest, foot->radius(), study.tilts()))
       , progress(progress)
   {
   }
 
-  const BalancedLoad &of(const ring::Orientation &orientation)
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
   {
-    const std::pair<double, double> place(orientation.glass, orientation.table);
-    const auto known = loads.find(place);
+    if (omega == 0)
+      return { report_at_rest.rings, report_at_rest.tilt };
+    const auto known = loads.find(omega);
     if (known != loads.end())
       return known->second;
-    const fem::ContactState at_rest = foot->solve(demand_at_rest(study), { 0, orientation });
-    progress.pieces_done("phases", loads.size() + 1, 0);
-    return loads.emplace(place, load_at_one_phase(study, foot, orientation, at_rest, n_harmonics, progress))
-      .first->second;
+    const auto found = loads.emplace(omega, contacts->load(omega)).first;
+    progress.pieces_done("spins in balance", loads.size(), 0);
+    return found->second;
   }
-
-  /// Of @p at_rest and of all phases asked for so far.
-  PhaseExtremes extremes(const LoadReport &at_rest) const
+  const LoadReport &report() const override { return report_at_rest; }
+  bool is_costly() const override { return true; }
+  std::optional<fem::ContactState> contact(double omega) const override
   {
-    PhaseExtremes worst = { at_rest.minimum, at_rest.contact_fraction };
-    for (const auto &[place, load] : loads)
-    {
-      worst.least_load = std::min(worst.least_load, load.report().minimum);
-      worst.least_contact_fraction = std::min(worst.least_contact_fraction, load.report().contact_fraction);
-    }
-    return worst;
+    return omega == 0 ? state_at_rest : contacts->contact(omega);
+  }
+  std::optional<CouplingStatistics> statistics() const override
+  {
+    return CouplingStatistics{ loads.size(), contacts->n_contact_solutions(), {}, {} };
   }
 
 private:
-  const Study study;
-  const std::shared_ptr<ElasticFoot> foot;
-  const unsigned int n_harmonics;
+  const std::unique_ptr<BalancedContact> contacts;
+  const fem::ContactState state_at_rest;
+  const LoadReport report_at_rest;
   Progress &progress;
-  std::map<std::pair<double, double>, BalancedLoad> loads;
+  mutable std::map<double, LeaningLoad> loads; ///< found so far
+};
+
+/// The load of a contact whose marks stay where they are.
+SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                             const ring::Orientation &orientation, const fem::ContactState &at_rest,
+                             unsigned int n_harmonics, Progress &progress)
+{
+  SharedLoad whole;
+  if (follows_spin(study))
+    whole = std::make_shared<ContactInBalance>(study, foot, contact_balance(study, orientation, n_harmonics),
+                                               at_rest, progress);
+  else
+    whole = std::make_shared<ConstantLoad>(report_of(at_rest, foot->radius(), study.tilts()), at_rest);
+  return whole->truncated(n_harmonics);
+}
+
+/// A load that depends on the phase of glass and table, interpolated between phases and spins: that with the
+/// marks where they are at t = 0, but for the loads.
+class LoadByPhase : public ChangedLoad
+{
+public:
+  LoadByPhase(SharedLoad at_start, std::shared_ptr<const PhaseLoads> loads)
+      : ChangedLoad(std::move(at_start))
+      , loads(std::move(loads))
+  {
+  }
+
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
+  {
+    return marks ? loads->at(omega, *marks) : loads->mean(omega);
+  }
+  bool is_costly() const override { return false; }
+  const PhaseLoads *phases() const override { return loads.get(); }
+
+private:
+  const std::shared_ptr<const PhaseLoads> loads;
 };
 
 /// With which turns the load of the study's foot repeats itself.
@@ -158,12 +149,22 @@ PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
 }
 
 /// @p at_rest is the load at the phase of t = 0.
-BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
+SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                            const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
 {
-  const auto loads = std::make_shared<LoadsByPhase>(study, foot, n_harmonics, progress);
-  const LoadAtPhase exact = [loads](double omega, const ring::Orientation &orientation)
-  { return loads->of(orientation).leaning(omega); };
+  // Each phase has its own balances, solved as they are asked for.
+  const auto by_phase = std::make_shared<std::map<std::pair<double, double>, SharedLoad>>();
+  const LoadAtPhase exact = [=, &progress](double omega, const ring::Orientation &phase)
+  {
+    SharedLoad &load = (*by_phase)[{ phase.glass, phase.table }];
+    if (!load)
+    {
+      const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, phase });
+      progress.pieces_done("phases", by_phase->size(), 0);
+      load = load_at_one_phase(study, foot, phase, state, n_harmonics, progress);
+    }
+    return load->at(omega);
+  };
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
   // do.
   const bool follows = follows_spin(study), is_hard = study.table.is_hard();
@@ -181,15 +182,15 @@ BalancedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticF
   }
   else if (grids.glass.size() > 1 && grids.table.size() > 1)
     spins.enough = 1e-3;
-  const auto phases = std::make_shared<const PhaseLoads>(exact, grids, spins, loads->extremes(report));
-
-  BalancedLoad::Parts parts =
-    load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress)
-      .insides();
-  parts.at_spin = [phases](double omega) { return phases->mean(omega); };
-  parts.is_costly = false; // between the samples it is interpolated
-  parts.phases = phases;
-  return BalancedLoad(std::move(parts));
+  PhaseExtremes worst = { report.minimum, report.contact_fraction };
+  for (const auto &[phase, load] : *by_phase)
+  {
+    worst.least_load = std::min(worst.least_load, load->report().minimum);
+    worst.least_contact_fraction = std::min(worst.least_contact_fraction, load->report().contact_fraction);
+  }
+  return std::make_shared<LoadByPhase>(
+    load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress),
+    std::make_shared<const PhaseLoads>(exact, grids, spins, worst));
 }
 
 /// A band of radii [m].
@@ -247,8 +248,10 @@ unsigned int harmonics_for(double eps)
 
 /// Gives the foot the rings on which all its loads are gathered: Chebyshev points of the band that carries
 /// load at rest and near the terminal spin.
-void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState &at_rest)
+void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
+                  const fem::ContactState &at_rest)
 {
+  ElasticFoot &foot = *shared;
   Band band(at_rest);
   band.include_nodes_beside(foot.body().description().contact_cell_size);
   const ring::Motion &motion = study.motion.orbit;
@@ -263,76 +266,68 @@ void choose_rings(const Study &study, ElasticFoot &foot, const fem::ContactState
   };
   unsigned int n_rings = study.contact.rings, n_harmonics = foot.body().n_resolved_harmonics();
   place(n_rings, n_harmonics);
-  try
-  {
-    // The load of rest tells about where the terminal spin is, the contact there where it carries.
-    double omega = ring::terminal_spin(ring_stack(foot.gather(at_rest)), motion).omega;
-    if (follows_spin(study) && !foot.body().capabilities().is_collective)
+  // Without a spin to expect, the rings of rest are as good as any.
+  if_balanced(
+    [&]
     {
-      BalancedContact contact(std::make_shared<ElasticFoot>(foot),
-                              contact_balance(study, moment_balance(study).orientation, all_harmonics));
-      const fem::ContactState spinning = contact.contact(omega);
-      band.include(spinning);
-      omega = ring::terminal_spin(ring_stack(spinning.load), motion).omega;
-    }
-    const double eps = omega * foot.radius() / motion.orbit_speed;
-    n_harmonics = harmonics_for(eps);
-    if (n_rings > 1)
-      n_rings = rings_for(band, eps, n_rings);
-  }
-  catch (const ring::NoBalance &)
-  {
-    // Without a spin to expect, the rings of rest are as good as any.
-  }
-  catch (const fem::ContactFailure &)
-  {
-  }
+      // The load of rest tells about where the terminal spin is, the contact there where it carries.
+      double omega = ring::terminal_spin(foot.gather(at_rest), motion).omega;
+      if (follows_spin(study) && !foot.body().capabilities().is_collective)
+      {
+        BalancedContact contact(shared,
+                                contact_balance(study, moment_balance(study).orientation, all_harmonics));
+        const fem::ContactState spinning = contact.contact(omega);
+        band.include(spinning);
+        omega = ring::terminal_spin(spinning.load, motion).omega;
+      }
+      const double eps = omega * foot.radius() / motion.orbit_speed;
+      n_harmonics = harmonics_for(eps);
+      if (n_rings > 1)
+        n_rings = rings_for(band, eps, n_rings);
+      return true;
+    });
   place(n_rings, study.contact.load_harmonics > 0 ? study.contact.load_harmonics : n_harmonics);
 }
 
 /// The contact at rest, on the rings of the study, which the first call chooses.
-fem::ContactState contact_at_rest(const Study &study, ElasticFoot &foot, const ring::Orientation &marks,
-                                  Progress &progress)
+fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                  const ring::Orientation &marks, Progress &progress)
 {
-  fem::ContactState state = foot.solve_at_rest(demand_at_rest(study), marks, progress);
-  if (!foot.has_rings())
+  fem::ContactState state = foot->solve_at_rest(demand_at_rest(study), marks, progress);
+  if (!foot->has_rings())
   {
     choose_rings(study, foot, state);
-    state.load = foot.gather(state);
+    state.load = foot->gather(state);
   }
   return state;
 }
 
-BalancedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          unsigned int n_harmonics, Progress &progress)
+SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                        unsigned int n_harmonics, Progress &progress)
 {
   const ring::Orientation marks = moment_balance(study).orientation;
-  fem::ContactState state = contact_at_rest(study, *foot, marks, progress);
+  const fem::ContactState state = contact_at_rest(study, foot, marks, progress);
   progress.stage_done("contact");
-  const BalancedLoad load = periods_of(study, *foot).any()
-                              ? load_over_phases(study, foot, state, n_harmonics, progress)
-                              : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
-  BalancedLoad::Parts parts = load.insides();
-  parts.contact = std::make_shared<const fem::ContactState>(std::move(state));
-  return BalancedLoad(std::move(parts));
+  return periods_of(study, *foot).any() ? load_over_phases(study, foot, state, n_harmonics, progress)
+                                        : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
 }
 
 /// A first harmonic that carries the given moment of a static study.
-BalancedLoad given_first_harmonic(const Study &study)
+SharedLoad given_first_harmonic(const Study &study)
 {
   const fem::Resultants demand = study.required_resultants();
-  return constant_load(report_of(ring::RingStack::first_harmonic(
+  return std::make_shared<ConstantLoad>(report_of(ring::RingStack::first_harmonic(
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }
 
-BalancedLoad load_from_file(const std::string &file)
+SharedLoad load_from_file(const std::string &file)
 {
   const ring::RingStack load = read_load_file(file);
   const double ratio = load.moment_ratio(load.radius());
   if (!(ratio < 2))
     throw BadInput("The load of " + file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
                    to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
-  return constant_load(report_of(load));
+  return std::make_shared<ConstantLoad>(report_of(load));
 }
 
 } // namespace
@@ -349,8 +344,8 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
   return foot;
 }
 
-BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                       unsigned int n_harmonics)
+SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
+                     unsigned int n_harmonics)
 {
   switch (study.load.source)
   {
@@ -360,19 +355,16 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
   case LoadSource::file:
-    return load_from_file(study.load.file).truncated(n_harmonics);
+    return load_from_file(study.load.file)->truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
 }
 
-BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                const ring::Orientation &orientation, unsigned int n_harmonics)
+SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                              const ring::Orientation &orientation, unsigned int n_harmonics)
 {
-  const fem::ContactState state = contact_at_rest(study, *foot, orientation, silent_progress());
-  BalancedLoad::Parts parts =
-    load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress()).insides();
-  parts.contact = std::make_shared<const fem::ContactState>(state);
-  return BalancedLoad(std::move(parts));
+  const fem::ContactState state = contact_at_rest(study, foot, orientation, silent_progress());
+  return load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress());
 }
 
 MomentBalance moment_balance(const Study &study)
@@ -380,7 +372,7 @@ MomentBalance moment_balance(const Study &study)
   return { study.motion.orbit, study.motion.closure, orientation_of_marks(study.motion.orbit, 0, 0) };
 }
 
-BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure)
+SharedLoad first_harmonic_load(const Study &study, ring::Closure closure)
 {
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
@@ -388,23 +380,23 @@ BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure)
   {
     const ring::RingStack at_rest = ring::RingStack::first_harmonic(
       motion.normal_force(), ring::required_moment_at_rest(closure, motion), radius);
-    return balance(std::make_shared<ring::FirstHarmonicModel>(radius),
-                   { motion, closure, orientation_of_marks(motion, 0, 0) }, report_of(at_rest));
+    return balance(std::make_shared<ring::FirstHarmonicModel>(radius), motion, closure, report_of(at_rest));
   }
   const ring::FirstHarmonicRing ring(closure, motion, radius);
-  return BalancedLoad({ report_of(ring.load(0)), [ring](double omega) { return ring.load(omega); } });
+  return std::make_shared<GivenLoad>(report_of(ring.load(0)),
+                                     [ring](double omega) { return ring.load(omega); });
 }
 
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts)
 {
-  const fem::LoadHarmonics &load = state.load;
-  LoadReport report = { ring_stack(load) };
-  report.normal_force = load.normal_force;
-  report.moment = { load.moment_x, load.moment_y };
-  report.moment_ratio = moment_ratio({ load.normal_force, load.moment_x, load.moment_y }, contact_radius);
+  const fem::ContactLoad &load = state.load;
+  LoadReport report = { load };
+  report.normal_force = load.normal_force();
+  report.moment = load.moment();
+  report.moment_ratio = load.moment_ratio(contact_radius);
   report.mean_radius = load.mean_radius;
   report.contact_fraction = load.contact_fraction;
-  report.minimum = load.minimum;
+  report.minimum = load.least;
   report.inner_radius = state.inner_radius;
   report.outer_radius = state.outer_radius;
   if (tilts)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/balanced_load.h"
+#include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/revolution/compliance_cache.h"
@@ -29,21 +29,20 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
 ///
 /// @p progress must live as long as the load; both keep @p foot. Throws BadInput and
 /// fem::ContactFailure; the load throws as balance()'s.
-BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                       Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics);
+SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                     Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics);
 
 /// find_load() of a contact with the marks of glass and table at @p orientation: a study whose rim or table
 /// is out of flat has a load of its own there.
-BalancedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                const ring::Orientation &orientation,
-                                unsigned int n_harmonics = all_harmonics);
+SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                              const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
 
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
 MomentBalance moment_balance(const Study &study);
 
 /// The paper's load for a glass: a first harmonic on a ring of the contact radius, in balance with @p closure
 /// at every spin; in closed form where the friction does not depend on the slip.
-BalancedLoad first_harmonic_load(const Study &study, ring::Closure closure);
+SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
 /// What a contact state reports about its load; its tilt where that is part of the moment balance.
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);

@@ -13,12 +13,12 @@ int main()
   RevolutionFoot foot(setup.resolved_for(weight));
 
   const double moment = 1.2 * weight * radius / 2; // a load a_0 + a_1 cos(theta) would have to pull
-  const LoadHarmonics load = foot.solve({ weight, 0, -moment }).load;
+  const ContactLoad load = foot.solve({ weight, 0, -moment }).load;
   for (unsigned int n = 0; n <= 6; ++n)
-    std::printf("a_%u = %9.6f N/rad\n", n, load.a[0][n]);
+    std::printf("a_%u = %9.6f N/rad\n", n, load.a(n));
 
   const double pi = std::acos(-1.);
-  const bool is_balanced = std::abs(2 * pi * load.a[0][0] / weight - 1) < 1e-8 &&
-                           std::abs(pi * load.a[0][1] * load.radii[0] / moment - 1) < 1e-8;
+  const bool is_balanced = std::abs(2 * pi * load.a(0) / weight - 1) < 1e-8 &&
+                           std::abs(pi * load.a(1) * load.radius() / moment - 1) < 1e-8;
   return is_balanced ? 0 : 1;
 }

@@ -10,17 +10,17 @@ namespace
 {
 
 /// Largest difference of two loads' harmonics, over a_0, when @p rotated is turned back by @p angle.
-double difference(const LoadHarmonics &load, const LoadHarmonics &rotated, double angle)
+double difference(const ContactLoad &load, const ContactLoad &rotated, double angle)
 {
   double largest = 0;
   for (unsigned int n = 0; n < load.a.size(); ++n)
   {
     const double c = std::cos(n * angle);
     const double s = std::sin(n * angle);
-    largest = std::max(largest, std::abs(rotated.a[0][n] * c + rotated.b[0][n] * s - load.a[0][n]));
-    largest = std::max(largest, std::abs(rotated.b[0][n] * c - rotated.a[0][n] * s - load.b[0][n]));
+    largest = std::max(largest, std::abs(rotated.a(n) * c + rotated.b(n) * s - load.a(n)));
+    largest = std::max(largest, std::abs(rotated.b(n) * c - rotated.a(n) * s - load.b(n)));
   }
-  return largest / load.a[0][0];
+  return largest / load.a(0);
 }
 
 } // namespace
@@ -30,10 +30,9 @@ TEST(BodyOfRevolution, FlatFootInFullContactMixesNoHarmonics)
   RevolutionCase foot(flat_profile(), foot_compliance(flat_profile(), equal_cells()));
   for (const double modulus : { 1e9, 1e10, 1e11 })
   {
-    const LoadHarmonics load = foot.solve_on_winkler(modulus, load_at(0.4, 0.3), 16);
+    const ContactLoad load = foot.solve_on_winkler(modulus, load_at(0.4, 0.3), 16);
     for (unsigned int n = 2; n <= 16; ++n)
-      EXPECT_LT(std::hypot(load.a[0][n], load.b[0][n]) / load.a[0][0], 1e-12)
-        << "n = " << n << ", k = " << modulus;
+      EXPECT_LT(std::hypot(load.a(n), load.b(n)) / load.a(0), 1e-12) << "n = " << n << ", k = " << modulus;
     EXPECT_EQ(load.contact_fraction, 1);
   }
 }
@@ -81,11 +80,11 @@ TEST(BodyOfRevolution, LoadTurnsWithTheMoment)
     2 * M_PI * 37 / 256; // from one azimuth line to another: equal quadrature, and no line of symmetry at x
   for (const double m : { 0.5, 1.5 })
   {
-    const LoadHarmonics along_x = foot.solve_on_winkler(1e10, load_at(m));
-    const LoadHarmonics turned = foot.solve_on_winkler(1e10, load_at(m, angle));
+    const ContactLoad along_x = foot.solve_on_winkler(1e10, load_at(m));
+    const ContactLoad turned = foot.solve_on_winkler(1e10, load_at(m, angle));
     EXPECT_LT(difference(along_x, turned, angle), 1e-9) << "m = " << m;
     // Between two lines the kink at the edge of contact is integrated at other places.
-    const LoadHarmonics between = foot.solve_on_winkler(1e10, load_at(m, angle + 0.3 / 256));
+    const ContactLoad between = foot.solve_on_winkler(1e10, load_at(m, angle + 0.3 / 256));
     EXPECT_LT(difference(along_x, between, angle + 0.3 / 256), 1e-5) << "m = " << m;
   }
 }
@@ -99,8 +98,8 @@ TEST(BodyOfRevolution, OffsetAndTiltOfTheTableChangeNothing)
   tilted.body.set_gap(
     [&](double r, double theta)
     { return profile.gap(r) + 3e-4 + 2e-3 * r * std::cos(theta) - 1e-3 * r * std::sin(theta); });
-  const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(1.2, 0.4));
-  const LoadHarmonics same = tilted.solve_on_winkler(1e10, load_at(1.2, 0.4));
+  const ContactLoad load = foot.solve_on_winkler(1e10, load_at(1.2, 0.4));
+  const ContactLoad same = tilted.solve_on_winkler(1e10, load_at(1.2, 0.4));
   EXPECT_LT(difference(load, same, 0), 1e-9);
 }
 
@@ -108,10 +107,10 @@ TEST(BodyOfRevolution, HoldsForceAndMomentToSolverPrecision)
 {
   const GlassProfile profile;
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells()));
-  const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(0.9, 1.1));
-  EXPECT_NEAR(load.normal_force / weight, 1, 1e-10);
-  EXPECT_NEAR(load.moment_x / load_at(0.9, 1.1).moment_x, 1, 1e-9);
-  EXPECT_NEAR(load.moment_y / load_at(0.9, 1.1).moment_y, 1, 1e-9);
+  const ContactLoad load = foot.solve_on_winkler(1e10, load_at(0.9, 1.1));
+  EXPECT_NEAR(load.normal_force() / weight, 1, 1e-10);
+  EXPECT_NEAR(load.moment().x() / load_at(0.9, 1.1).moment_x, 1, 1e-9);
+  EXPECT_NEAR(load.moment().y() / load_at(0.9, 1.1).moment_y, 1, 1e-9);
   EXPECT_LT(foot.solution.equilibrium_residual, 1e-9);
 }
 
@@ -122,7 +121,7 @@ TEST(BodyOfRevolution, WarmStartFindsTheColdSolution)
   RevolutionCase cold(profile, compliance);
   RevolutionCase warm(profile, compliance);
   const auto mat = make_law(WinklerInterface(1e10), warm.body.contact_surface());
-  const LoadHarmonics expected = cold.solve_on_winkler(1e10, load_at(1.3, 0.2));
+  const ContactLoad expected = cold.solve_on_winkler(1e10, load_at(1.3, 0.2));
   const ContactSolution neighbour = solve_contact(warm.body, *mat, load_at(1.2, 0.1), warm.radius);
   const ContactStart start = from(neighbour);
   const ContactSolution solution = solve_contact(warm.body, *mat, load_at(1.3, 0.2), warm.radius, {}, &start);
@@ -141,12 +140,12 @@ TEST(BodyOfRevolution, StiffnessAndLoadScaleTogether)
   RevolutionCase foot(profile, compute_compliance(triangulation, ElasticMaterial()));
   RevolutionCase stiffer(profile, compute_compliance(triangulation, stiff));
   Resultants load = load_at(1.2);
-  const LoadHarmonics expected = foot.solve_on_winkler(1e10, load);
+  const ContactLoad expected = foot.solve_on_winkler(1e10, load);
   load.normal_force *= 10;
   load.moment_y *= 10;
-  const LoadHarmonics scaled = stiffer.solve_on_winkler(1e11, load);
+  const ContactLoad scaled = stiffer.solve_on_winkler(1e11, load);
   for (unsigned int n = 0; n <= 8; ++n)
-    EXPECT_NEAR(scaled.a[0][n] / 10, expected.a[0][n], 1e-9 * expected.a[0][0]);
+    EXPECT_NEAR(scaled.a(n) / 10, expected.a(n), 1e-9 * expected.a(0));
 }
 
 TEST(BodyOfRevolution, RefusesWhatItCannotResolve)

@@ -129,7 +129,7 @@ TEST(ComplianceCache, FeetThatShareAnswerLikeFeetThatDoNot)
   RevolutionFoot sharing_too(setup, cache);
   EXPECT_EQ(cache.n_computed(), 2u); // foot and disc
   const Resultants load = { weight, 0, -0.3 * weight * 0.015 };
-  const LoadHarmonics expected = alone.solve(load).load;
+  const ContactLoad expected = alone.solve(load).load;
   EXPECT_EQ(sharing.solve(load).load.a, expected.a);
   EXPECT_EQ(sharing_too.solve(load).load.a, expected.a);
 }

@@ -67,12 +67,12 @@ TEST_P(EveryDegree, CrownedRigidRingOnAMat)
   const RevolutionCase foot(profile, compliance(profile, equal_cells(2)), 1024);
   RigidFoot rigid(foot.body.contact_surface());
   const auto mat = make_law(WinklerInterface(1e12), foot.body.contact_surface());
-  const LoadHarmonics load =
+  const ContactLoad load =
     extract_load(*mat, solve_contact(rigid, *mat, load_at(1.5), profile.contact_radius), 8);
   const double expected[] = { .5444909918, -.0098744992, -.0455699149, .0227367064,
                               .0041320348, -.0114899894, .0042190700 };
   for (unsigned int n = 2; n <= 8; ++n)
-    EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected[n - 2], 1e-4) << "n = " << n;
+    EXPECT_NEAR(load.a(n) / load.a(0), expected[n - 2], 1e-4) << "n = " << n;
 }
 
 TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
@@ -87,10 +87,10 @@ TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
     setup.meridian.degree = GetParam();
     setup.meridian.n_harmonics = 8;
     RevolutionFoot foot(setup.resolved_for(weight));
-    const LoadHarmonics load = foot.solve(load_at(1.2, 0.4)).load;
-    EXPECT_NEAR(load.normal_force / weight, 1, 1e-9);
-    EXPECT_NEAR(load.moment_x / (1.2 * weight * 0.015 * std::sin(0.4)), 1, 1e-8);
-    EXPECT_NEAR(load.moment_y / (-1.2 * weight * 0.015 * std::cos(0.4)), 1, 1e-8);
+    const ContactLoad load = foot.solve(load_at(1.2, 0.4)).load;
+    EXPECT_NEAR(load.normal_force() / weight, 1, 1e-9);
+    EXPECT_NEAR(load.moment().x() / (1.2 * weight * 0.015 * std::sin(0.4)), 1, 1e-8);
+    EXPECT_NEAR(load.moment().y() / (-1.2 * weight * 0.015 * std::cos(0.4)), 1, 1e-8);
   }
 }
 
@@ -104,6 +104,6 @@ TEST_P(EveryDegree, FrictionMakesTheSecondHarmonic)
   setup.meridian.n_harmonics = 4;
   setup.resolution.refinements = GetParam() == 1 ? 2 : 0;
   RevolutionFoot foot(setup.resolved_for(weight));
-  const LoadHarmonics load = foot.solve(load_at(0.4)).load;
-  EXPECT_NEAR(load.a[0][2] / load.a[0][0] / 1.43e-2, 1, 0.01);
+  const ContactLoad load = foot.solve(load_at(0.4)).load;
+  EXPECT_NEAR(load.a(2) / load.a(0) / 1.43e-2, 1, 0.01);
 }

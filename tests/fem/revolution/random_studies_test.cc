@@ -189,8 +189,8 @@ TEST_P(StudyWithoutEnd, Converges)
       const double moment = m * force * study.profile.contact_radius / 2;
       const ContactState state =
         foot.solve({ force, 0.8 * moment, -0.6 * moment }, { spin_per_speed, { 0, 0.7 } });
-      EXPECT_NEAR(state.load.normal_force / force, 1, 1e-9);
-      EXPECT_NEAR(state.load.moment_x / (0.8 * moment + (m == 0)), m > 0, 1e-8);
+      EXPECT_NEAR(state.load.normal_force() / force, 1, 1e-9);
+      EXPECT_NEAR(state.load.moment().x() / (0.8 * moment + (m == 0)), m > 0, 1e-8);
       EXPECT_LT(state.solution.equilibrium_residual, 1e-9);
       EXPECT_LE(state.solution.n_iterations, 40u);
     }

@@ -32,16 +32,13 @@ public:
   {
   }
 
-  ring::RingStack rings(double normal_force, const Eigen::Vector2d &moment, const ring::Slip &) const override
+  ring::RingStack rings(double normal_force, const Eigen::Vector2d &moment) const override
   {
-    const LoadHarmonics pressed =
-      foot.solve({ normal_force, moment(0), moment(1) }, { spin_per_speed, {} }).load;
-    return ring::RingStack(pressed.a[0], pressed.b[0], pressed.radii[0]);
+    return foot.solve({ normal_force, moment(0), moment(1) }, { spin_per_speed, {} }).load;
   }
   double radius() const override { return 0.03; }
-  double lift_off_ratio() const override { return 1.2; }
 
-  mutable RevolutionFoot foot;
+  RevolutionFoot foot;
   double spin_per_speed = 0;
 };
 
@@ -77,12 +74,12 @@ double terminal_spin(const RevolutionSetup &setup)
 TEST(HardwoodTable, HarmonicsWithoutFriction)
 {
   RevolutionFoot foot(hardwood());
-  const LoadHarmonics load = foot.solve(load_at(1.2)).load;
-  EXPECT_NEAR(load.a[0][2] / load.a[0][0], 0.048, 3e-3);
-  EXPECT_NEAR(load.a[0][3] / load.a[0][0], -0.112, 3e-3);
-  EXPECT_NEAR(load.a[0][4] / load.a[0][0], 0.087, 3e-3);
-  const LoadHarmonics light = foot.solve(load_at(0.5)).load;
-  EXPECT_LT(std::abs(light.a[0][2] / light.a[0][0]), 5e-4);
+  const ContactLoad load = foot.solve(load_at(1.2)).load;
+  EXPECT_NEAR(load.a(2) / load.a(0), 0.048, 3e-3);
+  EXPECT_NEAR(load.a(3) / load.a(0), -0.112, 3e-3);
+  EXPECT_NEAR(load.a(4) / load.a(0), 0.087, 3e-3);
+  const ContactLoad light = foot.solve(load_at(0.5)).load;
+  EXPECT_LT(std::abs(light.a(2) / light.a(0)), 5e-4);
 }
 
 TEST(HardwoodTable, FrictionDecidesTheSecondHarmonic)
@@ -90,10 +87,10 @@ TEST(HardwoodTable, FrictionDecidesTheSecondHarmonic)
   RevolutionSetup setup = hardwood();
   setup.friction_coefficient = 0.3;
   RevolutionFoot foot(setup);
-  const LoadHarmonics along = foot.solve(load_at(0.5)).load;
-  EXPECT_NEAR(along.a[0][2] / along.a[0][0] / 0.0256, 1, 0.03);
-  const LoadHarmonics against = foot.solve(load_at(0.5, M_PI)).load;
-  EXPECT_NEAR(against.a[0][2] / against.a[0][0] / -0.0246, 1, 0.03);
+  const ContactLoad along = foot.solve(load_at(0.5)).load;
+  EXPECT_NEAR(along.a(2) / along.a(0) / 0.0256, 1, 0.03);
+  const ContactLoad against = foot.solve(load_at(0.5, M_PI)).load;
+  EXPECT_NEAR(against.a(2) / against.a(0) / -0.0246, 1, 0.03);
 }
 
 TEST(RigidTable, FlatLandLiftsOff)
@@ -102,10 +99,10 @@ TEST(RigidTable, FlatLandLiftsOff)
   setup.profile = flat_profile();
   setup.table.interface = std::make_shared<HardInterface>();
   RevolutionFoot foot(setup.resolved_for(weight));
-  const LoadHarmonics load = foot.solve(load_at(1.3)).load;
-  EXPECT_NEAR(load.a[0][1] / load.a[0][0], 1.3434, 2e-3);
-  EXPECT_NEAR(load.a[0][2] / load.a[0][0], 0.1705, 2e-3);
-  EXPECT_NEAR(load.a[0][3] / load.a[0][0], -0.2852, 2e-3);
+  const ContactLoad load = foot.solve(load_at(1.3)).load;
+  EXPECT_NEAR(load.a(1) / load.a(0), 1.3434, 2e-3);
+  EXPECT_NEAR(load.a(2) / load.a(0), 0.1705, 2e-3);
+  EXPECT_NEAR(load.a(3) / load.a(0), -0.2852, 2e-3);
   EXPECT_NEAR(load.mean_radius, 0.02903, 1e-5);
 }
 
@@ -118,7 +115,7 @@ TEST(RigidTable, ConvergesWherePenaltiesLeaveMoreRoundingThanTheTolerance)
   const ContactState state = foot.solve(load_at(1.3));
   EXPECT_LT(state.solution.force_residual, 1e-9);
   EXPECT_LT(state.solution.moment_residual, 1e-9);
-  EXPECT_NEAR(state.load.normal_force / weight, 1, 1e-9);
+  EXPECT_NEAR(state.load.normal_force() / weight, 1, 1e-9);
 }
 
 /// b = sqrt(4 q rho / (pi E*)), q = N / (2 pi R) = 15.613 N/m: 0.9 um on a rigid table, 2.5 um on hardwood.
@@ -210,22 +207,24 @@ TEST(CoupledSpin, TerminalSpinOfTheElasticGlass)
 TEST(RevolutionFoot, WarmAndColdAgreeInEveryDirection)
 {
   const RevolutionSetup setup;
-  RevolutionFoot warm(setup);
+  const RevolutionFoot warm(setup);
+  std::optional<ContactState> before;
   for (const double m : { 0.3, 0.6, 1.25, 1.6 })
   {
     RevolutionFoot cold(setup);
     const ContactState from_rest = cold.solve(load_at(m, 2 * m));
-    const ContactState from_before = warm.solve(load_at(m, 2 * m));
-    const LoadHarmonics &expected = from_rest.load;
-    const LoadHarmonics &load = from_before.load;
+    const ContactState from_before = warm.solve(load_at(m, 2 * m), {}, { before ? &*before : nullptr });
+    before = from_before;
+    const ContactLoad &expected = from_rest.load;
+    const ContactLoad &load = from_before.load;
     for (unsigned int n = 0; n <= 8; ++n)
     {
-      EXPECT_NEAR(load.a[0][n], expected.a[0][n], 1e-9 * expected.a[0][0]);
-      EXPECT_NEAR(load.b[0][n], expected.b[0][n], 1e-9 * expected.a[0][0]);
+      EXPECT_NEAR(load.a(n), expected.a(n), 1e-9 * expected.a(0));
+      EXPECT_NEAR(load.b(n), expected.b(n), 1e-9 * expected.a(0));
     }
   }
   // From its own solution, where a foot that begins at rest takes several steps.
-  EXPECT_EQ(warm.solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
+  EXPECT_EQ(warm.solve(load_at(1.6, 3.2), {}, { &*before }).solution.n_iterations, 1u);
   EXPECT_GT(RevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
 }
 
@@ -251,12 +250,12 @@ TEST(Imperfection, OffsetAndTiltChangeNothing)
   RevolutionFoot perfect(setup);
   setup.imperfection.table = { { 0, 2e-4, 0 }, { 1, 1.1e-4, -0.46 } };
   RevolutionFoot tilted(setup);
-  const LoadHarmonics expected = perfect.solve(load_at(1.1)).load;
-  const LoadHarmonics load = tilted.solve(load_at(1.1), { 0, { 0.3, 0.7 } }).load;
+  const ContactLoad expected = perfect.solve(load_at(1.1)).load;
+  const ContactLoad load = tilted.solve(load_at(1.1), { 0, { 0.3, 0.7 } }).load;
   for (unsigned int n = 0; n <= 8; ++n)
   {
-    EXPECT_NEAR(load.a[0][n], expected.a[0][n], 1e-9 * expected.a[0][0]);
-    EXPECT_NEAR(load.b[0][n], expected.b[0][n], 1e-9 * expected.a[0][0]);
+    EXPECT_NEAR(load.a(n), expected.a(n), 1e-9 * expected.a(0));
+    EXPECT_NEAR(load.b(n), expected.b(n), 1e-9 * expected.a(0));
   }
 }
 
@@ -269,17 +268,17 @@ TEST(Imperfection, TurnsWithGlassAndTable)
   setup.imperfection.glass.clear();
   RevolutionFoot table(setup);
   const double angle = 2 * M_PI * 21 / 256;
-  const LoadHarmonics still = glass.solve(load_at(0.4)).load;
-  EXPECT_GT(std::abs(still.a[0][2] / still.a[0][0]), 1e-3);
+  const ContactLoad still = glass.solve(load_at(0.4)).load;
+  EXPECT_GT(std::abs(still.a(2) / still.a(0)), 1e-3);
   // Glass, load and all turned together: the same load, turned.
-  const LoadHarmonics turned = glass.solve(load_at(0.4, angle), { 0, { angle, 0 } }).load;
-  EXPECT_NEAR(turned.a[0][2], still.a[0][2] * std::cos(2 * angle) - still.b[0][2] * std::sin(2 * angle),
-              1e-8 * still.a[0][0]);
-  EXPECT_NEAR(turned.b[0][2], still.a[0][2] * std::sin(2 * angle) + still.b[0][2] * std::cos(2 * angle),
-              1e-8 * still.a[0][0]);
+  const ContactLoad turned = glass.solve(load_at(0.4, angle), { 0, { angle, 0 } }).load;
+  EXPECT_NEAR(turned.a(2), still.a(2) * std::cos(2 * angle) - still.b(2) * std::sin(2 * angle),
+              1e-8 * still.a(0));
+  EXPECT_NEAR(turned.b(2), still.a(2) * std::sin(2 * angle) + still.b(2) * std::cos(2 * angle),
+              1e-8 * still.a(0));
   // The same bump in the table at the same place does the same.
-  const LoadHarmonics below = table.solve(load_at(0.4, angle), { 0, { 0, angle } }).load;
-  EXPECT_NEAR(below.a[0][2], turned.a[0][2], 1e-8 * still.a[0][0]);
+  const ContactLoad below = table.solve(load_at(0.4, angle), { 0, { 0, angle } }).load;
+  EXPECT_NEAR(below.a(2), turned.a(2), 1e-8 * still.a(0));
 }
 
 TEST(RevolutionFoot, StatesOutliveTheNextSolution)
@@ -296,16 +295,17 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
     RevolutionFoot foot(setup.resolved_for(weight));
     const ContactState first = foot.solve(load_at(0.4), { 0, { 0.5, 0 } });
     const double peak = foot.pressure_map(first).cuts[3][4].pressure;
+    const std::string fields = foot.fields(first).front().text;
     foot.solve(load_at(0.9, 1.), { 0, { 2., 0 } });
-    const LoadHarmonics sums = harmonics_of(foot.point_forces(first), 4);
+    const ContactLoad sums = harmonics_of(foot.point_forces(first), 4);
     for (unsigned int n = 0; n <= 4; ++n)
     {
       // The pressure's points and the forces that the body answers to differ by the equilibrium's tolerance.
-      EXPECT_NEAR(sums.a[0][n], first.load.a[0][n], 1e-9 * first.load.a[0][0]) << n;
-      EXPECT_NEAR(sums.b[0][n], first.load.b[0][n], 1e-9 * first.load.a[0][0]) << n;
+      EXPECT_NEAR(sums.a(n), first.load.a(n), 1e-9 * first.load.a(0)) << n;
+      EXPECT_NEAR(sums.b(n), first.load.b(n), 1e-9 * first.load.a(0)) << n;
     }
     EXPECT_EQ(foot.pressure_map(first).cuts[3][4].pressure, peak);
-    EXPECT_THROW(foot.fields(first), std::logic_error);
+    EXPECT_EQ(foot.fields(first).front().text, fields);
   }
 }
 
@@ -315,8 +315,8 @@ TEST(RevolutionFoot, PointForcesStandInTheSlipFrame)
   EXPECT_FALSE(foot.capabilities().is_collective);
   const Resultants load = load_at(0.8, 2.);
   const ContactState state = foot.solve(load);
-  const LoadHarmonics sums = harmonics_of(foot.point_forces(state), 3);
-  EXPECT_NEAR(sums.moment_x / load.moment_x, 1, 1e-9);
-  EXPECT_NEAR(sums.moment_y / load.moment_y, 1, 1e-9);
-  EXPECT_NEAR(sums.b[0][3], state.load.b[0][3], 1e-12 * state.load.a[0][0]);
+  const ContactLoad sums = harmonics_of(foot.point_forces(state), 3);
+  EXPECT_NEAR(sums.moment().x() / load.moment_x, 1, 1e-9);
+  EXPECT_NEAR(sums.moment().y() / load.moment_y, 1, 1e-9);
+  EXPECT_NEAR(sums.b(3), state.load.b(3), 1e-12 * state.load.a(0));
 }

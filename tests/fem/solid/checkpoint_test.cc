@@ -66,7 +66,7 @@ struct Stopped
 void solve_and_stop(const std::string &folder, unsigned int n_steps)
 {
   SolidFoot foot = crowned_foot(folder);
-  EXPECT_THROW(foot.solve(load_at(1.3), { -10, {} },
+  EXPECT_THROW(foot.solve(load_at(1.3), { -10, {} }, {},
                           [&](const ContactIteration &step)
                           {
                             if (step.number == n_steps)
@@ -124,7 +124,7 @@ TEST(Checkpoint, AStoppedSolveGoesOnToTheSameDigits)
     const std::string saved = text_of(fs::path(folder.name) / checkpoint_manifest_name);
     const ContactState state =
       crowned_foot(folder.name)
-        .solve(load_at(1.3), { -10, {} },
+        .solve(load_at(1.3), { -10, {} }, {},
                [&](const ContactIteration &step)
                {
                  // No step is taken twice: nothing is saved before the first new one.
@@ -147,8 +147,8 @@ TEST(Checkpoint, AStoppedSolveGoesOnToTheSameDigits)
     }
     for (unsigned int n = 0; n <= 8; ++n)
     {
-      EXPECT_EQ(state.load.a[0][n], whole.load.a[0][n]) << n;
-      EXPECT_EQ(state.load.b[0][n], whole.load.b[0][n]) << n;
+      EXPECT_EQ(state.load.a(n), whole.load.a(n)) << n;
+      EXPECT_EQ(state.load.b(n), whole.load.b(n)) << n;
     }
     EXPECT_TRUE(fs::is_empty(folder.name)); // a finished solve leaves nothing
   }
@@ -181,8 +181,8 @@ TEST(Checkpoint, ASolveWhoseStatesOneRankCannotSaveStopsOnAllAndGoesOn)
   EXPECT_EQ(state->solution.n_iterations, whole.solution.n_iterations);
   for (unsigned int n = 0; n <= 8; ++n)
   {
-    EXPECT_EQ(state->load.a[0][n], whole.load.a[0][n]) << n;
-    EXPECT_EQ(state->load.b[0][n], whole.load.b[0][n]) << n;
+    EXPECT_EQ(state->load.a(n), whole.load.a(n)) << n;
+    EXPECT_EQ(state->load.b(n), whole.load.b(n)) << n;
   }
 }
 

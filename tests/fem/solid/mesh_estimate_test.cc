@@ -74,7 +74,7 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   setup.friction_coefficient = friction;
   SolidFoot foot(mesh, setup);
   const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
-  // Another contact in between: the estimate finds its own again.
+  // Another contact in between: the estimate is that of the state.
   if (degree == 1)
     foot.solve(demand_of(0.5));
   const ContactGoal goal = second_harmonic();

@@ -218,11 +218,11 @@ TEST(Multigrid, ContactFromCoarserMeshesIsTheSame)
   FootCase direct(GlassProfile(), refined(1), solved_by(LinearSolver::direct, 2));
   FootCase multigrid(GlassProfile(), refined(1), solved_by(LinearSolver::multigrid, 2));
   const auto law = make_law(mat, direct.body->contact_surface());
-  const LoadHarmonics expected = direct.solve(*law, load_at(1.3, 0.4));
+  const ContactLoad expected = direct.solve(*law, load_at(1.3, 0.4));
   const ContactSolution found = solve_nested(multigrid, mat, load_at(1.3, 0.4));
-  const LoadHarmonics load = extract_load(*law, found, 8);
+  const ContactLoad load = extract_load(*law, found, 8);
   for (unsigned int n = 0; n <= 8; ++n)
-    EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[0][n] / expected.a[0][0], 1e-9) << "n = " << n;
+    EXPECT_NEAR(load.a(n) / load.a(0), expected.a(n) / expected.a(0), 1e-9) << "n = " << n;
   EXPECT_LE(found.n_iterations, 6u);
   EXPECT_LE(found.equilibrium_residual, 1e-9);
 }

@@ -54,7 +54,7 @@ struct PressedFoot
   ContactSolution solution;
 };
 
-LoadHarmonics load_on(MPI_Comm communicator, const FootResolution &resolution, unsigned int degree)
+ContactLoad load_on(MPI_Comm communicator, const FootResolution &resolution, unsigned int degree)
 {
   const PressedFoot foot(communicator, resolution, degree);
   return extract_load(*foot.law, foot.solution, 12);
@@ -125,13 +125,13 @@ void add_cells(const std::string &text, ShownCells &cells)
 
 void expect_the_same_on_all_ranks(const FootResolution &resolution, unsigned int degree)
 {
-  const LoadHarmonics load = load_on(MPI_COMM_WORLD, resolution, degree),
-                      alone = load_on(MPI_COMM_SELF, resolution, degree);
-  const double a_0 = alone.a[0][0];
+  const ContactLoad load = load_on(MPI_COMM_WORLD, resolution, degree),
+                    alone = load_on(MPI_COMM_SELF, resolution, degree);
+  const double a_0 = alone.a(0);
   for (unsigned int n = 0; n <= 12; ++n)
   {
-    EXPECT_NEAR(load.a[0][n] / a_0, alone.a[0][n] / a_0, 1e-9) << n;
-    EXPECT_NEAR(load.b[0][n] / a_0, alone.b[0][n] / a_0, 1e-9) << n;
+    EXPECT_NEAR(load.a(n) / a_0, alone.a(n) / a_0, 1e-9) << n;
+    EXPECT_NEAR(load.b(n) / a_0, alone.b(n) / a_0, 1e-9) << n;
   }
   ASSERT_EQ(load.pointwise.size(), alone.pointwise.size());
   double largest = 0;

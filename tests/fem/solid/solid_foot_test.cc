@@ -46,20 +46,20 @@ TEST(SolidFoot, StatesOutliveTheNextSolution)
     const std::vector<PointForce> points = foot.point_forces(first);
     const PressureMap pressure_map = foot.pressure_map(first);
     EXPECT_FALSE(first.history.empty());
-    EXPECT_NO_THROW(foot.fields(first));
+    const std::string fields = foot.fields(first).front().text;
     foot.solve(load_at(1.2, 2.));
     const std::vector<PointForce> later = foot.point_forces(first);
     ASSERT_EQ(later.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       EXPECT_EQ(later[i].force, points[i].force);
     const PressureMap same_map = foot.pressure_map(first);
-    EXPECT_THROW(foot.fields(first), std::logic_error);
+    EXPECT_EQ(foot.fields(first).front().text, fields);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
     {
       EXPECT_TRUE(points.empty() && pressure_map.cuts.empty()); // the first rank has all
       continue;
     }
-    EXPECT_NEAR(harmonics_of(later, 1).moment_x / first.load.moment_x, 1, 1e-12);
+    EXPECT_NEAR(harmonics_of(later, 1).moment().x() / first.load.moment().x(), 1, 1e-12);
     EXPECT_EQ(same_map.cuts.front().front().pressure, pressure_map.cuts.front().front().pressure);
   }
 }
@@ -90,13 +90,13 @@ TEST(SolidFoot, OfAWrittenMeshHasTheLoadOfTheGeneratedOne)
     const auto forces = read.point_forces(read.solve(load_at(1.3)));
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
       continue; // the first rank has all forces
-    const LoadHarmonics expected = harmonics_of(expected_forces, 6);
-    const LoadHarmonics load = harmonics_of(forces, 6);
-    second_harmonics.push_back(load.a[0][2] / load.a[0][0]);
+    const ContactLoad expected = harmonics_of(expected_forces, 6);
+    const ContactLoad load = harmonics_of(forces, 6);
+    second_harmonics.push_back(load.a(2) / load.a(0));
     for (unsigned int n = 1; n <= 6; ++n)
     {
-      EXPECT_NEAR(load.a[0][n] / load.a[0][0], expected.a[0][n] / expected.a[0][0], tolerance) << n;
-      EXPECT_NEAR(load.b[0][n] / load.a[0][0], expected.b[0][n] / expected.a[0][0], tolerance) << n;
+      EXPECT_NEAR(load.a(n) / load.a(0), expected.a(n) / expected.a(0), tolerance) << n;
+      EXPECT_NEAR(load.b(n) / load.a(0), expected.b(n) / expected.a(0), tolerance) << n;
     }
   }
   if (second_harmonics.size() == 2) // a crown that is lost in the file would be seen
@@ -134,7 +134,7 @@ TEST(SolidFoot, TakesTheFirstOfTwoBalances)
   const double lean = std::abs(oracle.solve(under_moment(second)).solution.motion(1));
   ContactDemand demand = under_moment(second - weight * height * lean / scale);
   demand.tilt_moment = weight * height;
-  const double expected = -oracle.solve(demand).load.moment_y / scale;
+  const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
   for (const LinearSolver solver : { LinearSolver::direct, LinearSolver::multigrid })
   {
@@ -142,8 +142,8 @@ TEST(SolidFoot, TakesTheFirstOfTwoBalances)
     setup.table.interface = mat;
     setup.options.linear_solver = solver;
     SolidFoot foot(generate_solid_mesh(setup.profile, { 24, 2, 1 }), setup);
-    EXPECT_NEAR(-foot.solve(demand).load.moment_y / scale, expected, 1e-4);
-    foot.solve(under_moment(second)); // Newton's method starts at the second balance
-    EXPECT_NEAR(-foot.solve(demand).load.moment_y / scale, expected, 1e-4);
+    EXPECT_NEAR(-foot.solve(demand).load.moment().y() / scale, expected, 1e-4);
+    const ContactState start = foot.solve(under_moment(second)); // at the second balance
+    EXPECT_NEAR(-foot.solve(demand, {}, { &start }).load.moment().y() / scale, expected, 1e-4);
   }
 }

@@ -14,14 +14,12 @@ constexpr double degrees = 3.14159265358979323846 / 180;
 std::vector<double> turned_harmonics(double angle)
 {
   FootCase foot(flat_profile(), { 24, 4, 1 }, {}, {}, angle);
-  const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(1.3, angle));
+  const ContactLoad load = foot.solve_on_winkler(1e10, load_at(1.3, angle));
   std::vector<double> result;
   for (unsigned int n = 0; n <= 8; ++n)
   {
-    result.push_back((load.a[0][n] * std::cos(n * angle) + load.b[0][n] * std::sin(n * angle)) /
-                     load.a[0][0]);
-    result.push_back((load.b[0][n] * std::cos(n * angle) - load.a[0][n] * std::sin(n * angle)) /
-                     load.a[0][0]);
+    result.push_back((load.a(n) * std::cos(n * angle) + load.b(n) * std::sin(n * angle)) / load.a(0));
+    result.push_back((load.b(n) * std::cos(n * angle) - load.a(n) * std::sin(n * angle)) / load.a(0));
   }
   return result;
 }
@@ -46,14 +44,14 @@ TEST(Symmetry, LoadTurnedOnTheSameMesh)
 {
   // The mesh repeats every 90 degrees; in between, only its accuracy keeps the harmonics.
   FootCase foot(flat_profile(), { 24, 4, 1 });
-  const LoadHarmonics straight = foot.solve_on_winkler(1e10, load_at(1.3));
+  const ContactLoad straight = foot.solve_on_winkler(1e10, load_at(1.3));
   for (const auto &[angle, tolerance] :
        { std::pair<double, double>{ 90, 1e-9 }, { 180, 1e-9 }, { 10, 1e-3 } })
   {
-    const LoadHarmonics load = foot.solve_on_winkler(1e10, load_at(1.3, angle * degrees));
+    const ContactLoad load = foot.solve_on_winkler(1e10, load_at(1.3, angle * degrees));
     for (unsigned int n = 1; n <= 6; ++n)
-      EXPECT_NEAR(std::hypot(load.a[0][n], load.b[0][n]) / load.a[0][0],
-                  std::abs(straight.a[0][n]) / straight.a[0][0], tolerance)
+      EXPECT_NEAR(std::hypot(load.a(n), load.b(n)) / load.a(0), std::abs(straight.a(n)) / straight.a(0),
+                  tolerance)
         << angle << " degrees, n = " << n;
   }
 }
@@ -69,9 +67,9 @@ TEST(Symmetry, OtherUnitsSameHarmonics)
   const FootResolution resolution{ 24, 2, 1 };
   FootCase in_metres(flat_profile(), resolution);
   FootCase in_millimetres(millimetres, resolution, {}, { 70e3, 0.22 }); // MPa
-  const LoadHarmonics left = in_metres.solve_on_winkler(1e10, load_at(1.3));
-  const LoadHarmonics right = in_millimetres.solve_on_winkler(10, load_at(1.3, 0, 30)); // MPa/mm
+  const ContactLoad left = in_metres.solve_on_winkler(1e10, load_at(1.3));
+  const ContactLoad right = in_millimetres.solve_on_winkler(10, load_at(1.3, 0, 30)); // MPa/mm
   for (unsigned int n = 1; n <= 8; ++n)
-    EXPECT_NEAR(left.a[0][n] / left.a[0][0], right.a[0][n] / right.a[0][0], 1e-8) << "n = " << n;
-  EXPECT_NEAR(left.radii[0] * 1000 / right.radii[0], 1, 1e-9);
+    EXPECT_NEAR(left.a(n) / left.a(0), right.a(n) / right.a(0), 1e-8) << "n = " << n;
+  EXPECT_NEAR(left.radius() * 1000 / right.radius(), 1, 1e-9);
 }

@@ -52,18 +52,18 @@ TEST(SolidFoot, AnswersAsAThreeLobedRimDoesInEachDirection)
   {
     ContactDemand demand = load_at(0.9, 0.2);
     demand.n_harmonics = 8;
-    const Slip slip = { -20, { angle, 0 } };
-    const LoadHarmonics load = solid.solve(demand, slip).load;
-    const LoadHarmonics expected = revolution.solve(demand, slip).load;
-    const double a_0 = expected.a[0][0];
+    const stemware::ring::Slip slip = { -20, { angle, 0 } };
+    const ContactLoad load = solid.solve(demand, slip).load;
+    const ContactLoad expected = revolution.solve(demand, slip).load;
+    const double a_0 = expected.a(0);
     for (unsigned int n = 0; n <= 8; ++n)
     {
-      EXPECT_NEAR(load.a[0][n] / a_0, expected.a[0][n] / a_0, 5e-3) << angle << " " << n;
-      EXPECT_NEAR(load.b[0][n] / a_0, expected.b[0][n] / a_0, 5e-3) << angle << " " << n;
+      EXPECT_NEAR(load.a(n) / a_0, expected.a(n) / a_0, 5e-3) << angle << " " << n;
+      EXPECT_NEAR(load.b(n) / a_0, expected.b(n) / a_0, 5e-3) << angle << " " << n;
     }
     EXPECT_NEAR(load.mean_radius, expected.mean_radius, 1e-4 * profile.contact_radius);
-    least = std::min(least, expected.a[0][2] / a_0);
-    largest = std::max(largest, expected.a[0][2] / a_0);
+    least = std::min(least, expected.a(2) / a_0);
+    largest = std::max(largest, expected.a(2) / a_0);
   }
   EXPECT_GT(largest - least, 0.05); // the direction matters
 }

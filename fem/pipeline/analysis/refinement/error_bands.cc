@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
-#include "fem/contact/load_harmonics.h"
+#include "fem/contact/contact_load.h"
 #include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
@@ -54,15 +54,15 @@ struct Findings
 Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
                    double omega, const std::vector<double> &radii)
 {
-  const LeaningLoad at_spin = load.leaning(omega);
+  const LeaningLoad at_spin = load.at(omega);
   double friction = 0;
   if (radii.empty())
-    friction = ring::wrench(motion, at_spin.rings, omega).torque;
+    friction = ring::wrench(motion, at_spin, omega).torque;
   else
   {
-    const fem::ContactState state = load.contact_at() ? load.contact_at()(omega) : *load.contact();
+    const fem::ContactState state = *load.contact(omega);
     const ring::RingStack rings =
-      ring_stack(fem::harmonics_of(foot.body().point_forces(state), foot.n_harmonics(), radii));
+      fem::harmonics_of(foot.body().point_forces(state), foot.n_harmonics(), radii);
     friction = ring::wrench(motion, rings.truncated(load.n_harmonics()), omega).torque;
   }
   return { friction, friction + at_spin.lean_torque() };
@@ -84,19 +84,20 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   const double share = 1. / static_cast<double>(probe.phases.size());
   for (const ring::Orientation &phase : probe.phases)
   {
-    const BalancedLoad load = find_load_at_phase(study, foot, phase);
+    const SharedLoad load = find_load_at_phase(study, foot, phase);
     const auto torques_at = [&](const BalancedLoad &of, double omega)
     { return torques_or_nan(of, *foot, study.motion.orbit, omega, radii); };
     if (&phase == &probe.phases.front())
-      found.at_rest = load.report();
+      found.at_rest = load->report();
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
     {
-      const Torques torques = torques_at(load, probe.spins[i]);
+      const Torques torques = torques_at(*load, probe.spins[i]);
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
     if (probe.has_first)
-      found.torque_of_first += share * torques_at(find_load_at_phase(study, foot, phase, 1), probe.first).all;
+      found.torque_of_first +=
+        share * torques_at(*find_load_at_phase(study, foot, phase, 1), probe.first).all;
   }
   return found;
 }

@@ -16,16 +16,14 @@ namespace
 fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
 {
   fem::ContactGoal goal;
-  goal.ring_radii = state.load.radii;
-  const auto n_harmonics = static_cast<unsigned int>(state.load.n_harmonics());
-  const ring::LoadFunctional torque =
-    ring::friction_functionals(study.motion.orbit, state.load.radii, n_harmonics, omega).torque;
-  goal.of_load = { torque.a, torque.b };
+  goal.ring_radii = state.load.radii();
+  goal.of_load =
+    ring::friction_functionals(study.motion.orbit, goal.ring_radii, state.load.n_harmonics(), omega).torque;
   if (with_lean && study.tilts())
   {
     // The lean torque is -q1 M_Nx - q2 M_Ny.
     goal.of_moment = -state.solution.motion.tail<2>();
-    goal.of_motion = { 0, -state.load.moment_x, -state.load.moment_y };
+    goal.of_motion << 0, -state.load.moment();
   }
   return goal;
 }
@@ -34,12 +32,9 @@ fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state,
 fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
 {
   fem::ContactGoal goal;
-  goal.ring_radii = state.load.radii;
-  double mean = 0;
-  for (const std::vector<double> &ring : state.load.a)
-    mean += ring[0];
-  const std::size_t n_rings = state.load.n_rings();
-  goal.of_load = { std::vector<std::vector<double>>(n_rings, { 0, 0, 1 / mean }),
+  goal.ring_radii = state.load.radii();
+  const std::size_t n_rings = goal.ring_radii.size();
+  goal.of_load = { std::vector<std::vector<double>>(n_rings, { 0, 0, 1 / state.load.a(0) }),
                    std::vector<std::vector<double>>(n_rings, { 0, 0, 0 }) };
   return goal;
 }
@@ -64,15 +59,14 @@ void scale(fem::MeshError &error, double factor)
 std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
                                     double omega_terminal, Goal goal, bool with_cells)
 {
-  if (!load.contact() || foot.ring_radii().empty() || study.contact.degree >= 4 || study.has_waviness() ||
+  if (!load.contact(0) || foot.ring_radii().empty() || study.contact.degree >= 4 || study.has_waviness() ||
       foot.body().capabilities().period_of_glass > 0 || goal == Goal::none)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
   const double omega = goal == Goal::terminal_spin ? omega_terminal
                        : goal == Goal::torque      ? omega_terminal / 2
                                                    : 0;
-  const fem::ContactState state =
-    load.contact_at() && omega != 0 ? load.contact_at()(omega) : *load.contact();
+  const fem::ContactState state = *load.contact(omega);
   const fem::ContactGoal functional = goal == Goal::a2
                                         ? second_harmonic_goal(state)
                                         : torque_goal(study, state, omega, goal == Goal::terminal_spin);

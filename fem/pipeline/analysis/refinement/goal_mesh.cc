@@ -28,9 +28,10 @@ GoalError error_of(const Study &study, fem::ComplianceCache &cache)
     foot->body().capabilities().period_of_glass == 0,
     "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
     "Contact/Mesh file does; set Contact/Goal = none.");
-  const BalancedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
-  const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
+  const SharedLoad load = find_load(study, foot);
+  const double omega =
+    terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+  const auto found = goal_error(study, *foot, *load, omega, study.contact.goal, true);
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: a rim or table is out of flat, or the "

@@ -171,11 +171,11 @@ RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest
   {
     const Study &refined = task.level->study;
     const std::shared_ptr<ElasticFoot> foot = study_foot(refined, cache);
-    const BalancedLoad load = find_load(refined, foot);
+    const SharedLoad load = find_load(refined, foot);
     // What is estimated is compared with two further levels; the finest are the most costly.
     const std::size_t n_further = task.axis->levels.size() - 1 - (task.level - task.axis->levels.data());
     const bool is_of_mesh = task.axis->role == AxisRole::space && (task.axis->is_graded || n_further >= 2);
-    *task.quantities = quantities_of_load(refined, load, spins, near, is_of_mesh ? foot.get() : nullptr);
+    *task.quantities = quantities_of_load(refined, *load, spins, near, is_of_mesh ? foot.get() : nullptr);
   };
   LevelQuantities quantities;
   const std::vector<Task> tasks = open_tasks(axes, own, quantities);

@@ -85,7 +85,7 @@ void add_load(const LoadReport &load, ValueList &list)
 /// The terminal spin of a first harmonic on a ring of the contact radius, nothing where there is none.
 std::optional<double> first_harmonic_spin(const Study &study, ring::Closure closure)
 {
-  return attempt_spin_row(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+  return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
 }
 
 /// What the rows of the budget change that have this name [rad/s]; nothing without such a row.
@@ -157,15 +157,15 @@ CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
 {
   const Study study = mesh_for_goal(given, cache).study;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
+  const SharedLoad load = find_load(study, foot);
   ValueList list;
-  add_load(load.report(), list);
-  const std::optional<Fall> fall = add_spin(study, foot, load, list);
+  add_load(load->report(), list);
+  const std::optional<Fall> fall = add_spin(study, foot, *load, list);
   CaseResult result;
-  if (load.contact())
+  if (const std::optional<fem::ContactState> at_rest = load->contact(0))
   {
-    list.add(load.contact()->solution.n_iterations);
-    result.outcome = fem::to_string(load.contact()->solution.outcome);
+    list.add(at_rest->solution.n_iterations);
+    result.outcome = fem::to_string(at_rest->solution.outcome);
   }
   else
     list.add(std::nullopt);

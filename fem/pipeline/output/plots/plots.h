@@ -7,7 +7,7 @@
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/output/render/curve_plot.h"
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
 #include <string>
 #include <vector>

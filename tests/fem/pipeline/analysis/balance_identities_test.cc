@@ -23,7 +23,7 @@ using test::SolvedStudy;
 /// Whether the load of rest presses on every place of the land, in r and theta.
 bool is_loaded_everywhere(const SolvedStudy &solved)
 {
-  const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact());
+  const fem::PressureMap map = solved.foot->body().pressure_map(*solved.load.contact(0));
   return std::all_of(map.cuts.begin(), map.cuts.end(),
                      [](const auto &cut)
                      {
@@ -126,11 +126,11 @@ TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
     Study study = study_on(GetParam());
     study.motion.tilt = tilt;
     fem::ComplianceCache cache;
-    const BalancedLoad load = find_load(study, study_foot(study, cache));
+    const SharedLoad load = find_load(study, study_foot(study, cache));
     const ring::Motion &motion = study.motion.orbit;
-    const LeaningLoad rest = load.leaning(0);
+    const LeaningLoad rest = load->at(0);
     const ring::Wrench friction =
-      ring::CoulombRing(motion.friction_coefficient).wrench(rest.rings, 0, motion.orbit_speed);
+      ring::CoulombRing(motion.friction_coefficient).wrench(rest, 0, motion.orbit_speed);
     const Eigen::Vector3d T(friction.force_x, friction.force_y, 0), k(0, 0, 1),
       F = Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -
           T;
@@ -176,7 +176,7 @@ void expect_energy_balance(Study study)
   weights.push_back(0);
   const double terminal = solved.omega();
   const std::vector<ring::YawSample> spins =
-    spin_up(solved.load.interpolated(1.05 * terminal, -0.05 * terminal), motion, times);
+    spin_up(*solved.load.interpolated(1.05 * terminal, -0.05 * terminal), motion, times);
   double work = 0, heat = 0;
   for (std::size_t i = 0; i < times.size(); ++i)
     if (weights[i] > 0)
@@ -184,7 +184,7 @@ void expect_energy_balance(Study study)
       const double omega = spins[i].omega;
       work -= weights[i] * motion.orbit_speed * ring::wrench(motion, solved.load.at(omega), omega).force_x;
       double power = 0;
-      for (const fem::PointForce &point : solved.foot->body().point_forces(solved.load.contact_at()(omega)))
+      for (const fem::PointForce &point : solved.foot->body().point_forces(*solved.load.contact(omega)))
       {
         const double slip_speed = std::hypot(motion.orbit_speed - omega * point.y, omega * point.x);
         power += coefficient_at(motion, slip_speed) * point.force * slip_speed;

@@ -43,7 +43,7 @@ Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
   return find_budget(study, nullptr,
-                     rows_by_harmonics(study, nullptr, given_load(load), spin_question(study)), cache);
+                     rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study)), cache);
 }
 
 Budget budget_of(const Study &study)
@@ -57,7 +57,7 @@ Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
   const std::vector<unsigned int> orders =
-    truncation_orders(find_load(study, study_foot(study, cache)).n_harmonics());
+    truncation_orders(find_load(study, study_foot(study, cache))->n_harmonics());
   for (std::size_t i = 1; i < orders.size(); ++i)
     rows.push_back(std::to_string(i + 3) + " harmonics " +
                    (i + 1 < orders.size() ? std::to_string(orders[i]) : "all"));
@@ -306,7 +306,7 @@ TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
   std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, nullptr, given_load(rich_load()), spin_question(study));
+    rows_by_harmonics(study, nullptr, *given_load(rich_load()), spin_question(study));
   rows[1] = {};
   rows[1].row.harmonics = 2;
   rows[1].row.standing = Standing::tips;

@@ -27,9 +27,9 @@ struct SolvedRun
       : study(study)
       , foot(study_foot(study, cache))
   {
-    const BalancedLoad load = find_load(study, foot);
-    spin = study_spin(study, foot, load, cache);
-    report = describe(study, foot, load, spin.all().last_spin().value());
+    const SharedLoad load = find_load(study, foot);
+    spin = study_spin(study, foot, *load, cache);
+    report = describe(study, foot, *load, spin.all().last_spin().value());
     bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache);
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
@@ -93,7 +93,7 @@ TEST(OneNumber, TheTorquesOfTheDefaultStudyIntegrateToItsSpinUp)
   const Study study;
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const SpinStudy spin = study_spin(study, foot, find_load(study, foot), cache);
+  const SpinStudy spin = study_spin(study, foot, *find_load(study, foot), cache);
   const TorqueCurve &torques = spin.torque;
   const double step = torques.omega[1] - torques.omega[0];
   const boost::math::interpolators::cardinal_cubic_b_spline<double> sum(
@@ -139,7 +139,7 @@ TEST(Fall, OfARigidFootIsWhereARefereeFindsIt)
     study.motion.orbit.centre_of_mass_height = height;
     fem::ComplianceCache cache;
     const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-    return spin_row(find_load(study, foot), spin_question(study));
+    return spin_row(*find_load(study, foot), spin_question(study));
   };
   EXPECT_TRUE(row_at(0.1344).terminal);
   const SpinRow falls = row_at(0.1348);

@@ -13,9 +13,9 @@ inline ring::RingStack rich_load()
            0.03 };
 }
 
-inline pipeline::BalancedLoad given_load(const ring::RingStack &load)
+inline pipeline::SharedLoad given_load(const ring::RingStack &load)
 {
-  return pipeline::BalancedLoad({ pipeline::report_of(load), {} });
+  return std::make_shared<pipeline::ConstantLoad>(pipeline::report_of(load));
 }
 
 /// A study that follows a load which the test gives it, as if from a file.

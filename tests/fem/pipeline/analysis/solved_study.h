@@ -14,7 +14,8 @@ struct SolvedStudy
   explicit SolvedStudy(const pipeline::Study &given)
       : study(given)
       , foot(pipeline::study_foot(study, cache))
-      , load(pipeline::find_load(study, foot))
+      , shared_load(pipeline::find_load(study, foot))
+      , load(*shared_load)
   {
     pipeline::SpinQuestion question = pipeline::spin_question(study);
     question.with_minima = false;
@@ -26,7 +27,8 @@ struct SolvedStudy
   pipeline::Study study;
   fem::ComplianceCache cache;
   std::shared_ptr<pipeline::ElasticFoot> foot;
-  pipeline::BalancedLoad load;
+  pipeline::SharedLoad shared_load;
+  const pipeline::BalancedLoad &load;
   pipeline::SpinRow row;
 };
 

@@ -17,7 +17,7 @@ using namespace stemware::test;
 SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_of_given_load())
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, given_load(load), cache);
+  return study_spin(study, nullptr, *given_load(load), cache);
 }
 
 TEST(SpinStudy, TruncationsEndWithAllHarmonics)
@@ -145,7 +145,7 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const SpinStudy two_way = study_spin(study, foot, find_load(study, foot), cache);
+  const SpinStudy two_way = study_spin(study, foot, *find_load(study, foot), cache);
   ASSERT_GE(two_way.rows.size(), 4u);
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -153,13 +153,13 @@ TEST(SpinStudy, RowsAreInBalanceWithTheirOwnHarmonics)
     const SpinRow &row = two_way.rows[i];
     EXPECT_NEAR(
       *row.omega_terminal(),
-      *spin_row(find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(), 1e-9)
+      *spin_row(*find_load(study, foot, silent_progress(), n), { study.motion.orbit }).omega_terminal(), 1e-9)
       << n;
   }
   EXPECT_EQ(two_way.budget.rows.back().omega_terminal, two_way.all().omega_terminal());
   EXPECT_TRUE(two_way.one_ring);
   study.contact.rings = 1;
-  EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), cache).one_ring);
+  EXPECT_FALSE(study_spin(study, foot, *find_load(study, foot), cache).one_ring);
 }
 
 TEST(SpinStudy, TheGripSlowsTheSpinUp)
@@ -184,15 +184,15 @@ TEST(SpinStudy, TheGripSlowsTheSpinUp)
 }
 
 /// rich_load() up to @p last [rad/s], beyond which it tips.
-BalancedLoad tipping_beyond(double last)
+SharedLoad tipping_beyond(double last)
 {
-  return BalancedLoad({ report_of(rich_load()),
-                        [last](double omega) -> ring::RingStack
-                        {
-                          if (std::abs(omega) > last)
-                            throw ring::Tipping("it tips");
-                          return rich_load();
-                        } });
+  return std::make_shared<GivenLoad>(report_of(rich_load()),
+                                     [last](double omega) -> ring::RingStack
+                                     {
+                                       if (std::abs(omega) > last)
+                                         throw ring::Tipping("it tips");
+                                       return rich_load();
+                                     });
 }
 
 // A load that is the same up to the fall: the moment ratio follows from its first harmonic, the time of the
@@ -202,7 +202,7 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
-  const SpinStudy fallen = study_spin(study, nullptr, tipping_beyond(2.5), cache);
+  const SpinStudy fallen = study_spin(study, nullptr, *tipping_beyond(2.5), cache);
   const SpinRow &row = fallen.all();
   EXPECT_EQ(row.standing, Standing::tips);
   EXPECT_FALSE(row.terminal);
@@ -242,40 +242,41 @@ TEST(SpinRow, SaysWhyThereIsNone)
   // A load model that tips, one without a balance, and a torque that keeps its sign.
   const auto refusing = [](auto failure)
   {
-    return BalancedLoad({ report_of(rich_load()),
-                          [failure](double omega) -> ring::RingStack
-                          {
-                            if (omega != 0)
-                              throw failure;
-                            return rich_load();
-                          } });
+    return std::make_shared<GivenLoad>(report_of(rich_load()),
+                                       [failure](double omega) -> ring::RingStack
+                                       {
+                                         if (omega != 0)
+                                           throw failure;
+                                         return rich_load();
+                                       });
   };
   const SpinQuestion question = { ring::Motion() };
-  const SpinRow tips = attempt_spin_row(refusing(ring::Tipping("it tips")), question);
+  const SpinRow tips = attempt_spin_row(*refusing(ring::Tipping("it tips")), question);
   EXPECT_EQ(tips.standing, Standing::tips);
   EXPECT_EQ(tips.reason,
             "the glass stands at rest and falls over on the way, at 0 rad/s and a moment ratio of 0.673");
   EXPECT_TRUE(tips.at_rest);
   EXPECT_FALSE(tips.terminal);
-  const SpinRow none = attempt_spin_row(refusing(ring::NoBalance("none")), question);
+  const SpinRow none = attempt_spin_row(*refusing(ring::NoBalance("none")), question);
   EXPECT_EQ(none.standing, Standing::no_balance);
   EXPECT_NE(none.reason.find("none"), std::string::npos);
-  EXPECT_EQ(
-    attempt_spin_row(refusing(fem::ContactFailure(fem::ContactOutcome::too_many_steps, "too slow")), question)
-      .standing,
-    Standing::no_balance);
+  EXPECT_EQ(attempt_spin_row(*refusing(fem::ContactFailure(fem::ContactOutcome::too_many_steps, "too slow")),
+                             question)
+              .standing,
+            Standing::no_balance);
   // A fault of the program is no property of the load.
-  EXPECT_THROW(attempt_spin_row(refusing(std::runtime_error("a fault")), question), std::runtime_error);
+  EXPECT_THROW(attempt_spin_row(*refusing(std::runtime_error("a fault")), question), std::runtime_error);
   // A first harmonic whose moment grows faster than K_1 falls off, like eps^-3, drives the ring for ever.
   const auto with_ratio = [](double m) {
     return ring::RingStack::first_harmonic(2.943, { m * 2.943 * 0.03 / 2, 0 }, 0.03);
   };
   const auto growing = [=](double omega)
   { return with_ratio(4 + 10 * std::pow(std::abs(omega) * 0.03 / 0.35, 3)); };
-  const SpinRow endless = attempt_spin_row(BalancedLoad({ report_of(with_ratio(4)), growing }), question);
+  const SpinRow endless =
+    attempt_spin_row(*std::make_shared<GivenLoad>(report_of(with_ratio(4)), growing), question);
   EXPECT_EQ(endless.standing, Standing::no_terminal_spin);
-  EXPECT_EQ(attempt_spin_row(given_load(with_ratio(1.5)), question).standing, Standing::formal);
-  EXPECT_EQ(attempt_spin_row(given_load(rich_load()), question).standing, Standing::full_contact);
+  EXPECT_EQ(attempt_spin_row(*given_load(with_ratio(1.5)), question).standing, Standing::formal);
+  EXPECT_EQ(attempt_spin_row(*given_load(rich_load()), question).standing, Standing::full_contact);
 }
 
 } // namespace

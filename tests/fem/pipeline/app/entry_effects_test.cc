@@ -184,10 +184,10 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
   {
     fem::ComplianceCache cache;
     const auto foot = study_foot(study, cache);
-    const BalancedLoad load = find_load(study, foot);
-    const SpinStudy spin = study_spin(study, foot, load, cache, silent_progress(), Depth::answer);
+    const SharedLoad load = find_load(study, foot);
+    const SpinStudy spin = study_spin(study, foot, *load, cache, silent_progress(), Depth::answer);
     const Results results =
-      tabulate(study, describe(study, foot, load, spin.all().terminal->omega), spin, {});
+      tabulate(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;
     for (const ResultFile &file : results.files)
       if (file.name == "spin_up.dat")

@@ -4,6 +4,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "tests/fem/resolved_friction.h"
 #include "tests/verification/plain_rigid_foot.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,8 @@ struct Described
 {
   explicit Described(const Study &study)
       : foot(study_foot(study, cache))
-      , load(find_load(study, foot))
+      , shared_load(find_load(study, foot))
+      , load(*shared_load)
       , omega(terminal_spin(load, study.motion.orbit).spin.omega)
       , report(describe(study, foot, load, omega))
   {
@@ -38,18 +40,19 @@ struct Described
 
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
-  BalancedLoad load;
+  SharedLoad shared_load;
+  const BalancedLoad &load;
   double omega;
   ContactReport report;
 };
 
 /// Friction of a contact by point forces, without rings and kernels.
-fem::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
-                                  const Study &study, double omega)
+fem_tests::ResolvedFriction friction_of(const Described &glass, const fem::ContactState &contact,
+                                        const Study &study, double omega)
 {
-  return fem::resolved_friction(glass.foot->body().point_forces(contact),
-                                study.motion.orbit.friction_coefficient, omega,
-                                study.motion.orbit.orbit_speed);
+  return fem_tests::resolved_friction(glass.foot->body().point_forces(contact),
+                                      study.motion.orbit.friction_coefficient, omega,
+                                      study.motion.orbit.orbit_speed);
 }
 
 /// All forces on the glass and their moments in three dimensions, from the pressure where it lies and the
@@ -78,14 +81,14 @@ TEST(ContactReport, ForcesHoldTheGlassUprightAtEverySpinAndTurnItAboutItsAxis)
   const double scale = study.motion.orbit.friction_coefficient * weight * rim;
   for (const double omega : { 0., glass.omega / 2, glass.omega, 5. })
   {
-    const verification::PlainGlass plain = plain_glass(glass, glass.load.contact_at()(omega), study, omega);
+    const verification::PlainGlass plain = plain_glass(glass, *glass.load.contact(omega), study, omega);
     EXPECT_NEAR(plain.moment.head<2>().norm(), 0, 1e-8 * weight * rim) << omega;
     // The lean torque is 2e-6 of the scale.
     const double lean = plain.axial_torque - plain.friction_torque;
     EXPECT_GT(std::abs(lean), 1e-6 * scale) << omega;
-    EXPECT_NEAR(glass.load.leaning(omega).lean_torque() / lean, 1, 1e-3) << omega;
+    EXPECT_NEAR(glass.load.at(omega).lean_torque() / lean, 1, 1e-3) << omega;
   }
-  const fem::ContactState spinning = glass.load.contact_at()(glass.omega);
+  const fem::ContactState spinning = *glass.load.contact(glass.omega);
   EXPECT_NEAR(plain_glass(glass, spinning, study, glass.omega).axial_torque, 0, 1e-8 * scale);
 }
 
@@ -96,13 +99,12 @@ TEST(ContactReport, LoadAtTheTerminalSpinIsThatOfThePressureThere)
   const Described glass(study);
   const double scale = motion.friction_coefficient * motion.normal_force() * 0.03;
   // The pressure of rest would leave a hundredth of the scale.
-  const fem::ContactState spinning = glass.load.contact_at()(glass.omega);
+  const fem::ContactState spinning = *glass.load.contact(glass.omega);
   EXPECT_NEAR(friction_of(glass, spinning, study, glass.omega).torque, 0, 1e-5 * scale);
   const fem::ContactState &rest = glass.report.foot->at_rest;
   EXPECT_GT(std::abs(friction_of(glass, rest, study, glass.omega).torque), 1e-2 * scale);
   const LoadReport &at_terminal = glass.report.load_at_end;
-  EXPECT_NEAR((at_terminal.moment - Eigen::Vector2d(spinning.load.moment_x, spinning.load.moment_y)).norm(),
-              0, 1e-9 * motion.normal_force() * 0.03);
+  EXPECT_NEAR((at_terminal.moment - spinning.load.moment()).norm(), 0, 1e-9 * motion.normal_force() * 0.03);
   EXPECT_GT((at_terminal.moment - glass.report.load.moment).norm(), 1e-3 * motion.normal_force() * 0.03);
   // At rest friction is -mu N along the direction of travel, whatever the pressure.
   EXPECT_NEAR(friction_of(glass, rest, study, 0).force_x,
@@ -135,7 +137,7 @@ TEST(ContactReport, NumbersOfTheLoadAreThoseOfThePressureWhereItLies)
     EXPECT_NEAR(moment_ratio, 2 * centre.norm() / (force * rim), 1e-8);
   };
   const SpinRow row = spin_row(glass.load, spin_question(study));
-  const fem::ContactState spinning = glass.load.contact_at()(glass.omega);
+  const fem::ContactState spinning = *glass.load.contact(glass.omega);
   check(glass.report.load, glass.report.foot->at_rest, row.at_rest->moment_ratio);
   check(glass.report.load_at_end, spinning, row.at_terminal->moment_ratio);
   EXPECT_GT(std::abs(row.at_terminal->moment_ratio - row.at_rest->moment_ratio), 1e-3);
@@ -148,23 +150,23 @@ TEST(ContactReport, FrictionThatDeformsTheFootFollowsTheSpinOverTheSpeed)
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double speed = study.motion.orbit.orbit_speed;
-  const fem::LoadHarmonics balanced = glass.load.contact_at()(glass.omega).load;
+  const fem::ContactLoad balanced = glass.load.contact(glass.omega)->load;
   const auto difference_to = [&](double spin_per_speed)
   {
     fem::ComplianceCache cache;
     const auto foot = study_foot(study, cache);
-    const fem::ContactState pressed =
-      foot->solve({ balanced.normal_force, balanced.moment_x, balanced.moment_y }, { spin_per_speed, {} });
-    const fem::LoadHarmonics load = foot->body().gather(pressed, balanced.radii, 4);
+    const fem::ContactState pressed = foot->solve(
+      { balanced.normal_force(), balanced.moment().x(), balanced.moment().y() }, { spin_per_speed, {} });
+    const fem::ContactLoad load = foot->body().gather(pressed, balanced.radii(), 4);
     double largest = 0;
     for (unsigned int n = 0; n <= 4; ++n)
     {
       double a = 0, b = 0, mean = 0;
-      for (std::size_t j = 0; j < load.radii.size(); ++j)
+      for (std::size_t j = 0; j < load.rings().size(); ++j)
       {
-        a += load.a[j][n] - balanced.a[j][n];
-        b += load.b[j][n] - balanced.b[j][n];
-        mean += balanced.a[j][0];
+        a += load.rings()[j].a[n] - balanced.rings()[j].a[n];
+        b += load.rings()[j].b[n] - balanced.rings()[j].b[n];
+        mean += balanced.rings()[j].a[0];
       }
       largest = std::max(largest, std::hypot(a, b) / mean);
     }

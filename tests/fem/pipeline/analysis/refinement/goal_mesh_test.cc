@@ -42,11 +42,11 @@ struct Answer
 Answer answer_of(const Study &study, double half_of = 0)
 {
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const SharedLoad load = find_load(study, study_foot(study, cache));
   Answer answer;
-  answer.spin = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
-  answer.a2 = load.report().rings.a(2) / load.report().rings.a(0);
-  answer.torque = yaw_torque(load, study.motion.orbit, half_of / 2);
+  answer.spin = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  answer.a2 = load->report().rings.a(2) / load->report().rings.a(0);
+  answer.torque = yaw_torque(*load, study.motion.orbit, half_of / 2);
   return answer;
 }
 
@@ -54,9 +54,9 @@ GoalError error_of(const Study &study)
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
-  return goal_error(study, *foot, load, omega, study.contact.goal).value();
+  const SharedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  return goal_error(study, *foot, *load, omega, study.contact.goal).value();
 }
 
 /// Of the goal on the mesh without halved cells.

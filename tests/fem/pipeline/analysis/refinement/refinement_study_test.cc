@@ -101,7 +101,7 @@ Study much_finer(Study study)
   return study;
 }
 
-BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
+SharedLoad load_of(const Study &study, fem::ComplianceCache &cache)
 {
   return find_load(study, study_foot(study, cache));
 }
@@ -112,10 +112,10 @@ struct Levels
   Levels(const Study &study, const Study &finer_study)
       : foot(study_foot(study, cache))
       , load(find_load(study, foot))
-      , row(spin_row(load, question_of(study)))
+      , row(spin_row(*load, question_of(study)))
       , omega(row.terminal->omega)
       , quick(estimate_bands(study, foot, row, std::nullopt, cache))
-      , finer(quantities_of_load(finer_study, load_of(finer_study, cache), spins_of_interest(omega), omega))
+      , finer(quantities_of_load(finer_study, *load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
 
@@ -137,7 +137,7 @@ struct Levels
 
   fem::ComplianceCache cache;
   std::shared_ptr<ElasticFoot> foot;
-  BalancedLoad load;
+  SharedLoad load;
   SpinRow row;
   double omega;
   ErrorBands quick;
@@ -160,7 +160,7 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   // What `converge` does: three levels, and an order between that of the re-entrant corners and that of a
   // smooth section.
   const RefinementResult full = refine(
-    study, quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
+    study, quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
     spins_of_interest(comparison.omega), refinement_axes(study, 3), comparison.cache);
   const BandedQuantity &refined = full.quantity("omega_terminal");
   const double finer = quantity_of(comparison.finer, "omega_terminal").value;
@@ -256,7 +256,7 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
     foot->set_rings(chebyshev_radii(inner, outer, n_rings), 24);
     return find_load(study, foot);
   };
-  const BalancedLoad twice = on_rings(4), own = on_rings(2);
+  const SharedLoad twice = on_rings(4), own = on_rings(2);
   const SpinRow row = spin_row(own, Levels::question_of(study));
   const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
   const auto torque = [&](const BalancedLoad &load)
@@ -351,13 +351,13 @@ TEST(ErrorBands, SayWhichLevelFailed)
   Study study;
   study.load.moment_ratio = 0.5;
   fem::ComplianceCache cache;
-  const BalancedLoad load = load_of(study, cache);
+  const SharedLoad load = load_of(study, cache);
   const std::vector<double> spins = { -1 };
   std::vector<RefinementAxis> axes = refinement_axes(study, 2);
   axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
   try
   {
-    refine(study, quantities_of_load(study, load, spins, std::nullopt), spins, axes, cache);
+    refine(study, quantities_of_load(study, *load, spins, std::nullopt), spins, axes, cache);
     FAIL() << "a level that tips was solved";
   }
   catch (const std::runtime_error &failure)

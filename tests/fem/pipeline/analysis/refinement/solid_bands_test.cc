@@ -20,10 +20,10 @@ ErrorBands bands_of(const Study &study)
 {
   fem::ComplianceCache cache;
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
+  const SharedLoad load = find_load(study, foot);
   SpinQuestion question = { study.motion.orbit };
   question.with_slope = true;
-  return estimate_bands(study, foot, spin_row(load, question), std::nullopt, cache);
+  return estimate_bands(study, foot, spin_row(*load, question), std::nullopt, cache);
 }
 
 const BandedQuantity &find(const ErrorBands &bands, const std::string &key)
@@ -163,7 +163,7 @@ TEST(SolidBands, TakeOneRingLessThanTheFootHas)
   {
     foot->set_rings(chebyshev_radii(inner, outer, own), 8);
     const std::vector<BandChange> changes =
-      band_changes(study, *foot, find_load(study, foot).report(), false);
+      band_changes(study, *foot, find_load(study, foot)->report(), false);
     const std::vector<double> expected = chebyshev_radii(inner, outer, other);
     ASSERT_EQ(changes.back().part, "rings");
     ASSERT_EQ(changes.back().radii.size(), other);

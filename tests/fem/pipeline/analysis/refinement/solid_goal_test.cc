@@ -31,19 +31,19 @@ double value_of(Study study, Goal goal, unsigned int refinements)
 {
   study.contact.refinements = refinements;
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const SharedLoad load = find_load(study, study_foot(study, cache));
   if (goal == Goal::a2)
-    return load.report().rings.a(2) / load.report().rings.a(0);
-  return terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
+    return load->report().rings.a(2) / load->report().rings.a(0);
+  return terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
 }
 
 GoalError error_of(const Study &study)
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  const BalancedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(load, study.motion.orbit, 0, false).spin.omega;
-  return goal_error(study, *foot, load, omega, study.contact.goal, true).value();
+  const SharedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(*load, study.motion.orbit, 0, false).spin.omega;
+  return goal_error(study, *foot, *load, omega, study.contact.goal, true).value();
 }
 
 } // namespace

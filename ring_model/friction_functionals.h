@@ -1,27 +1,11 @@
 #pragma once
 
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/load_functional.h"
 
 #include <vector>
 
 namespace stemware::ring
 {
-/**
- * A linear function of a load: sum_j sum_n (a[j][n] a_{j,n} + b[j][n] b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
- * the coefficients of ring j. Its coefficients have the unit of the result per N/rad.
- */
-struct LoadFunctional
-{
-  std::vector<std::vector<double>> a; ///< of the cosines: [ring][n], n = 0...n_max
-  std::vector<std::vector<double>> b; ///< of the sines, as many; b[ring][0] = 0
-
-  /**
-   * The value for @p load. Harmonics that only one of the two has do not count.
-   * @throws std::invalid_argument if the load has another number of rings.
-   */
-  double operator()(const RingStack &load) const;
-};
-
 /// Coulomb friction of the table on a stack of rings, in the slip frame, about the rings' centre.
 struct FrictionFunctionals
 {

@@ -1,9 +1,7 @@
-#include "ring_model/ring_stack.h"
+#include "ring_model/load/ring_stack.h"
 
-#include "ring_model/constants.h"
-#include "ring_model/require.h"
-
-#include <boost/math/tools/minima.hpp>
+#include "ring_model/load/constants.h"
+#include "ring_model/load/require.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +13,16 @@ namespace stemware::ring
 {
 namespace
 {
-/// Where @p load passes through 0 between two angles at which its signs differ, to 1e-9: what lies on the
-/// wrong side then is of the square of that.
-double sign_change(const RingStack &load, double from, double to)
+/// Where @p function passes through 0 between two angles at which its signs differ, to 1e-9: an integral or an
+/// extremum that depends on that place is off by the square.
+template <typename Function>
+double sign_change(const Function &function, double from, double to)
 {
-  const bool pulls_at_from = load(from) < 0.;
+  const bool is_negative_at_from = function(from) < 0.;
   while (to - from > 1e-9)
   {
     const double middle = (from + to) / 2.;
-    ((load(middle) < 0.) == pulls_at_from ? from : to) = middle;
+    ((function(middle) < 0.) == is_negative_at_from ? from : to) = middle;
   }
   return (from + to) / 2.;
 }
@@ -69,6 +68,14 @@ RingStack RingStack::first_harmonic(double normal_force, const Eigen::Vector2d &
   return { { normal_force / (2. * pi), -moment.y() / (pi * radius) },
            { 0., moment.x() / (pi * radius) },
            radius };
+}
+
+std::vector<double> RingStack::radii() const
+{
+  std::vector<double> all;
+  for (const Ring &ring : stack)
+    all.push_back(ring.radius);
+  return all;
 }
 
 double RingStack::radius() const
@@ -145,14 +152,14 @@ std::map<double, double> RingStack::local_minima() const
   const std::vector<double> samples = evenly_spaced_values();
   const std::size_t n_samples = samples.size();
   const double spacing = 2. * pi / static_cast<double>(n_samples);
-  // Half of the digits in theta give all digits of the least value: the slope vanishes there.
-  const int bits = std::numeric_limits<double>::digits / 2;
   std::map<double, double> minima;
   for (std::size_t i = 0; i < n_samples; ++i)
     if (samples[i] <= samples[(i + 1) % n_samples] && samples[i] <= samples[(i + n_samples - 1) % n_samples])
     {
       const double middle = static_cast<double>(i) * spacing;
-      minima.insert(boost::math::tools::brent_find_minima(*this, middle - spacing, middle + spacing, bits));
+      const double least =
+        sign_change([this](double theta) { return derivative(theta); }, middle - spacing, middle + spacing);
+      minima.emplace(least, (*this)(least));
       minima.emplace(middle, samples[i]);
     }
   return minima;
@@ -226,15 +233,6 @@ RingStack RingStack::rotated(double angle) const
       turned[j].b[n] = stack[j].a[n] * s + stack[j].b[n] * c;
     }
   return RingStack(std::move(turned));
-}
-
-RingStack RingStack::mirrored() const
-{
-  std::vector<Ring> reversed(stack);
-  for (Ring &ring : reversed)
-    for (std::size_t n = 1; n < ring.b.size(); ++n)
-      ring.b[n] = -ring.b[n];
-  return RingStack(std::move(reversed));
 }
 
 std::vector<double> RingStack::coefficients(unsigned int n_harmonics) const

@@ -1,28 +1,11 @@
-#include "ring_model/load_functional.h"
+#include "ring_model/friction_functionals.h"
 
 #include "ring_model/friction_kernels.h"
-#include "ring_model/require.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace stemware::ring
 {
-double LoadFunctional::operator()(const RingStack &load) const
-{
-  const std::vector<RingStack::Ring> &rings = load.rings();
-  require(rings.size() == a.size(), "the load has ", rings.size(), " rings, but the functional has ",
-          a.size());
-  double sum = 0.;
-  for (std::size_t j = 0; j < a.size(); ++j)
-  {
-    const std::size_t n_common = std::min(a[j].size(), rings[j].a.size());
-    for (std::size_t n = 0; n < n_common; ++n)
-      sum += a[j][n] * rings[j].a[n] + b[j][n] * rings[j].b[n];
-  }
-  return sum;
-}
-
 FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
                                          double omega, double speed)
 {

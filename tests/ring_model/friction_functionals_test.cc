@@ -1,5 +1,6 @@
 #include "ring_model/coulomb_ring.h"
-#include "ring_model/load_functional.h"
+#include "ring_model/friction_functionals.h"
+#include "tests/ring_model/quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ TEST(FrictionFunctionals, AreTheFrictionOfTheLoad)
   for (const double omega : { -15., -3., 0., 4., 15., 60. })
   {
     const FrictionFunctionals friction = friction_functionals(mu, radii, 3, omega, speed);
-    const Wrench expected = CoulombRing(mu).wrench_by_quadrature(load, omega, speed, 800);
+    const Wrench expected = test::wrench_by_quadrature(mu, load, omega, speed, 800);
     EXPECT_NEAR(friction.drag(load), expected.force_x, 1e-14) << omega;
     EXPECT_NEAR(friction.side(load), expected.force_y, 1e-14) << omega;
     EXPECT_NEAR(friction.torque(load), expected.torque, 3e-16) << omega;

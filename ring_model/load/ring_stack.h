@@ -50,6 +50,8 @@ public:
 
   /// The rings by themselves.
   const std::vector<Ring> &rings() const { return stack; }
+  /// Their radii r_j [m].
+  std::vector<double> radii() const;
 
   /// Highest harmonic n_max.
   unsigned int n_harmonics() const { return static_cast<unsigned int>(cosine.size()) - 1; }
@@ -98,9 +100,6 @@ public:
 
   /// The load turned counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
   RingStack rotated(double angle) const;
-
-  /// The mirror image in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change sign.
-  RingStack mirrored() const;
 
   /// All numbers of the stack in a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
   /// n_harmonics; harmonics that the load does not have are 0. Rows of equally many rings and harmonics may

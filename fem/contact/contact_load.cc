@@ -1,0 +1,243 @@
+#include "fem/contact/contact_load.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+using boost::math::double_constants::pi;
+
+/// Fourier sums of point forces on rings. Points that follow each other on one azimuth line are taken
+/// together, and cos and sin of n theta come from turning the point's direction: a law has thousands of
+/// points.
+class AzimuthSums
+{
+public:
+  AzimuthSums(std::size_t n_rings, unsigned int n_harmonics)
+      : a(n_rings, std::vector<double>(n_harmonics + 1, 0))
+      , b(a)
+      , forces(n_rings, 0)
+  {
+  }
+
+  /// Adds the force of @p point at @p radius, the share @p shares[j] of it to ring j.
+  void add(const PointForce &point, double radius, const Eigen::VectorXd &shares)
+  {
+    const double new_cosine = radius > 0 ? point.x / radius : 1;
+    const double new_sine = radius > 0 ? point.y / radius : 0;
+    if (std::abs(new_cosine - cosine) + std::abs(new_sine - sine) > 1e-14)
+    {
+      flush();
+      cosine = new_cosine;
+      sine = new_sine;
+    }
+    for (std::size_t j = 0; j < forces.size(); ++j)
+      forces[j] += shares(static_cast<Eigen::Index>(j)) * point.force;
+  }
+
+  /// Brings the last line's forces into the sums, and hands over those of all @p parts on rings of @p radii.
+  std::vector<ring::RingStack::Ring> finish(const std::vector<double> &radii, const SurfaceParts &parts)
+  {
+    flush();
+    std::vector<ring::RingStack::Ring> rings;
+    for (std::size_t j = 0; j < a.size(); ++j)
+    {
+      parts.sum_in_place(a[j]);
+      parts.sum_in_place(b[j]);
+      a[j][0] /= 2;
+      b[j][0] = 0;
+      rings.push_back({ radii[j], std::move(a[j]), std::move(b[j]) });
+    }
+    return rings;
+  }
+
+private:
+  void flush()
+  {
+    for (std::size_t j = 0; j < forces.size(); ++j)
+    {
+      double even = forces[j] / pi;
+      double odd = 0;
+      for (std::size_t n = 0; n < a[j].size(); ++n)
+      {
+        a[j][n] += even;
+        b[j][n] += odd;
+        const double next = even * cosine - odd * sine;
+        odd = even * sine + odd * cosine;
+        even = next;
+      }
+      forces[j] = 0;
+    }
+  }
+
+  std::vector<std::vector<double>> a;
+  std::vector<std::vector<double>> b;
+  std::vector<double> forces; ///< of the present line on each ring
+  double cosine = 1;
+  double sine = 0;
+};
+
+void require_radii(const std::vector<double> &radii)
+{
+  bool usable = !radii.empty() && std::isfinite(radii.back());
+  double before = 0;
+  for (const double radius : radii)
+  {
+    usable = usable && radius > before;
+    before = radius;
+  }
+  if (!usable)
+    throw std::invalid_argument(
+      "The rings' radii are not allowed; give positive numbers in ascending order.");
+}
+
+/// Into how many parts a contact line is to be cut for its quadrature points to know the radial moments that
+/// @p n_rings rings take over (TableLaw::load()).
+unsigned int parts_of_lines(std::size_t n_rings)
+{
+  // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
+  // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
+  constexpr std::size_t known_by_four_points = 8;
+  return n_rings <= known_by_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
+}
+
+} // namespace
+
+RingShares::RingShares(std::vector<double> radii_given)
+    : radii(std::move(radii_given))
+    , unit(radii.size() > 1 ? (radii.back() - radii.front()) / 4 : 1)
+    , denominators(radii.size(), 1.)
+    , shares(static_cast<Eigen::Index>(radii.size()))
+{
+  require_radii(radii);
+  for (std::size_t j = 0; j < radii.size(); ++j)
+    for (std::size_t k = 0; k < radii.size(); ++k)
+      if (k != j)
+        denominators[j] *= (radii[j] - radii[k]) / unit;
+}
+
+const Eigen::VectorXd &RingShares::at(double radius) const
+{
+  for (std::size_t j = 0; j < radii.size(); ++j)
+  {
+    double product = 1;
+    for (std::size_t k = 0; k < radii.size(); ++k)
+      if (k != j)
+        product *= (radius - radii[k]) / unit;
+    shares(static_cast<Eigen::Index>(j)) = product / denominators[j];
+  }
+  return shares;
+}
+
+ContactLoad ContactLoad::turned(double angle) const
+{
+  ContactLoad load = *this;
+  static_cast<RingStack &>(load) = rotated(angle);
+  for (AzimuthLoad &place : load.pointwise)
+    place.azimuth += angle;
+  return load;
+}
+
+ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
+                         const std::vector<double> &radii, const SurfaceParts &parts)
+{
+  using Moments = Eigen::Matrix<double, 5, 1>; // sums of f, M_Nx, M_Ny, f r, f r^2
+  Moments moments = Moments::Zero();
+  const std::optional<RingShares> shares = radii.empty() ? std::nullopt : std::optional(RingShares(radii));
+  const Eigen::VectorXd whole = Eigen::VectorXd::Ones(1);
+  AzimuthSums sums(std::max<std::size_t>(radii.size(), 1), n_harmonics);
+  for (const PointForce &point : forces)
+  {
+    const double radius = std::sqrt(point.x * point.x + point.y * point.y);
+    moments += point.force * Moments(1, point.y, -point.x, radius, radius * radius);
+    sums.add(point, radius, shares ? shares->at(radius) : whole);
+  }
+  moments = parts.sum(moments);
+  if (!(moments(0) > 0))
+    throw std::invalid_argument("There is no load on the table, so there are no load harmonics.");
+  const double mean_radius = moments(3) / moments(0);
+  std::vector<ring::RingStack::Ring> rings =
+    sums.finish(radii.empty() ? std::vector<double>{ moments(4) / moments(3) } : radii, parts);
+  double rotation = 0;
+  const double moment = std::hypot(moments(1), moments(2));
+  const double even = n_harmonics > 0 ? rings.front().a[1] : 0,
+               odd = n_harmonics > 0 ? rings.front().b[1] : 0;
+  // Below rounding the moment has no direction, nor its quotient with the first harmonic a value.
+  if (radii.empty() && moment > 1e-10 * moments(0) * mean_radius && (even != 0 || odd != 0))
+  {
+    rings.front().radius = moment / (pi * std::hypot(even, odd));
+    rotation = std::remainder(std::atan2(moments(1), -moments(2)) - std::atan2(odd, even), 2 * pi);
+  }
+  ring::RingStack stack(std::move(rings));
+  ContactLoad load(rotation == 0 ? stack : stack.rotated(rotation));
+  load.rotation = rotation;
+  load.mean_radius = mean_radius;
+  return load;
+}
+
+double least_load(const std::vector<AzimuthLoad> &pointwise)
+{
+  const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
+  { return one.density < other.density; };
+  const auto least = std::min_element(pointwise.begin(), pointwise.end(), less);
+  if (!(least->density > 0) || pointwise.size() < 3)
+    return std::max(0., least->density);
+  const AzimuthLoad &before = least == pointwise.begin() ? pointwise.back() : *(least - 1);
+  const AzimuthLoad &after = least + 1 == pointwise.end() ? pointwise.front() : *(least + 1);
+  const auto distance = [](double angle) { return angle < 0 ? angle + 2 * pi : angle; };
+  const double to_before = distance(least->azimuth - before.azimuth),
+               to_after = distance(after.azimuth - least->azimuth);
+  if (!(to_before > 0) || !(to_after > 0))
+    return least->density;
+  // The parabola least + slope t + bend t^2 through the three.
+  const double fall = (before.density - least->density) / to_before,
+               rise = (after.density - least->density) / to_after;
+  const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;
+  return bend > 0 ? std::max(0., least->density - slope * slope / (4 * bend)) : least->density;
+}
+
+std::pair<double, double> loaded_band(const TableLoad &load)
+{
+  double largest = 0;
+  for (const PointForce &point : load.points)
+    largest = std::max(largest, point.force);
+  largest = load.parts.max(largest);
+  double inner = std::numeric_limits<double>::infinity(), outer = 0;
+  for (const PointForce &point : load.points)
+    if (point.force > 1e-9 * largest)
+    {
+      const double radius = std::hypot(point.x, point.y);
+      inner = std::min(inner, radius);
+      outer = std::max(outer, radius);
+    }
+  return { load.parts.min(inner), load.parts.max(outer) };
+}
+
+ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
+                         const std::vector<double> &ring_radii)
+{
+  TableLoad on_table = law.load(solution, parts_of_lines(ring_radii.size()));
+  ContactLoad load = harmonics_of(on_table.points, n_harmonics, ring_radii, on_table.parts);
+  load.pointwise = std::move(on_table.density);
+  load.least = least_load(load.pointwise);
+  double largest = 0;
+  for (const AzimuthLoad &place : load.pointwise)
+    largest = std::max(largest, place.density);
+  const auto n_loaded =
+    std::count_if(load.pointwise.begin(), load.pointwise.end(),
+                  [=](const AzimuthLoad &place) { return place.density > 1e-11 * largest; }); // of rounding
+  load.contact_fraction = static_cast<double>(n_loaded) / static_cast<double>(load.pointwise.size());
+  return load;
+}
+
+} // namespace stemware::fem

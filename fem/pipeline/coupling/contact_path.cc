@@ -1,0 +1,150 @@
+#include "fem/pipeline/coupling/contact_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+Eigen::Vector4d numbers_of(const fem::ContactDemand &demand)
+{
+  return { demand.normal_force, demand.moment_x, demand.moment_y, demand.tilt_moment };
+}
+
+bool same_marks(const ring::Slip &one, const ring::Slip &other)
+{
+  return one.orientation.glass == other.orientation.glass && one.orientation.table == other.orientation.table;
+}
+
+} // namespace
+
+ContactPath::Found::Found(const fem::ContactState &state)
+    : demand(numbers_of(state.demand))
+    , slip(state.slip)
+    , zone(state.zone)
+    , start{ state.solution.motion, state.solution.normal_displacement }
+{
+}
+
+void ContactPath::append(const fem::ContactState &state)
+{
+  constexpr std::size_t most = 24, newest = 8;
+  last = state;
+  const Found now(state);
+  recent.erase(std::remove_if(recent.begin(), recent.end(),
+                              [&](const Found &one)
+                              {
+                                return !same_marks(one.slip, now.slip) || one.zone != now.zone ||
+                                       (one.demand == now.demand &&
+                                        one.slip.spin_per_speed == now.slip.spin_per_speed);
+                              }),
+               recent.end());
+  recent.push_back(now);
+  if (recent.size() <= most)
+    return;
+  // Of the older ones, that goes which has the nearest neighbour: the others go on to cover the spins.
+  const auto room = [&](const Found &one)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Found &other : recent)
+      if (&other != &one)
+        nearest = std::min(nearest, std::abs(other.slip.spin_per_speed - one.slip.spin_per_speed));
+    return nearest;
+  };
+  recent.erase(std::min_element(recent.begin(), recent.end() - newest,
+                                [&](const Found &one, const Found &other)
+                                { return room(one) < room(other); }));
+}
+
+std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *> points, double spin,
+                                                      std::size_t n_least)
+{
+  constexpr std::size_t most_points = 4;
+  constexpr double largest_sum = 8; // of the weights: beyond, it is no neighbour
+  std::sort(points.begin(), points.end(),
+            [&](const Found *one, const Found *other) {
+              return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);
+            });
+  for (std::size_t n = std::min(points.size(), most_points); n >= n_least; --n)
+  {
+    fem::ContactStart start = { Eigen::Vector3d::Zero(),
+                                Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()) };
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      double weight = 1; // Lagrange's polynomials
+      for (std::size_t k = 0; k < n; ++k)
+        if (k != i)
+          weight *= (spin - points[k]->slip.spin_per_speed) /
+                    (points[i]->slip.spin_per_speed - points[k]->slip.spin_per_speed);
+      start.motion += weight * points[i]->start.motion;
+      start.normal_displacement += weight * points[i]->start.normal_displacement;
+      sum += std::abs(weight);
+    }
+    if (sum <= largest_sum)
+      return start;
+  }
+  return std::nullopt;
+}
+
+fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const ring::Slip &slip,
+                                     const fem::ContactState *before) const
+{
+  fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
+  const unsigned int zone = guess.before ? guess.before->zone : 0;
+  const Eigen::Vector4d asked = numbers_of(demand);
+  std::vector<const Found *> known, same_demand, similar;
+  for (const Found &one : recent)
+    if (same_marks(one.slip, slip) && one.zone == zone)
+      known.push_back(&one);
+  for (const Found *one : known)
+    if (one->demand == asked)
+      same_demand.push_back(one);
+  guess.expected = between(same_demand, slip.spin_per_speed, 2);
+  for (const Found &one : of_similar)
+    if (zone == 0)
+      similar.push_back(&one);
+  if (!guess.expected)
+    guess.expected = between(similar, slip.spin_per_speed, 1);
+  if (guess.expected || known.empty())
+    return guess;
+  const double radius = last->load.mean_radius;
+  const auto distance = [&](const Found *one)
+  {
+    const Eigen::Vector4d difference = (one->demand - asked).cwiseAbs() / asked(0);
+    return radius * std::abs(one->slip.spin_per_speed - slip.spin_per_speed) + difference(0) +
+           difference.tail<3>().sum() / radius;
+  };
+  // Of equally near ones the newest.
+  guess.expected =
+    (*std::min_element(known.rbegin(), known.rend(),
+                       [&](const Found *one, const Found *other) { return distance(one) < distance(other); }))
+      ->start;
+  return guess;
+}
+
+void ContactPath::start_like(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other)
+{
+  constexpr double apart = 1e-5; // of the largest spin: two solutions at one spin have no polynomial
+  double largest = 0;
+  for (const Found &one : similar.recent)
+    largest = std::max(largest, std::abs(one.slip.spin_per_speed));
+  for (auto one = similar.recent.rbegin(); one != similar.recent.rend(); ++one)
+  {
+    const auto is_near = [&](const Found &known)
+    { return std::abs(known.slip.spin_per_speed - one->slip.spin_per_speed) < apart * largest; };
+    if (std::any_of(of_similar.begin(), of_similar.end(), is_near))
+      continue;
+    const std::optional<fem::ContactStart> start = own.expected_from(one->start, one->zone, other);
+    if (!start)
+      return;
+    of_similar.push_back(*one);
+    of_similar.back().start = *start;
+  }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+
+#include <optional>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The contacts of one foot as they follow each other, from which the next one is expected. It belongs to
+/// whoever asks for them: a foot itself remembers nothing.
+class ContactPath
+{
+public:
+  /// Where the contact under @p demand at @p slip is to be looked for: near @p before, or near the last one
+  /// where that is nothing. What is expected is the polynomial in the spin through the nearest contacts under
+  /// the same demand; where fewer than two are near enough, that of the similar foot; without one, the
+  /// nearest contact. Only contacts with the same marks count.
+  fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
+                          const fem::ContactState *before = nullptr) const;
+
+  /// Goes on to @p state.
+  void append(const fem::ContactState &state);
+
+  /// Expects of @p own what the contacts of @p similar, a path of the foot @p other, tell of it.
+  void start_like(const ContactPath &similar, const fem::Foot &own, const fem::Foot &other);
+
+private:
+  /// A contact, and what it was found for.
+  struct Found
+  {
+    explicit Found(const fem::ContactState &state);
+
+    /// Normal force, moment and tilt moment; the friction's moment depends on the spin and is left out.
+    Eigen::Vector4d demand;
+    ring::Slip slip;
+    unsigned int zone; ///< ContactState::zone
+    fem::ContactStart start;
+  };
+
+  /// The polynomial through those of @p points that are nearest to @p spin, at least @p n_least of them.
+  static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
+                                                  std::size_t n_least);
+
+  std::optional<fem::ContactState> last;
+  std::vector<Found> recent;     ///< oldest first
+  std::vector<Found> of_similar; ///< those of start_like()
+};
+
+} // namespace stemware::pipeline

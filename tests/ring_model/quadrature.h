@@ -1,0 +1,55 @@
+#pragma once
+
+#include "ring_model/coulomb_ring.h"
+#include "ring_model/load/constants.h"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace stemware::ring::test
+{
+/// The mirror image of @p load in the direction of motion, lambda'(theta) = lambda(-theta): all b_n change
+/// sign.
+inline RingStack mirrored(const RingStack &load)
+{
+  std::vector<RingStack::Ring> reversed = load.rings();
+  for (RingStack::Ring &ring : reversed)
+    for (double &coefficient : ring.b)
+      coefficient = -coefficient;
+  return RingStack(std::move(reversed));
+}
+
+/**
+ * CoulombRing::wrench() with the coefficient @p mu by the periodic trapezoidal rule on @p n_points angles:
+ * independent of the kernels, and as slow and inexact near |eps| = 1 as such a rule must be. Points without
+ * slip carry no friction.
+ */
+inline Wrench wrench_by_quadrature(double mu, const RingStack &load, double omega, double speed,
+                                   unsigned int n_points)
+{
+  const double width = 2 * pi / n_points;
+  Wrench sum{ 0., 0., 0. };
+  for (const RingStack::Ring &ring : load.rings())
+  {
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      // Half a cell off psi = 0, where the slip vanishes at eps = 1.
+      const double theta = pi / 2. + (i + 0.5) * width;
+      double density = ring.a[0];
+      for (unsigned int n = 1; n < ring.a.size(); ++n)
+        density += ring.a[n] * std::cos(n * theta) + ring.b[n] * std::sin(n * theta);
+      const double rim = omega * ring.radius;
+      const double slip_x = speed - rim * std::sin(theta), slip_y = rim * std::cos(theta);
+      const double slip = std::hypot(slip_x, slip_y);
+      if (slip == 0.)
+        continue;
+      const double force = mu * density * width / slip;
+      sum.force_x -= force * slip_x;
+      sum.force_y -= force * slip_y;
+      sum.torque -= force * ring.radius * (std::cos(theta) * slip_y - std::sin(theta) * slip_x);
+    }
+  }
+  return sum;
+}
+} // namespace stemware::ring::test
