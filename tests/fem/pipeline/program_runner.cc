@@ -288,6 +288,23 @@ std::vector<std::string> names_in(const fs::path &folder)
   return names;
 }
 
+std::string between(const std::string &text, const std::string &begin, const std::string &end)
+{
+  const auto from = text.find(begin);
+  if (from == std::string::npos)
+    return "";
+  return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
+}
+
+std::vector<std::string> all_between(const std::string &text, const std::string &begin,
+                                     const std::string &end)
+{
+  std::vector<std::string> found;
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    found.push_back(between(text.substr(at), begin, end));
+  return found;
+}
+
 std::string plain_study(const std::string &further)
 {
   return "subsection Motion\n  set Tilt = neglected\nend\n"

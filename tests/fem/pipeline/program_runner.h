@@ -72,6 +72,13 @@ Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arg
 std::vector<std::string> all_verbs();
 
 std::string read_text(const std::filesystem::path &file);
+
+/// What stands between @p begin and the next @p end in @p text; empty where there is no such place.
+std::string between(const std::string &text, const std::string &begin, const std::string &end);
+
+/// The same after every @p begin.
+std::vector<std::string> all_between(const std::string &text, const std::string &begin,
+                                     const std::string &end);
 nlohmann::json read_summary(const std::filesystem::path &results);
 
 /// Columns of a table of results by position, as numbers.
