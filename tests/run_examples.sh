@@ -23,7 +23,8 @@ home=$scratch/home
 mkdir -p "$scratch/bin" "$home"
 ln -s -- "$program" "$scratch/bin/stemware"
 ln -s -- "$source/tests/mpirun" "$scratch/bin/mpirun"
-command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
+# Without jq, the whole line is shown.
+command -v jq >/dev/null || { printf '#!/bin/sh\ncat\n' >"$scratch/bin/jq" && chmod +x "$scratch/bin/jq"; }
 # shellcheck disable=SC2016 # for the script that is written
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
 chmod +x "$scratch/bin/xdg-open"
