@@ -146,7 +146,7 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
                                                unsigned int degree)
 {
   SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
-  FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
+  FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree, 1e-11));
   FootCase multigrid(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-11));
   const WinklerInterface mat(1e11);
   direct.solve_on_winkler(1e11, load_at(1.3));

@@ -1,16 +1,19 @@
-#include "fem/solid/multigrid_system.h"
+#include "fem/solid/solid_system.h"
 
 #include "fem/contact/contact_solution.h"
 #include "fem/solid/binary_stream.h"
 #include "fem/solid/conjugate_gradients.h"
+#include "fem/solid/friction_corrections.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <sstream>
+#include <cmath>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -20,7 +23,7 @@ using namespace dealii;
 namespace
 {
 
-constexpr unsigned int max_cycles = 200;
+constexpr unsigned int most_iterations = 200;
 
 /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
 constexpr double unbalanced_share = 2e-10;
@@ -43,31 +46,39 @@ constexpr double small_border = 0.2;
 /// Whether it is to be left out is asked again where the table is stiffer by this factor.
 constexpr double much_stiffer = 4;
 
+/// K + B' T B.
 struct TangentOperator
 {
-  const ElasticOperator<double> &elastic;
+  const BodyStiffness &body;
   const ContactStiffness &contact;
-  void vmult(MeshHierarchy::Vector &dst, const MeshHierarchy::Vector &src) const
+  void vmult(BodyStiffness::Vector &dst, const BodyStiffness::Vector &src) const
   {
-    elastic.vmult(dst, src);
+    body.vmult(dst, src);
     contact.vmult_add(dst, src);
   }
 };
 
-struct CyclePreconditioner
+/// Its approximate inverse.
+struct TangentPreconditioner
 {
-  const MeshHierarchy &hierarchy;
-  const unsigned int level;
-  void vmult(MeshHierarchy::Vector &dst, const MeshHierarchy::Vector &src) const
+  const BodyStiffness &body;
+  void vmult(BodyStiffness::Vector &dst, const BodyStiffness::Vector &src) const
   {
-    hierarchy.v_cycle(level, dst, src);
+    body.precondition(dst, src);
   }
 };
+
+/// NewtonIncrement::steadiness from what is set against motions, @p resistance, and the weight's part H of
+/// it, @p leaning.
+double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
+{
+  return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
+}
 
 } // namespace
 
 /// What the table's motions add to the system of one Newton step.
-struct MultigridSystem::Border
+struct SolidSystem::Border
 {
   Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it
   Eigen::Matrix3d corner;   ///< C = Q' T Q
@@ -76,10 +87,10 @@ struct MultigridSystem::Border
 };
 
 /// K + B' T B - G C^-1 G'.
-class MultigridSystem::ProjectedOperator
+class SolidSystem::ProjectedOperator
 {
 public:
-  ProjectedOperator(const MultigridSystem &system, const Border &border)
+  ProjectedOperator(const SolidSystem &system, const Border &border)
       : system(system)
       , border(border)
   {
@@ -87,7 +98,7 @@ public:
 
   void vmult(Vector &dst, const Vector &src) const
   {
-    system.elastic->vmult(dst, src);
+    system.body->vmult(dst, src);
     const ContactNodes &nodes = system.contact.nodes();
     const Eigen::VectorXd nodal = nodes.gather(src);
     const Eigen::Vector3d motion =
@@ -96,15 +107,15 @@ public:
   }
 
 private:
-  const MultigridSystem &system;
+  const SolidSystem &system;
   const Border &border;
 };
 
-/// The V-cycle plus W S^-1 W'.
-class MultigridSystem::ProjectedPreconditioner
+/// The inverse of K + B' T B plus W S^-1 W'.
+class SolidSystem::ProjectedPreconditioner
 {
 public:
-  ProjectedPreconditioner(const MultigridSystem &system, const Border &border)
+  ProjectedPreconditioner(const SolidSystem &system, const Border &border)
       : system(system)
       , border(border)
   {
@@ -112,7 +123,7 @@ public:
 
   void vmult(Vector &dst, const Vector &src) const
   {
-    system.hierarchy->v_cycle(system.level, dst, src);
+    system.body->precondition(dst, src);
     if (!system.border_matters)
       return;
     const auto &w = system.eliminated_border;
@@ -129,40 +140,62 @@ public:
   }
 
 private:
-  const MultigridSystem &system;
+  const SolidSystem &system;
   const Border &border;
 };
 
-MultigridSystem::MultigridSystem(std::shared_ptr<MeshHierarchy> meshes, unsigned int level,
-                                 const ElasticMaterial &material, const SolidBody::Gap &gap,
-                                 double linear_tolerance)
-    : SolidSystem(material)
-    , hierarchy(std::move(meshes))
-    , level(level)
+ScaledMotions::ScaledMotions(const ContactSurface &surface)
+    : modes(surface.motion_modes())
+{
+  const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
+  scale = { 1, 1 / length, 1 / length };
+  modes = (modes * scale.asDiagonal()).eval();
+}
+
+SolidSystem::SolidSystem(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material,
+                         const SolidBody::Gap &gap, double linear_tolerance)
+    : body(std::move(stiffness))
+    , material(material)
     , linear_tolerance(linear_tolerance)
-    , elastic(make_elastic_operator<double>(hierarchy->level(level).mapping,
-                                            hierarchy->level(level).dof_handler,
-                                            hierarchy->level(level).constraints, material))
-    , contact(hierarchy->contact_nodes(level))
+    , contact(body->contact_nodes())
+    , zone(describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
+                                 body->contact_nodes(), gap))
     , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
 {
-  zone = describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
-                               hierarchy->contact_nodes(level), gap);
   for (Vector *vector : { &displacement, &elastic_forces })
-    elastic->initialize_dof_vector(*vector);
+    body->initialize(*vector);
   for (FloatVector &column : eliminated_border)
     column.reinit(displacement);
 }
 
-std::unique_ptr<MultigridSystem> MultigridSystem::coarser(const SolidBody::Gap &gap) const
+SolidSystem::~SolidSystem() = default;
+
+std::unique_ptr<SolidSystem> SolidSystem::coarser(const SolidBody::Gap &gap) const
 {
-  return std::make_unique<MultigridSystem>(hierarchy, level - 1, material, gap, linear_tolerance);
+  if (body->is_coarsest())
+    return nullptr;
+  return std::make_unique<SolidSystem>(body->coarser(), material, gap, linear_tolerance);
 }
 
-MultigridSystem::Vector MultigridSystem::contact_load(const Eigen::VectorXd &forces) const
+void SolidSystem::set_sliding(const SlidingTraction &traction)
+{
+  has_friction = traction.friction_coefficient != 0;
+  if (!has_friction)
+    return;
+  friction.resize(zone.surface.n_nodes(), 2);
+  for (Eigen::Index i = 0; i < friction.rows(); ++i)
+  {
+    const double x = zone.surface.node_position(i, 0), y = zone.surface.node_position(i, 1);
+    const double azimuth = std::atan2(y, x);
+    const Eigen::Vector2d direction = traction.direction(std::hypot(x, y), azimuth);
+    friction.row(i) = Eigen::Rotation2Dd(azimuth) * direction;
+  }
+}
+
+SolidSystem::Vector SolidSystem::contact_load(const Eigen::VectorXd &forces) const
 {
   Vector load;
-  elastic->initialize_dof_vector(load);
+  body->initialize(load);
   const Eigen::VectorXd own = contact.nodes().summed(forces);
   for (unsigned int i = 0; i < own.size(); ++i)
     load.local_element(contact.nodes().own_places()[i]) = own(i);
@@ -175,57 +208,57 @@ MultigridSystem::Vector MultigridSystem::contact_load(const Eigen::VectorXd &for
   return load;
 }
 
-void MultigridSystem::start_from(const MultigridSystem &coarse)
+void SolidSystem::start_from(const SolidSystem &coarse)
 {
-  hierarchy->prolongate(level, displacement, coarse.displacement);
-  elastic->vmult(elastic_forces, displacement);
+  body->prolongate(displacement, coarse.displacement);
+  body->vmult(elastic_forces, displacement);
   residual_before = 0;
   border_matters = coarse.border_matters;
   border_stiffness = coarse.border_stiffness;
   if (border_matters)
     for (unsigned int i = 0; i < 3; ++i)
-      hierarchy->prolongate(level, eliminated_border[i], coarse.eliminated_border[i]);
+      body->prolongate(eliminated_border[i], coarse.eliminated_border[i]);
 }
 
-void MultigridSystem::set_displacement(const Vector &vector)
+void SolidSystem::set_displacement(const Vector &vector)
 {
   displacement.copy_locally_owned_data_from(vector);
-  elastic->vmult(elastic_forces, displacement);
+  body->vmult(elastic_forces, displacement);
   residual_before = 0;
 }
 
-MultigridSystem::Vector MultigridSystem::residual(const Eigen::VectorXd &forces) const
+SolidSystem::Vector SolidSystem::residual(const Eigen::VectorXd &forces) const
 {
   Vector result = contact_load(forces);
   result -= elastic_forces;
   return result;
 }
 
-MultigridSystem::Vector MultigridSystem::solve_symmetric(const Eigen::SparseMatrix<double> &tangent,
-                                                         const Eigen::VectorXd &nodal,
-                                                         const Eigen::Vector3d &on_motions, double reduction)
+SolidSystem::Vector SolidSystem::solve_symmetric(const Eigen::SparseMatrix<double> &tangent,
+                                                 const Eigen::VectorXd &nodal,
+                                                 const Eigen::Vector3d &on_motions, double reduction)
 {
   forget_increment();
   contact.set(tangent);
-  hierarchy->set_contact(level, tangent);
+  body->set_contact(tangent);
   const ScaledMotions motions(zone.surface);
   const Border border = make_border(motions.modes, loose_border);
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * on_motions;
   Vector rhs, solution;
-  elastic->initialize_dof_vector(rhs);
-  elastic->initialize_dof_vector(solution);
+  body->initialize(rhs);
+  body->initialize(solution);
   contact.nodes().scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
   conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
-                      reduction * rhs.l2_norm(), max_cycles, solution);
+                      reduction * rhs.l2_norm(), most_iterations, solution);
   return solution;
 }
 
-Eigen::VectorXd MultigridSystem::contact_displacement() const
+Eigen::VectorXd SolidSystem::contact_displacement() const
 {
   return contact.nodes().gather(displacement);
 }
 
-MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &modes, double tolerance)
+SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, double tolerance)
 {
   Border border;
   border.columns = contact.matrix() * modes;
@@ -237,11 +270,11 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
   if (!border_matters && tolerance >= loose_border && stiffness < much_stiffer * border_stiffness)
     return border;
 
-  const TangentOperator tangent{ *elastic, contact };
-  const CyclePreconditioner cycle{ *hierarchy, level };
+  const TangentOperator tangent{ *body, contact };
+  const TangentPreconditioner preconditioner{ *body };
   Vector column, image, residual, correction;
   for (Vector *vector : { &column, &image, &residual, &correction })
-    elastic->initialize_dof_vector(*vector);
+    body->initialize(*vector);
   std::array<FloatVector, 3> images; // A W
   Eigen::Matrix3d overlap;           // W' G
   for (unsigned int i = 0; i < 3; ++i)
@@ -255,7 +288,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
     if (residual.l2_norm() > target)
     {
       correction = 0;
-      conjugate_gradients(tangent, cycle, residual, target, max_cycles, correction);
+      conjugate_gradients(tangent, preconditioner, residual, target, most_iterations, correction);
       column += correction;
       eliminated_border[i].copy_locally_owned_data_from(column);
       tangent.vmult(image, column);
@@ -277,7 +310,7 @@ MultigridSystem::Border MultigridSystem::make_border(const Eigen::MatrixX3d &mod
   return border;
 }
 
-double MultigridSystem::target_residual(double residual, double force)
+double SolidSystem::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
@@ -289,13 +322,12 @@ double MultigridSystem::target_residual(double residual, double force)
   return target < nearly_last * last_target ? last_target : target;
 }
 
-NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangent,
-                                       const Eigen::VectorXd &forces, const LinearConditions &conditions,
-                                       const Eigen::Vector3d &motion)
+NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                   const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
   forget_increment();
   contact.set(tangent);
-  hierarchy->set_contact(level, tangent);
+  body->set_contact(tangent);
   const ContactNodes &nodes = contact.nodes();
   const ScaledMotions motions(zone.surface);
   const bool symmetric = conditions.are_resultants();
@@ -303,7 +335,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
 
   const ProjectedOperator matrix(*this, border);
   const ProjectedPreconditioner preconditioner(*this, border);
-  const auto forces_of = [&](const SolidIncrement<Vector> &of) -> Eigen::VectorXd
+  const auto forces_of = [&](const SolidIncrement &of) -> Eigen::VectorXd
   { return contact.matrix() * (of.displacement + motions.modes * of.motion); };
   const auto projected = [&](Vector residual, const Eigen::Vector3d &missing)
   {
@@ -312,18 +344,18 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   };
   const auto solve_symmetric_part = [&](const Vector &rhs, const Eigen::Vector3d &missing, double target)
   {
-    SolidIncrement<Vector> solution;
-    elastic->initialize_dof_vector(solution.body);
+    SolidIncrement solution;
+    body->initialize(solution.body);
     if (rhs.l2_norm() > target)
       solution.n_iterations =
-        conjugate_gradients(matrix, preconditioner, rhs, target, max_cycles, solution.body);
+        conjugate_gradients(matrix, preconditioner, rhs, target, most_iterations, solution.body);
     solution.displacement = nodes.gather(solution.body);
     solution.motion = border.inverse_corner *
                       (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
     if (!symmetric)
       close_conditions(conditions, motions, missing, solution);
-    elastic->initialize_dof_vector(solution.image);
-    elastic->vmult(solution.image, solution.body);
+    body->initialize(solution.image);
+    body->vmult(solution.image, solution.body);
     solution.image += contact_load(forces_of(solution));
     return solution;
   };
@@ -331,7 +363,7 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
   // Vectors of the whole body are most of the memory: none stays that is not needed in the next line.
   double target = 0;
-  SolidIncrement<Vector> solution = [&]
+  SolidIncrement solution = [&]
   {
     const Vector rhs = projected(residual(forces), missing);
     target = target_residual(rhs.l2_norm(), nodes.norm(forces));
@@ -355,20 +387,21 @@ NewtonIncrement MultigridSystem::solve(const Eigen::SparseMatrix<double> &tangen
   // The work of friction, which changes with the forces, belongs to the body's.
   step.energy_curvature = solution.image * solution.body - nodes.parts().sum(change.dot(step.displacement));
   step.energy_slope = nodes.parts().sum(forces.dot(step.displacement)) - residual(forces) * solution.body;
+  body->learn(solution.n_iterations);
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
   return step;
 }
 
-void MultigridSystem::forget_increment()
+void SolidSystem::forget_increment()
 {
   increment.reinit(0);
   increment_forces.reinit(0);
 }
 
-void MultigridSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
-                                       const Eigen::Vector3d &missing, SolidIncrement<Vector> &solution) const
+void SolidSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
+                                   const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
   // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
   Eigen::MatrixX3d response(motions.modes);
@@ -397,25 +430,25 @@ void MultigridSystem::close_conditions(const LinearConditions &conditions, const
       solution.body.local_element(i) -= further(k) * double(eliminated_border[k].local_element(i));
 }
 
-void MultigridSystem::update(double step_length)
+void SolidSystem::update(double step_length)
 {
   displacement.add(step_length, increment);
   elastic_forces.add(step_length, increment_forces);
 }
 
-void MultigridSystem::reset()
+void SolidSystem::reset()
 {
   displacement = 0;
   elastic_forces = 0;
   residual_before = 0;
 }
 
-double MultigridSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
+double SolidSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
   return residual(forces).l2_norm() / contact.nodes().norm(forces);
 }
 
-void MultigridSystem::write_state(std::ostream &stream) const
+void SolidSystem::write_state(std::ostream &stream) const
 {
   for (const Vector *vector : { &displacement, &elastic_forces })
     write_binary(stream, vector->begin(), vector->locally_owned_size());
@@ -426,7 +459,7 @@ void MultigridSystem::write_state(std::ostream &stream) const
   write_binary(stream, &border_stiffness, 1);
 }
 
-void MultigridSystem::read_state(std::istream &stream)
+void SolidSystem::read_state(std::istream &stream)
 {
   for (Vector *vector : { &displacement, &elastic_forces })
     read_binary(stream, vector->begin(), vector->locally_owned_size());
@@ -437,7 +470,7 @@ void MultigridSystem::read_state(std::istream &stream)
   read_binary(stream, &border_stiffness, 1);
 }
 
-LinearAlgebra::distributed::Vector<double> MultigridSystem::displacement_for_output() const
+LinearAlgebra::distributed::Vector<double> SolidSystem::displacement_for_output() const
 {
   const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(mesh().dof_handler);
   Vector result(mesh().dof_handler.locally_owned_dofs(), relevant, mesh().dof_handler.get_communicator());
