@@ -1,4 +1,4 @@
-# `cpack` makes two Debian packages, of the program and of the libraries: cmake --workflow --preset package. Not in builds
+# `cpack` makes two Debian packages, of the program and of the libraries: ./quickstart package. Not in builds
 # for one machine: packages run on every one of their architecture.
 install(
   FILES LICENSE

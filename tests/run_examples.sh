@@ -110,7 +110,7 @@ take_results() {
 check_quickstart() {
   local verb study
   read -r _ verb study _ <<<"$1"
-  grep -qE "^(run \| test \| install|help \| .*)\)" quickstart && [[ $verb =~ ^(run|test|install|--help)$ ]] || return 1
+  grep -qE "^(run \| test \| install|help \| .*)\)" quickstart && [[ $verb =~ ^(run|test|install|package|--help)$ ]] || return 1
   [[ $verb != run || $study != *.prm || $study == my_* || -f $study ]]
 }
 

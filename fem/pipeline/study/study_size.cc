@@ -80,7 +80,7 @@ void add_solid_body(const Study &study, StudySize &size)
     size.cells += 20 * std::ldexp(contact.resolution.azimuthal_cells,
                                   static_cast<int>(contact.refinements + n_edge_halvings));
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
-  // Bytes per unknown (docs/method/solid_at_scale.md).
+  // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
   // The meshes under one with a halved edge have many cells too.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;

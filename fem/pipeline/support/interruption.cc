@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <map>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -39,19 +38,14 @@ Watch &watch()
 
 int wake_up_pipe[2] = { -1, -1 };
 
-/// Which of the signals were ignored when the program started (nohup, jobs in the background): they stay so.
-/// Asked before main(), because MPI changes them.
-const std::map<int, bool> ignored_from_the_start = []
+/// The signals that end the program.
+struct WatchedSignal
 {
-  std::map<int, bool> ignored;
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
-  {
-    struct sigaction action = {};
-    ::sigaction(signal, nullptr, &action);
-    ignored[signal] = action.sa_handler == SIG_IGN;
-  }
-  return ignored;
-}();
+  int number;
+  /// Whether it was ignored when the program started (nohup, jobs in the background): it stays so.
+  bool is_ignored = false;
+};
+WatchedSignal watched_signals[] = { { SIGINT }, { SIGTERM }, { SIGHUP } };
 
 /// Ends a program that has not reached main() yet; it has nothing to tidy up.
 extern "C" void end_at_once(int)
@@ -63,18 +57,20 @@ extern "C" void end_at_once(int)
 
 void watch_while_libraries_start(int, char **, char **)
 {
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  for (WatchedSignal &signal : watched_signals)
   {
     struct sigaction action = {};
-    ::sigaction(signal, nullptr, &action);
+    ::sigaction(signal.number, nullptr, &action);
+    signal.is_ignored = action.sa_handler == SIG_IGN;
     if (action.sa_handler != SIG_DFL)
       continue;
     action.sa_handler = end_at_once;
-    ::sigaction(signal, &action, nullptr);
+    ::sigaction(signal.number, &action, nullptr);
   }
 }
 
-/// Called by the loader before the libraries are initialised: these take as long as a study that is refused.
+/// Called by the loader before the libraries are initialised: these take as long as a study that is refused,
+/// and some of them take signals.
 __attribute__((section(".preinit_array"),
                used)) void (*const first_call)(int, char **, char **) = watch_while_libraries_start;
 
@@ -135,12 +131,12 @@ void watch_for_interruption()
       throw std::system_error(errno, std::generic_category(), "the watch for interruptions cannot start");
     std::thread(wait_for_signal).detach();
   }
-  for (const auto &[signal, ignored] : ignored_from_the_start)
+  for (const WatchedSignal &signal : watched_signals)
   {
     struct sigaction action = {};
-    action.sa_handler = ignored ? SIG_IGN : wake_up;
+    action.sa_handler = signal.is_ignored ? SIG_IGN : wake_up;
     action.sa_flags = SA_RESTART;
-    ::sigaction(signal, &action, nullptr);
+    ::sigaction(signal.number, &action, nullptr);
   }
   // A file that grows beyond what the user may write is a file that cannot be written, and said so.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -204,7 +204,8 @@ TEST(MultigridLong, AgreesWithTheFactorisation)
 
 TEST(MultigridLong, IterationsDoNotGrow)
 {
-  // More levels, and quadratic elements on them, are for multigrid_benchmark (docs/method/solid_at_scale.md).
+  // More levels, and quadratic elements on them, are for multigrid_benchmark
+  // (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);

@@ -65,24 +65,6 @@ Ended run_first_harmonic(const ScratchFolder &scratch, const std::string &moment
   return stemware(scratch, arguments);
 }
 
-/// What stands between the first @p begin and the next @p end.
-std::string between(const std::string &text, const std::string &begin, const std::string &end)
-{
-  const auto from = text.find(begin);
-  if (from == std::string::npos)
-    return "";
-  return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
-}
-
-std::vector<std::string> all_between(const std::string &text, const std::string &begin,
-                                     const std::string &end)
-{
-  std::vector<std::string> found;
-  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
-    found.push_back(between(text.substr(at), begin, end));
-  return found;
-}
-
 /// The number in front of "\u00b1 band" in @p text, and the band; both as printed.
 std::pair<double, double> with_band(const std::string &printed)
 {
@@ -255,19 +237,6 @@ TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(read_text(command_line), "");
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "number", "programs", "study.prm" }));
-}
-
-TEST(CoarseReport, WithTwoRanks)
-{
-  const ScratchFolder scratch;
-  scratch.write("coarse.prm", coarse_study());
-  const Ended ended =
-    RunningProgram({ STEMWARE_MPIRUN, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path())
-      .end();
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(all_between(ended.out, "\nReport ", "\n").size(), 1u) << ended.out;
-  EXPECT_EQ(all_between(read_text(scratch / "results/coarse/report.html"), "<svg", ">").size(),
-            figures.size());
 }
 
 } // namespace
