@@ -2,11 +2,10 @@
 
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/output/render/report.h"
-#include "fem/pipeline/study/idle_entries.h"
-#include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
