@@ -191,28 +191,6 @@ SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, 
   return slide_to_stop(inertia_of(slider), friction_of(slider), speed, omega, accuracy);
 }
 
-std::vector<double> self_similar_slip_ratios(const FreeSlider &slider)
-{
-  slider.validate();
-  const unsigned int n_intervals = 200;
-  const auto grid = [](unsigned int i) { return static_cast<double>(i) / n_intervals; };
-  const SlidingInertia inertia = inertia_of(slider);
-  const SlidingFriction friction = friction_of(slider);
-  const std::function<double(double)> growth = [&](double t)
-  { return slip_ratio_growth(inertia, friction, slip_ratio_at(t)); };
-
-  std::vector<double> ratios;
-  double left = growth(grid(1));
-  for (unsigned int i = 1; i + 2 < 2 * n_intervals; ++i)
-  {
-    const double right = growth(grid(i + 1));
-    if (left == 0. || left * right < 0.)
-      ratios.push_back(root_between(growth, grid(i), grid(i + 1), left, right));
-    left = right;
-  }
-  return ratios;
-}
-
 double final_slip_ratio(const FreeSlider &slider, double slip_ratio)
 {
   return final_slip_ratio(inertia_of(slider), friction_of(slider), slip_ratio);

@@ -18,14 +18,6 @@ std::string to_string(Closure closure)
   throw std::invalid_argument("the closure is none of paper, hand, full");
 }
 
-Closure closure_from_string(const std::string &name)
-{
-  for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
-    if (to_string(closure) == name)
-      return closure;
-  throw std::invalid_argument("the closure \"" + name + "\" is unknown; choose paper, hand or full");
-}
-
 double friction_arm(Closure closure, const Motion &motion)
 {
   switch (closure)

@@ -19,9 +19,6 @@ enum class Closure
 /// "paper", "hand" or "full".
 std::string to_string(Closure closure);
 
-/// The closure of that name. @throws std::invalid_argument listing the names if there is none.
-Closure closure_from_string(const std::string &name);
-
 /**
  * The arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
  * z for `hand`, the height of the hand above the table z_CM + Delta z for `full`.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "ring_model/terminal_spin.h"
-
 #include <functional>
 #include <vector>
 
@@ -18,15 +16,6 @@ struct SpinSample
 };
 
 /**
- * Spin-up I_z d omega/dt = tau_z(omega) by the paper's forward Euler: omega_{i+1} = omega_i + tau_z(omega_i)
- * dt / I_z. First order in @p time_step. Returns n_steps + 1 samples, the first at t = 0.
- *
- * @throws std::invalid_argument if the inertia or the step is not positive.
- */
-std::vector<SpinSample> spin_up_euler(const TorqueFunction &torque, double yaw_inertia, double initial_spin,
-                                      double time_step, unsigned int n_steps);
-
-/**
  * Spin-up I_z d omega/dt = tau_z(t, omega) from t = 0 by the Dormand-Prince pair with step control and dense
  * output (Boost.Odeint), sampled at @p times.
  *
@@ -39,14 +28,4 @@ std::vector<SpinSample> spin_up_euler(const TorqueFunction &torque, double yaw_i
 std::vector<SpinSample> spin_up(const TimedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                                 const std::vector<double> &times, double accuracy = 1e-10,
                                 double spin_scale = 1.);
-
-/**
- * The time [s] after which the spin stays within @p fraction of the whole change |terminal - initial| of its
- * terminal value: int I_z / tau_z domega, by Gauss-Kronrod quadrature to rounding.
- *
- * @throws std::invalid_argument unless 0 < fraction < 1,
- *         std::runtime_error if the torque does not push from the initial to the terminal spin all the way.
- */
-double settling_time(const TorqueFunction &torque, double yaw_inertia, double initial_spin,
-                     double terminal_omega, double fraction);
 } // namespace stemware::ring

@@ -133,21 +133,6 @@ TEST(Closures, PapersOwnParametersLiftTheRing)
   EXPECT_GT(hand.norm(), limit);
 }
 
-TEST(Closures, NamesGoBothWays)
-{
-  for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
-    EXPECT_EQ(closure_from_string(to_string(closure)), closure);
-  try
-  {
-    closure_from_string("Full");
-    FAIL() << "accepted";
-  }
-  catch (const std::invalid_argument &error)
-  {
-    EXPECT_STREQ(error.what(), "the closure \"Full\" is unknown; choose paper, hand or full");
-  }
-}
-
 TEST(Motion, RefusesWhatIsNotAllowed)
 {
   const auto refused = [](auto change)

@@ -143,7 +143,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   require_known_body(study);
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
-  watch_for_interruption(); // again: MPI puts handlers of its own in place
+  watch_for_interruption(); // again: now it is known which rank this is
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     "
             << (options.study_file.empty()  ? "default"

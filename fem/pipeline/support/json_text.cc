@@ -34,18 +34,18 @@ Json parse_json(const std::string &origin, const std::string &text)
   std::vector<std::set<std::string>> names; // in the objects that are open
   const auto look = [&](int level, Json::parse_event_t event, Json &value)
   {
-    require(
-      level <= most_levels,
-      fmt::format(FMT_STRING("{}: the JSON is nested more than {} levels deep; a study has sections and "
-                             "entries, two levels."),
-                  origin, most_levels));
+    if (level > most_levels)
+      throw BadInput(fmt::format(FMT_STRING("{}: the JSON is nested more than {} levels deep; a study has "
+                                            "sections and entries, two levels."),
+                                 origin, most_levels));
     if (event == Json::parse_event_t::object_start)
       names.emplace_back();
     else if (event == Json::parse_event_t::object_end)
       names.pop_back();
-    else if (event == Json::parse_event_t::key) // of two the parser would keep one without a word
-      require(names.back().insert(value.get<std::string>()).second,
-              origin + ": \"" + shortened(value.get<std::string>()) + "\" stands twice; leave one of them.");
+    // Of two values of one name the parser would keep one without a word.
+    else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
+      throw BadInput(origin + ": \"" + shortened(value.get<std::string>()) +
+                     "\" stands twice; leave one of them.");
     return true;
   };
   try
