@@ -283,7 +283,7 @@ TEST(Truncate, ReportHasTheAnswerAndTheFigures)
        { "waterfall", "load", "spectrum", "terminal_spin", "torque", "spin_up", "deviation" })
   {
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure + "\""), std::string::npos) << figure;
-    for (const char *kind : { ".svg", ".pdf", ".dat", ".gp" })
+    for (const char *kind : { ".svg", ".pdf", ".gp" })
       EXPECT_TRUE(std::filesystem::exists(scratch / "truncate/figures" / (std::string(figure) + kind)))
         << figure << kind;
   }
