@@ -117,10 +117,11 @@ TEST_F(RunReport, HasEveryFigureAndLinksThatLead)
   const std::string page = html();
   for (const std::string &name : figures)
   {
-    for (const char *extension : { ".svg", ".pdf", ".gp", ".dat" })
+    for (const char *extension : { ".svg", ".pdf", ".gp" })
       EXPECT_GT(fs::file_size(results() / "figures" / (name + extension)), 0u) << name << extension;
-    EXPECT_NE(between(page, "<figure id=\"" + name + "\">", "</figure>").find("<svg"), std::string::npos)
-      << name;
+    const std::string figure = between(page, "<figure id=\"" + name + "\">", "</figure>");
+    for (const char *part : { "<svg", "figcaption", ".dat\">data</a>" })
+      EXPECT_NE(figure.find(part), std::string::npos) << name << part;
   }
   EXPECT_EQ(all_between(page, "<figure id=\"", "\"").size(), figures.size());
   const auto links = all_between(page, "<a href=\"", "\"");
@@ -209,6 +210,28 @@ TEST(FirstHarmonicReport, IsWrittenWithoutGnuplot)
   EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
   for (const char *name : { "load", "torque", "spin_up" })
     EXPECT_TRUE(fs::exists(scratch / "results/figures" / (name + std::string(".svg")))) << name;
+}
+
+TEST(FirstHarmonicReport, TemplatesOfTheSharedFolderComeBeforeThoseThatAreCompiledIn)
+{
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "bin");
+  fs::copy_file(STEMWARE_PROGRAM, scratch / "bin/stemware");
+  fs::create_directories(scratch / "share/stemware/plots");
+  scratch.write("share/stemware/plots/torque.gp",
+                "# My torque.\nload \"figures/style.gnuplot\"\nset ylabel \"mine\"\n"
+                "plot \"spin_up.dat\" using 1:2 with lines title kept(n_all)\n");
+  std::vector<std::string> command = lifted_run(scratch);
+  command.insert(command.begin(), (scratch / "bin/stemware").string());
+  command.insert(command.end(), { "--set", "Load/Source=first harmonic" });
+  const Ended ended = RunningProgram(command, scratch.path()).end();
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  const std::string figure =
+    between(read_text(scratch / "results/report.html"), "<figure id=\"torque\">", "</figure>");
+  for (const char *own : { "My torque.", ">mine</", "href=\"spin_up.dat\">data</a>" })
+    EXPECT_NE(figure.find(own), std::string::npos) << own << '\n' << figure;
+  EXPECT_TRUE(fs::exists(scratch / "results/figures/spin_up.svg")); // which has no template there
 }
 
 TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)

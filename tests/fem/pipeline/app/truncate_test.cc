@@ -301,7 +301,7 @@ TEST_F(TruncatedGlass, ReportHasTheAnswerAndTheFigures)
        { "waterfall", "load", "spectrum", "terminal_spin", "torque", "spin_up", "deviation" })
   {
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure + "\""), std::string::npos) << figure;
-    for (const char *kind : { ".svg", ".pdf", ".dat", ".gp" })
+    for (const char *kind : { ".svg", ".pdf", ".gp" })
       EXPECT_TRUE(std::filesystem::exists(results() / "figures" / (std::string(figure) + kind)))
         << figure << kind;
   }

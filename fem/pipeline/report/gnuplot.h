@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/report/plot.h"
 
 #include <filesystem>
 #include <string>
@@ -8,6 +8,14 @@
 
 namespace stemware::pipeline
 {
+
+/// What to say before long work where no gnuplot can be found: the report will then have no pictures, but
+/// their scripts and data. Empty where there is one.
+std::string missing_plotter();
+
+/// The text of a file of plots/: of the folder share/stemware that comes with the program, where it has one,
+/// or else as it was compiled in. Throws std::out_of_range for a file that there is not.
+std::string plot_file_text(const std::string &name);
 
 /// Writes figures/style.gnuplot and the scripts and data of @p plots into @p folder, then lets gnuplot draw
 /// all of them, SVG and PDF side by side. A plot that fails costs the others nothing. Returns one or more

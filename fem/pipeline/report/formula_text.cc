@@ -1,4 +1,4 @@
-#include "fem/pipeline/output/render/formula_text.h"
+#include "fem/pipeline/report/formula_text.h"
 
 #include <cctype>
 

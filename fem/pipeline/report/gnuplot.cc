@@ -1,9 +1,10 @@
-#include "fem/pipeline/output/render/gnuplot.h"
+#include "fem/pipeline/report/gnuplot.h"
 
-#include "fem/pipeline/output/render/formula_text.h"
-#include "fem/pipeline/output/render/gnuplot_style.h"
+#include "fem/pipeline/report/compiled_plots.h"
+#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/support/child_process.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -34,8 +35,8 @@ std::string script_of(const Plot &plot)
   script << "# " << boost::replace_all_copy(plot.caption, "\n", "\n# ")
          << "\n# Drawn again, as SVG or as PDF, in the folder of the results:\n"
          << "#   gnuplot " << file << "\n#   gnuplot -e 'format = \"pdf\"' " << file << "\n"
-         << "name = \"" << plot.name << "\"; width = " << plot.width << "; height = " << plot.height
-         << "\nload \"figures/style.gnuplot\"\n\n"
+         << "name = \"" << plot.name << "\"; data = \"" << plot_file(plot, "dat").string()
+         << "\"; width = 540; height = 360; note = \"\"\n"
          << plot.script << (plot.script.empty() || plot.script.back() != '\n' ? "\n" : "");
   return script.str();
 }
@@ -43,7 +44,7 @@ std::string script_of(const Plot &plot)
 void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 {
   fs::create_directory(folder / "figures"); // not the folder itself: an interruption may have taken it away
-  write_text_file(folder / "figures/style.gnuplot", gnuplot_style);
+  write_text_file(folder / "figures/style.gnuplot", plot_file_text("style.gnuplot"));
   for (const Plot &plot : plots)
   {
     write_text_file(folder / plot_file(plot, "gp"), script_of(plot));
@@ -118,6 +119,15 @@ std::string missing_plotter()
     return "";
   return "gnuplot is not in the PATH: there will be no pictures, only their scripts and data; install it "
          "(Debian: apt-get install gnuplot-nox).";
+}
+
+std::string plot_file_text(const std::string &name)
+{
+  std::error_code error;
+  for (const fs::path &shared : shared_folders())
+    if (const fs::path file = shared / "plots" / name; fs::is_regular_file(file, error))
+      return read_text_file(file);
+  return compiled_plots.at(name);
 }
 
 std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)
