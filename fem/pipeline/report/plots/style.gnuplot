@@ -45,11 +45,13 @@ length_text(mm) = mm < 0.1 ? sprintf("%.3g µm", 1e3 * mm) : sprintf("%.4g mm", 
 
 # Least and largest value of an expression in the data's columns as low and high, and in how many rows it has one; before any
 # range or logarithmic scale is set.
-find_extent(what) = 'stats data using (' . what . ') nooutput name "E"; n_found = exists("E_records") ? E_records : 0; ' . \
+find_extent(what) = 'undefine E_*; stats data using (' . what . ') nooutput name "E"; ' . \
+  'n_found = exists("E_records") ? E_records : 0; ' . \
   'low = n_found > 0 ? E_min : -1; high = n_found > 0 ? E_max : 1'
 
 # In how many rows a condition holds, as n_found; a condition on what is not a number does not.
-find_count(condition) = 'stats data using (' . condition . ') nooutput name "E"; n_found = E_sum'
+find_count(condition) = 'undefine E_*; stats data using (' . condition . ') nooutput name "E"; ' . \
+  'n_found = exists("E_sum") ? E_sum : 0'
 
 # The least step of 1, 2 and 5 times a power of ten that goes n times into a range at most.
 tic_power(range, n) = 10. ** floor(log10(range / real(n)))

@@ -331,7 +331,7 @@ TEST(Plots, Phases)
   write_table("phases.dat", phase_table(phases), scratch);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("at the mean spin"), std::string::npos);
-  EXPECT_NE(plot.script.find("of_glass = 0."),
+  EXPECT_NE(plot.script.find("of_glass = 0\n"),
             std::string::npos); // the glass is flat: by the mark of the table
   EXPECT_NE(plot.caption.find("mark of the table"), std::string::npos);
 }
@@ -386,7 +386,7 @@ TEST(Plots, CurvesWithLogarithmicAxis)
                                                 [](double x, double) { return x > 0.5 ? std::nan("") : -x; });
   ASSERT_EQ(plots.size(), 1u);
   EXPECT_EQ(draw(plots, scratch), "");
-  EXPECT_NE(plots[0].script.find("is_logarithmic = 1."), std::string::npos);
+  EXPECT_NE(plots[0].script.find("is_logarithmic = 1\n"), std::string::npos);
   EXPECT_NE(words_of(plots[0], scratch).find("all harmonics"), std::string::npos);
 }
 
