@@ -335,6 +335,8 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
     RunningProgram({ STEMWARE_MPIRUN, "--mca", "btl", "self,tcp", "-n", "2", "/bin/sh", "-c", command },
                    scratch.path())
       .end();
+  if ((ended.out + ended.err).find("error occurred in MPI_Init") != std::string::npos)
+    GTEST_SKIP() << "this MPI does not start under a limit to the size of files (Open MPI 5)";
   EXPECT_EQ(ended.exit_code, 3) << ended.err;
   const std::string sentence = "stemware: The file contact_1.vtu of the results cannot be written";
   EXPECT_NE(ended.err.find(sentence), std::string::npos) << ended.err;
