@@ -87,14 +87,10 @@ struct SolidSystem::Border
 };
 
 /// K + B' T B - G C^-1 G'.
-class SolidSystem::ProjectedOperator
+struct SolidSystem::ProjectedOperator
 {
-public:
-  ProjectedOperator(const SolidSystem &system, const Border &border)
-      : system(system)
-      , border(border)
-  {
-  }
+  const SolidSystem &system;
+  const Border &border;
 
   void vmult(Vector &dst, const Vector &src) const
   {
@@ -105,21 +101,13 @@ public:
       border.inverse_corner * nodes.parts().sum(border.columns.transpose() * nodal);
     nodes.scatter_add(system.contact.matrix() * nodal - border.columns * motion, dst);
   }
-
-private:
-  const SolidSystem &system;
-  const Border &border;
 };
 
 /// The inverse of K + B' T B plus W S^-1 W'.
-class SolidSystem::ProjectedPreconditioner
+struct SolidSystem::ProjectedPreconditioner
 {
-public:
-  ProjectedPreconditioner(const SolidSystem &system, const Border &border)
-      : system(system)
-      , border(border)
-  {
-  }
+  const SolidSystem &system;
+  const Border &border;
 
   void vmult(Vector &dst, const Vector &src) const
   {
@@ -138,10 +126,6 @@ public:
       for (unsigned int k = 0; k < 3; ++k)
         dst.local_element(i) += motion(k) * double(w[k].local_element(i));
   }
-
-private:
-  const SolidSystem &system;
-  const Border &border;
 };
 
 ScaledMotions::ScaledMotions(const ContactSurface &surface)
@@ -248,7 +232,7 @@ SolidSystem::Vector SolidSystem::solve_symmetric(const Eigen::SparseMatrix<doubl
   body->initialize(rhs);
   body->initialize(solution);
   contact.nodes().scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
-  conjugate_gradients(ProjectedOperator(*this, border), ProjectedPreconditioner(*this, border), rhs,
+  conjugate_gradients(ProjectedOperator{ *this, border }, ProjectedPreconditioner{ *this, border }, rhs,
                       reduction * rhs.l2_norm(), most_iterations, solution);
   return solution;
 }
@@ -333,8 +317,8 @@ NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, c
   const bool symmetric = conditions.are_resultants();
   const Border border = make_border(motions.modes, symmetric ? loose_border : tight_border);
 
-  const ProjectedOperator matrix(*this, border);
-  const ProjectedPreconditioner preconditioner(*this, border);
+  const ProjectedOperator matrix{ *this, border };
+  const ProjectedPreconditioner preconditioner{ *this, border };
   const auto forces_of = [&](const SolidIncrement &of) -> Eigen::VectorXd
   { return contact.matrix() * (of.displacement + motions.modes * of.motion); };
   const auto projected = [&](Vector residual, const Eigen::Vector3d &missing)

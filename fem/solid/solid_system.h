@@ -82,8 +82,8 @@ public:
 private:
   using FloatVector = BodyStiffness::FloatVector;
   struct Border;
-  class ProjectedOperator;
-  class ProjectedPreconditioner;
+  struct ProjectedOperator;
+  struct ProjectedPreconditioner;
 
   const SolidLevel &mesh() const { return body->mesh(); }
   /// B' @p forces with the friction that they bring along.
