@@ -87,8 +87,10 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
 SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
 
 /**
- * The slip ratio at the stop of a body that starts with @p slip_ratio: the next of the self-similar ones in
- * the direction in which the ratio moves; 0 if the spin dies first, +-infinity if the sliding does.
+ * The slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p slip_ratio:
+ * the next one, in the direction in which the ratio moves, that the body keeps while it comes to rest (with
+ * untilted pressure eps f(eps) = t(eps) / gamma, gamma = I / (m R^2)); 0 if the spin dies first, +-infinity
+ * if the sliding does.
  */
 double final_slip_ratio(const FreeSlider &slider, double slip_ratio);
 

@@ -1,10 +1,7 @@
 #include "ring_model/yaw_dynamics.h"
 
 #include "ring_model/load/require.h"
-#include "ring_model/no_balance.h"
 #include "ring_model/sampled_trajectory.h"
-
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "ring_model/terminal_spin.h"
-
 #include <functional>
 #include <vector>
 

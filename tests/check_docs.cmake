@@ -1,6 +1,6 @@
-# What the pages name exists: the files that they link, the files and folders in `code`, the tests in a --gtest_filter
-# or behind "Tests:", and the papers that pages and comments cite as [Key]. CITATION.cff has the version of CMakeLists.txt.
-# Given: SOURCE_DIR.
+# What the pages name exists: the files and headings that they link, the files and folders in `code`, the tests in a
+# --gtest_filter or behind "Tests:", and the papers that pages and comments cite as [Key]. CITATION.cff has the version of
+# CMakeLists.txt. Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 
 # Brackets and semicolons mean something in a list of CMake.
@@ -29,6 +29,20 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
+# The headings and marks of all pages, one a line, as links name them: "docs/method.md#the-gap".
+set(places "\n")
+foreach(page IN LISTS pages)
+  read_text(${SOURCE_DIR}/${page} text)
+  string(REGEX MATCHALL "\n#+ [^\n]+|<a id=\"[^\"]+" found "${text}")
+  foreach(place IN LISTS found)
+    string(REGEX REPLACE "^\n#+ |^<a id=\"" "" place "${place}")
+    string(TOLOWER "${place}" place)
+    string(REGEX REPLACE "[^a-z0-9 _-]" "" place "${place}")
+    string(REPLACE " " "-" place "${place}")
+    string(APPEND places "${page}#${place}\n")
+  endforeach()
+endforeach()
+
 set(troubles "")
 foreach(page IN LISTS pages)
   read_text(${SOURCE_DIR}/${page} text)
@@ -39,6 +53,23 @@ foreach(page IN LISTS pages)
     string(SUBSTRING "${link}" 3 -1 link)
     if(NOT link MATCHES "^https?$" AND NOT EXISTS ${SOURCE_DIR}/${folder}/${link})
       string(APPEND troubles "${page} links ${link}, which does not exist\n")
+    endif()
+  endforeach()
+
+  string(REGEX MATCHALL ">\\)\\([^): ]*#[^) ]+" links "${text}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^>[)][(]" "" link "${link}")
+    string(FIND "${link}" "#" length)
+    string(SUBSTRING "${link}" 0 ${length} file)
+    string(SUBSTRING "${link}" ${length} -1 heading)
+    set(target ${page})
+    if(file)
+      cmake_path(APPEND folder ${file} OUTPUT_VARIABLE target)
+      cmake_path(NORMAL_PATH target)
+    endif()
+    string(FIND "${places}" "\n${target}${heading}\n" found)
+    if(found EQUAL -1)
+      string(APPEND troubles "${page} links ${link}, which is no heading\n")
     endif()
   endforeach()
 

@@ -15,6 +15,7 @@ set(order
     fem/pipeline/study
     fem/pipeline/coupling
     fem/pipeline/analysis
+    fem/pipeline/report
     fem/pipeline/output
     fem/pipeline/app)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is installed with the program: cookbooks, meshes, licence, a manual page that can be read, completions that
-# complete.
+# What is installed with the program: cookbooks, meshes, templates of pictures, licence, a manual page that can be read,
+# completions that complete.
 #
 #   check_installed.sh PREFIX
 # shellcheck disable=SC2317 # functions are called through expect() and by the completion
@@ -15,7 +15,7 @@ expect() { # what, then a command that must succeed
   troubles=$((troubles + 1))
 }
 
-for file in doc/stemware/LICENSE stemware/cookbooks/lift_off.prm stemware/cookbooks/own_profile.csv stemware/meshes/oval_foot.msh; do
+for file in doc/stemware/LICENSE stemware/cookbooks/lift_off.prm stemware/cookbooks/own_profile.csv stemware/meshes/oval_foot.msh stemware/plots/load.gp stemware/plots/style.gnuplot; do
   expect "$file is installed" test -s "$share/$file"
 done
 expect "a cookbook runs where it lies" stemware mesh "$share/stemware/cookbooks/oval_foot.prm" --quiet

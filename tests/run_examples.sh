@@ -23,7 +23,8 @@ home=$scratch/home
 mkdir -p "$scratch/bin" "$home"
 ln -s -- "$program" "$scratch/bin/stemware"
 ln -s -- "$source/tests/mpirun" "$scratch/bin/mpirun"
-command -v jq >/dev/null || ln -s -- "$(command -v cat)" "$scratch/bin/jq" # shows the whole line instead
+# Without jq, the whole line is shown.
+command -v jq >/dev/null || { printf '#!/bin/sh\ncat\n' >"$scratch/bin/jq" && chmod +x "$scratch/bin/jq"; }
 # shellcheck disable=SC2016 # for the script that is written
 printf '#!/bin/sh\ntest -f "$1"\n' >"$scratch/bin/xdg-open"
 chmod +x "$scratch/bin/xdg-open"
@@ -110,7 +111,7 @@ take_results() {
 check_quickstart() {
   local verb study
   read -r _ verb study _ <<<"$1"
-  grep -qE "^(run \| test \| install|help \| .*)\)" quickstart && [[ $verb =~ ^(run|test|install|--help)$ ]] || return 1
+  grep -qE "^(run \| test \| install|help \| .*)\)" quickstart && [[ $verb =~ ^(run|test|install|package|--help)$ ]] || return 1
   [[ $verb != run || $study != *.prm || $study == my_* || -f $study ]]
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/solid/body_stiffness.h"
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -8,9 +10,10 @@ namespace stemware::fem
 {
 
 /// A change of body and table in one Newton step.
-template <typename Vector>
 struct SolidIncrement
 {
+  using Vector = BodyStiffness::Vector;
+
   Vector body;                  ///< du
   Vector image;                 ///< what it takes from the body's residual, friction included
   Eigen::VectorXd displacement; ///< B du
@@ -33,17 +36,17 @@ struct SolidIncrement
 ///
 /// @p increment is the solution of the symmetric part for the whole residual, @p residual what it leaves;
 /// @p solve gives the increment of the symmetric part for a residual and its target, resultants left alone.
-template <typename Vector, typename Solve>
-void correct_for_friction(SolidIncrement<Vector> &increment, Vector residual, double target,
+template <typename Solve>
+void correct_for_friction(SolidIncrement &increment, BodyStiffness::Vector residual, double target,
                           const Solve &solve)
 {
   constexpr unsigned int most_corrections = 12;
   constexpr double reduction = 0.05; // of one correction: friction is the smaller part
-  std::vector<SolidIncrement<Vector>> before;
+  std::vector<SolidIncrement> before;
   for (double left = residual.l2_norm(); left > target && before.size() < most_corrections;
        left = residual.l2_norm())
   {
-    SolidIncrement<Vector> next = solve(residual, std::max(reduction * left, target / 2));
+    SolidIncrement next = solve(residual, std::max(reduction * left, target / 2));
     increment.n_iterations += next.n_iterations;
     for (const auto &other : before)
       next.add(-(next.image * other.image) / other.image.norm_sqr(), other);

@@ -2,7 +2,7 @@
 
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/enriched_meshes.h"
-#include "fem/solid/multigrid_system.h"
+#include "fem/solid/multigrid_stiffness.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -176,8 +176,10 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   const auto hierarchy = std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1,
                                                          contact.system.glass());
   const unsigned int finest = hierarchy->n_levels() - 1;
-  auto system = std::make_unique<MultigridSystem>(hierarchy, finest, contact.system.glass(), contact.gap, 0);
-  MultigridSystem &finer = *system;
+  const ElasticMaterial &glass = contact.system.glass();
+  auto system = std::make_unique<SolidSystem>(std::make_unique<MultigridStiffness>(hierarchy, finest, glass),
+                                              glass, contact.gap, 0);
+  SolidSystem &finer = *system;
   SolidBody body(std::move(system), contact.gap);
   body.set_sliding(contact.sliding);
   const ContactSurface &surface = body.contact_surface();

@@ -1,9 +1,8 @@
 #include "fem/solid/solid_body.h"
 
-#include "fem/solid/assembled_system.h"
-#include "fem/solid/multigrid_system.h"
-
-#include <Eigen/Geometry>
+#include "fem/solid/factorized_stiffness.h"
+#include "fem/solid/multigrid_stiffness.h"
+#include "fem/solid/solid_system.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -33,33 +32,26 @@ bool is_matrix_free(const Triangulation<3> &triangulation, const SolidOptions &o
   return triangulation.n_global_levels() > 1 || n_unknowns > largest_direct_system;
 }
 
-std::unique_ptr<SolidSystem> make_system(const Triangulation<3> &triangulation,
-                                         const ElasticMaterial &material, const SolidBody::Gap &gap,
-                                         const SolidOptions &options)
+std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
+                                            const ElasticMaterial &material, const SolidOptions &options)
 {
   require_degree(options.degree);
   material.validate();
+  const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
   if (!is_matrix_free(triangulation, options))
-    return std::make_unique<AssembledSystem>(triangulation, material, gap, options);
-  const auto hierarchy = std::make_shared<MeshHierarchy>(
-    levels_of(triangulation, options.degree), options.straight_edges ? 1 : options.degree, material);
-  return std::make_unique<MultigridSystem>(hierarchy, hierarchy->n_levels() - 1, material, gap,
-                                           options.linear_tolerance);
+    return std::make_unique<FactorizedStiffness>(triangulation, options.degree, mapping_degree, material);
+  const auto hierarchy =
+    std::make_shared<MeshHierarchy>(levels_of(triangulation, options.degree), mapping_degree, material);
+  return std::make_unique<MultigridStiffness>(hierarchy, hierarchy->n_levels() - 1, material);
 }
 
 } // namespace
 
-ScaledMotions::ScaledMotions(const ContactSurface &surface)
-    : modes(surface.motion_modes())
-{
-  const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
-  scale = { 1, 1 / length, 1 / length };
-  modes = (modes * scale.asDiagonal()).eval();
-}
-
 SolidBody::SolidBody(Triangulation<3> &triangulation, const ElasticMaterial &material, const Gap &gap,
                      const SolidOptions &options)
-    : SolidBody(make_system(triangulation, material, gap, options), gap)
+    : SolidBody(std::make_unique<SolidSystem>(stiffness_of(triangulation, material, options), material, gap,
+                                              options.linear_tolerance),
+                gap)
 {
 }
 
@@ -73,43 +65,26 @@ SolidBody::~SolidBody() = default;
 
 bool SolidBody::has_hierarchy() const
 {
-  const auto *const multigrid = dynamic_cast<const MultigridSystem *>(system.get());
-  return multigrid && multigrid->has_several_meshes();
+  return system->has_coarser_meshes();
 }
 
 bool SolidBody::is_coarsest() const
 {
-  return !has_hierarchy() || dynamic_cast<const MultigridSystem &>(*system).is_coarsest();
+  return !has_hierarchy() || system->is_coarsest();
 }
 
 std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
   if (is_coarsest())
     return nullptr;
-  std::unique_ptr<SolidSystem> coarse = dynamic_cast<const MultigridSystem &>(*system).coarser(gap);
-  auto body = std::unique_ptr<SolidBody>(new SolidBody(std::move(coarse), gap));
+  auto body = std::make_unique<SolidBody>(system->coarser(gap), gap);
   body->set_sliding(sliding);
   return body;
 }
 
 void SolidBody::start_from(const SolidBody &coarse)
 {
-  dynamic_cast<MultigridSystem &>(*system).start_from(dynamic_cast<const MultigridSystem &>(*coarse.system));
-}
-
-void SolidSystem::set_sliding(const SlidingTraction &traction)
-{
-  has_friction = traction.friction_coefficient != 0;
-  if (!has_friction)
-    return;
-  friction.resize(zone.surface.n_nodes(), 2);
-  for (Eigen::Index i = 0; i < friction.rows(); ++i)
-  {
-    const double x = zone.surface.node_position(i, 0), y = zone.surface.node_position(i, 1);
-    const double azimuth = std::atan2(y, x);
-    const Eigen::Vector2d direction = traction.direction(std::hypot(x, y), azimuth);
-    friction.row(i) = Eigen::Rotation2Dd(azimuth) * direction;
-  }
+  system->start_from(*coarse.system);
 }
 
 void SolidBody::set_sliding(const SlidingTraction &traction)

@@ -25,8 +25,7 @@ struct SolidOptions
   unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
   LinearSolver linear_solver = LinearSolver::automatic;
   bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
-  /// Reduction of the residual by one linear solve of multigrid; 0: as far as Newton's next step
-  /// can use it.
+  /// Reduction of the residual by one linear solve; 0: as far as Newton's next step can use it.
   double linear_tolerance = 0;
 };
 
@@ -72,7 +71,7 @@ public:
   /// of each that has some, and on the first contact.pvtu, which names them.
   std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
-  /// SolidOptions::linear_tolerance from now on; without effect on other linear solvers.
+  /// SolidOptions::linear_tolerance from now on.
   void set_linear_tolerance(double tolerance);
 
   /// Whether it works on the meshes that its own was refined from, which coarser() gives.

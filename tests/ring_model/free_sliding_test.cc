@@ -55,10 +55,11 @@ TEST(FreeSliding, RingRowsOverTheInertia)
   for (const auto &row : reference()["literature"]["ring_free_terminal_vs_gamma"]["rows"])
   {
     const FreeSlider ring = unit_slider(SlidingBody::ring(1.), row["gamma"]);
-    const double ratio = final_slip_ratio(ring, 0.01);
-    expect_relative(ratio, row["eps0_omegaR_over_v"], 1e-13, "eps_0");
-    expect_relative(1. / ratio, row["v_over_omegaR"], 1e-13, "v / omega R");
-    EXPECT_EQ(final_slip_ratio(ring, 50.), ratio);
+    for (const double ratio : { final_slip_ratio(ring, 0.01), final_slip_ratio(ring, 50.) })
+    {
+      expect_relative(ratio, row["eps0_omegaR_over_v"], 1e-13, "eps_0");
+      expect_relative(1. / ratio, row["v_over_omegaR"], 1e-13, "v / omega R");
+    }
   }
   // Outside 1/2 < gamma < 2 one motion dies first.
   EXPECT_EQ(slide_to_stop(unit_slider(SlidingBody::ring(1.), 0.45), 1., 1.).final_slip_ratio, 0.);

@@ -3,7 +3,7 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_dec_float.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -16,7 +16,7 @@ namespace
 using test::expect_relative;
 using test::reference;
 using Real =
-  boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+  boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
 /**
  * P_n and K_n for n <= 64 by direct integration of their definitions with 50 digits. The panels halve towards

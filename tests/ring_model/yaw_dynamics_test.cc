@@ -3,6 +3,7 @@
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/unilateral_foundation.h"
 #include "ring_model/yaw_dynamics.h"
+#include "ring_model/yaw_motion.h"
 #include "tests/ring_model/reference.h"
 
 #include <Eigen/LU>
@@ -60,6 +61,24 @@ TEST_F(PaperSpinUp, HasTheAccuracyThatWasAskedFor)
   }
   expect_relative(spin_up(timed, inertia, 0., { 20. }, 1e-10)[0].omega, ring.terminal_spin().omega, 1e-9,
                   "terminal");
+}
+
+TEST_F(PaperSpinUp, EulerConvergesAtFirstOrderToTheAdaptiveSolution)
+{
+  const double exact = spin_up(timed, inertia, 0., { 0.1 }, 1e-12)[0].omega;
+  const PhasedTorqueFunction phased = [&](double, double, double omega) { return torque(omega); };
+  double previous = 0.;
+  for (const unsigned int n_steps : { 100u, 200u, 400u, 800u })
+  {
+    const auto samples = yaw_motion_euler(phased, inertia, 0., 0.1 / n_steps, n_steps);
+    ASSERT_EQ(samples.size(), n_steps + 1);
+    const double error = std::abs(samples.back().omega - exact);
+    if (previous > 0.)
+    {
+      EXPECT_NEAR(std::log2(previous / error), 1., 0.01);
+    }
+    previous = error;
+  }
 }
 
 TEST_F(PaperSpinUp, RefusesBadInput)

@@ -35,15 +35,6 @@ Exit codes:
 namespace
 {
 
-/// "a, b and c".
-std::string enumerated(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    (text += i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") += words[i];
-  return text;
-}
-
 std::vector<std::string> verbs_of(const CLI::App &program)
 {
   std::vector<std::string> names;
@@ -80,9 +71,9 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
   const std::vector<std::string> rest = verb.remaining();
   if (!rest.empty())
     return not_known(rest.front(), known,
-                     chosen.empty() ? "not one of the verbs " + enumerated(known)
+                     chosen.empty() ? "not one of the verbs " + listed(known, "and")
                                     : "not expected by " + verb.get_name());
-  return chosen.empty() ? "say what to do: one of " + enumerated(known) + "; see"
+  return chosen.empty() ? "say what to do: one of " + listed(known, "and") + "; see"
                         : shortened(error.what(), 160) + "; see";
 }
 
@@ -91,7 +82,7 @@ std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
 std::string why_no_verb(const CLI::App &program, const std::string &name)
 {
   const std::vector<std::string> verbs = verbs_of(program);
-  return not_known(name, verbs, "not one of the verbs " + enumerated(verbs)) +
+  return not_known(name, verbs, "not one of the verbs " + listed(verbs, "and")) +
          " `stemware --help` for examples.";
 }
 

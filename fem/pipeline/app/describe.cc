@@ -66,14 +66,6 @@ Words sections_of(const std::vector<StudyEntry> &entries)
   return sections;
 }
 
-Words names_of(const std::vector<Preset> &presets)
-{
-  Words names;
-  for (const Preset &preset : presets)
-    names.push_back(preset.name);
-  return names;
-}
-
 /// What may follow some options, as "--one | --other" and the words.
 std::vector<std::pair<std::string, Words>> option_values()
 {

@@ -1,12 +1,11 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/output/render/report.h"
-#include "fem/pipeline/study/idle_entries.h"
-#include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/report/gnuplot.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
@@ -144,7 +143,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   require_known_body(study);
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
-  watch_for_interruption(); // again: MPI puts handlers of its own in place
+  watch_for_interruption(); // again: now it is known which rank this is
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     "
             << (options.study_file.empty()  ? "default"

@@ -6,7 +6,7 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/output/publish.h"
 #include "fem/pipeline/output/sweep_results.h"
-#include "fem/pipeline/study/plausible_values.h"
+#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/numbers.h"

@@ -3,6 +3,7 @@
 #include "fem/pipeline/output/budget_tables.h"
 #include "fem/pipeline/output/profile_results.h"
 #include "fem/pipeline/output/render/number_format.h"
+#include "fem/pipeline/support/text.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -143,12 +144,10 @@ std::string without_sentence(const Study &study, const Budget &budget, bool has_
                       format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
   if (parts.empty())
     return "";
-  std::string list;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    list += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
   return std::string(has_band ? "The band is that of the discretisation; it" : "This") +
          " does not contain what the " + (is_one_way(study) ? "one-way " : "") +
-         "model leaves open. Left out one at a time, these change the spin by (rad/s): " + list + ".";
+         "model leaves open. Left out one at a time, these change the spin by (rad/s): " +
+         listed(parts, "and") + ".";
 }
 
 // ---- truncate

@@ -1,7 +1,7 @@
 #include "fem/pipeline/output/common_sections.h"
 
 #include "fem/pipeline/output/budget_tables.h"
-#include "fem/pipeline/output/plots/budget_plots.h"
+#include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"

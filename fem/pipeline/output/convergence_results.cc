@@ -140,70 +140,84 @@ double place_of(const RefinementAxis &axis, std::size_t level)
 }
 
 /// Relative distances from the limit, without the levels that are at the limit to within rounding.
-Curve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
+struct ErrorCurve
+{
+  std::vector<double> size, error, band;
+};
+
+ErrorCurve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
 {
   const QuantitySequence &sequence = result.quantities[i];
   const double scale = std::abs(sequence.judged.limit);
-  Curve curve = { quantity.name, {}, {}, CurveStyle::line_and_points };
-  curve.is_error = true;
+  ErrorCurve curve;
   for (std::size_t l = 0; l < sequence.values.size(); ++l)
   {
     const double error = std::abs(sequence.values[l] - sequence.judged.limit);
     if (error <= quantity.rounding || scale <= quantity.rounding)
       continue;
-    curve.add(place_of(result.axis, l), error / scale);
+    curve.size.push_back(place_of(result.axis, l));
+    curve.error.push_back(error / scale);
     curve.band.push_back(sequence.judged.bands[l] / scale);
   }
   return curve;
 }
 
-/// A triangle of the observed order below the last step of a curve of errors; nothing where no order was
-/// observed.
-std::optional<Curve> slope_triangle(const AxisResult &result, std::size_t i, const Curve &errors)
+/// A triangle of this @p order below the last step of a curve of two levels or more.
+ErrorCurve slope_triangle(const ErrorCurve &errors, double order)
 {
-  const auto &order = result.quantities[i].judged.order;
-  if (!order || errors.x.size() < 2)
-    return std::nullopt;
-  const std::size_t last = errors.x.size() - 1;
-  const double fine = errors.x[last], coarse = errors.x[last - 1];
-  const double low = 0.4 * std::min(errors.y[last], errors.y[last - 1]);
-  const double ratio = std::max(fine, coarse) / std::min(fine, coarse);
-  const double high = low * std::pow(ratio, *order);
-  return Curve{ "order " + format::fixed<1>(*order),
-                { fine, coarse, coarse, fine },
-                { low, high, low, low },
-                CurveStyle::line,
-                {},
-                8 };
+  const std::size_t last = errors.size.size() - 1;
+  const double fine = errors.size[last], coarse = errors.size[last - 1];
+  const double low = 0.4 * std::min(errors.error[last], errors.error[last - 1]);
+  const double high = low * std::pow(std::max(fine, coarse) / std::min(fine, coarse), order);
+  return { { fine, coarse, coarse, fine }, { low, high, low, low }, {} };
 }
 
 ReportSection axis_section(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
-  ReportSection section = { "Refinement: " + result.axis.name, "" };
-  CurvePlot plot = { "converge_" + result.axis.key,
-                     "Relative distance from the limit; bars reach up to the error band.",
-                     { is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0"
-                                                   : result.axis.size,
-                       result.axis.decay == Decay::algebraic || result.axis.sizes_double },
-                     { "relative error", true },
-                     {} };
-  std::optional<Curve> triangle;
+  const std::string label =
+    is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0" : result.axis.size;
+  std::vector<std::string> titles, triangle;
+  std::vector<Table> blocks;
+  std::vector<double> sizes;
+  Table slope;
   for (const std::size_t i : drawn_quantities(quantities))
-    if (const Curve curve = errors_of(result, i, quantities[i].quantity); !curve.x.empty())
-    {
-      plot.curves.push_back(curve);
-      if (!triangle)
-        triangle = slope_triangle(result, i, curve);
-    }
-  if (triangle)
   {
-    plot.curves.push_back(*triangle);
-    plot.caption += " The triangle has the slope of the first quantity's observed order.";
+    const ErrorCurve curve = errors_of(result, i, quantities[i].quantity);
+    if (curve.size.empty())
+      continue;
+    titles.push_back(quantities[i].quantity.name);
+    blocks.push_back({ titles.back(),
+                       { numbers(label, "1", curve.size), numbers("relative error", "1", curve.error),
+                         numbers("half-width of the error band", "1", curve.band) } });
+    sizes.insert(sizes.end(), curve.size.begin(), curve.size.end());
+    const std::optional<double> &order = result.quantities[i].judged.order;
+    if (!triangle.empty() || !order || curve.size.size() < 2)
+      continue;
+    triangle = { "order " + format::fixed<1>(*order) };
+    const ErrorCurve sides = slope_triangle(curve, *order);
+    slope = { triangle.front(),
+              { numbers(label, "1", sides.size), numbers("relative error", "1", sides.error) } };
   }
-  if (plot.curves.empty())
+  ReportSection section = { "Refinement: " + result.axis.name, "" };
+  if (titles.empty())
+  {
     section.text = "All levels agree to within the tolerances of the contact solver.";
-  else
-    section.plots = { convergence_plot(plot) };
+    return section;
+  }
+  if (!triangle.empty())
+    blocks.push_back(slope);
+  const bool is_logarithmic = result.axis.decay == Decay::algebraic || result.axis.sizes_double;
+  Plot plot = plot_from("convergence",
+                        { { "x_label", label },
+                          { "is_logarithmic", is_logarithmic },
+                          { "size", sizes },
+                          { "curve", titles },
+                          { "triangle", triangle } },
+                        data_tables(blocks));
+  plot.name = "converge_" + result.axis.key;
+  if (!triangle.empty())
+    plot.caption += " The triangle has the slope of the first quantity's observed order.";
+  section.plots = { plot };
   return section;
 }
 

@@ -5,10 +5,8 @@
 #include "fem/pipeline/output/common_sections.h"
 #include "fem/pipeline/output/driven_spin.h"
 #include "fem/pipeline/output/goal_results.h"
-#include "fem/pipeline/output/plots/budget_plots.h"
 #include "fem/pipeline/output/plots/foot_plots.h"
 #include "fem/pipeline/output/plots/plots.h"
-#include "fem/pipeline/output/plots/rim_fit_plots.h"
 #include "fem/pipeline/output/profile_results.h"
 #include "fem/pipeline/output/quantities.h"
 #include "fem/pipeline/output/render/table_renderers.h"
@@ -23,7 +21,6 @@
 #include <functional>
 #include <iterator>
 #include <stdexcept>
-#include <tuple>
 
 namespace stemware::pipeline
 {
@@ -290,11 +287,11 @@ ReportSection load_section(const Study &study, const LoadReport &load,
         : "The ring",
       format::Number{ rings.radius() }),
     { load_plot(rings, pointwise, study.motion.orbit.orbit_sense),
-      line_load_plot(rings, pointwise, study.motion.orbit.orbit_sense) },
+      line_load_plot(rings, study.motion.orbit.orbit_sense) },
     { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
   };
   if (rings.n_harmonics() > 1)
-    section.plots.push_back(higher_harmonics_plot(rings, pointwise));
+    section.plots.push_back(higher_harmonics_plot(rings, !pointwise.empty()));
   section.plots.push_back(spectrum_plot(rings, spectrum_band(bands, rings.n_harmonics())));
   return section;
 }
@@ -349,11 +346,11 @@ ReportSection spin_section(const Study &study, const ContactReport &report, cons
     return section;
   section.text += " " + terminal_spin_clause(study, spin);
   const SpinUpCurves &curves = spin.spin_up;
-  std::vector<Curve> spin_ups = { { "all harmonics", curves.time, curves.adaptive } };
+  std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
   if (!curves.first_harmonic.empty())
-    spin_ups.push_back({ "first harmonic", curves.time, curves.first_harmonic });
-  spin_ups.push_back({ "the paper's model", curves.time, curves.paper });
-  section.plots.push_back(spin_up_plot(spin_ups, all));
+    spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
+  spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
+  section.plots.push_back(spin_up_plot(curves.time, spin_ups, all));
   return section;
 }
 
@@ -365,7 +362,7 @@ ReportSection truncation_section(const SpinStudy &spin)
     "the harmonics left out alone, at the terminal spin of all harmonics. Where the least load is "
     "negative, the table would have to pull. Rows that change the spin by less than 1e-9 stand in "
     "truncation.dat only.",
-    { truncation_plot(spin.rows) },
+    { truncation_plot(truncation_table(spin)) },
     { shown_truncation_table(spin) }
   };
 }
@@ -376,10 +373,12 @@ ReportSection foot_section(const Study &study, const FootReport &foot)
   FootLengths lengths = measured(foot.section, study.glass.profile.contact_radius);
   if (study.contact.mesh_file.empty())
     lengths.crown_radius = study.glass.profile.crown_radius;
-  std::tie(lengths.load_inner_radius, lengths.load_outer_radius) = loaded_band(foot.footprint);
+  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
+  lengths.load_inner_radius = band.inner;
+  lengths.load_outer_radius = band.outer;
   ReportSection section = { "The foot",
                             "",
-                            { section_plot(foot.section, lengths), rim_plot(foot.section, lengths),
+                            { section_plot(foot.section, lengths), rim_plot(lengths),
                               view_from_below_plot(foot.footprint, lengths, study.motion.orbit) } };
   if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
   {

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/output/answer.h"
 #include "fem/pipeline/output/common_sections.h"
-#include "fem/pipeline/output/render/curve_plot.h"
 #include "fem/pipeline/output/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -18,7 +17,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 constexpr double turn = boost::math::double_constants::two_pi;
-constexpr char time_axis[] = "t (s)";
 
 /// Of the points of a slide, by a function of each.
 template <typename Value>
@@ -106,80 +104,6 @@ Findings findings_of(const SlideStudy &slide)
   return findings;
 }
 
-Curve curve_of(const std::string &title, const std::vector<double> &x, const std::vector<double> &y)
-{
-  return { title, x, y };
-}
-
-std::vector<double> scaled(std::vector<double> values, double factor)
-{
-  for (double &value : values)
-    value *= factor;
-  return values;
-}
-
-Plot drift_plot(const SlideStudy &slide)
-{
-  const auto x = of_points(slide, [](const SlidePoint &p) { return 1e3 * p.state.x; });
-  const auto y = of_points(slide, [](const SlidePoint &p) { return 1e3 * p.state.y; });
-  return curve_plot({ "drift",
-                      "The path of the centre with its sideways part enlarged; y is to the left of the push.",
-                      { "x (mm)" },
-                      { "y (mm)" },
-                      { curve_of("", x, y) },
-                      "set xzeroaxis lt 8\n" });
-}
-
-Plot speed_plot(const SlideStudy &slide)
-{
-  const auto time = of_points(slide, [](const SlidePoint &p) { return p.state.time; });
-  const auto speed = of_points(slide, [](const SlidePoint &p) { return p.state.speed; });
-  const auto rim =
-    of_points(slide, [&](const SlidePoint &p) { return p.state.omega * slide.inertia.outer_radius; });
-  return curve_plot(
-    { "speeds",
-      "Speed v of the centre and ωR of the rim: both end at the same instant unless one of them ends first.",
-      { time_axis },
-      { "speed (m/s)" },
-      { curve_of("v", time, speed), curve_of("ωR", time, rim) },
-      "set xzeroaxis lt 8\n" });
-}
-
-Plot slip_ratio_plot(const SlideStudy &slide)
-{
-  Curve ratio = { "ωR/v" };
-  for (const SlidePoint &point : slide.points)
-    if (std::isfinite(point.slip_ratio))
-      ratio.add(point.state.time, point.slip_ratio);
-  CurvePlot plot = {
-    "slip_ratio", "The slip ratio on the way to the stop.", { time_axis }, { "ωR/v" }, { ratio }
-  };
-  if (std::isfinite(slide.final_slip_ratio))
-    plot.curves.push_back({ "at the stop",
-                            { 0, slide.stop().state.time },
-                            { slide.final_slip_ratio, slide.final_slip_ratio },
-                            CurveStyle::line,
-                            {},
-                            8 });
-  return curve_plot(plot);
-}
-
-Plot energy_plot(const SlideStudy &slide)
-{
-  const auto time = of_points(slide, [](const SlidePoint &p) { return p.state.time; });
-  const auto kinetic = of_points(slide, [](const SlidePoint &p) { return p.kinetic_energy; });
-  const auto loss = of_points(slide, [](const SlidePoint &p) { return p.state.friction_loss; });
-  const auto sum =
-    of_points(slide, [](const SlidePoint &p) { return p.kinetic_energy + p.state.friction_loss; });
-  return curve_plot(
-    { "energy",
-      "Where the energy goes: the sum of both is that of the push.",
-      { time_axis },
-      { "energy (mJ)" },
-      { curve_of("kinetic energy", time, scaled(kinetic, 1e3)),
-        curve_of("friction loss", time, scaled(loss, 1e3)), curve_of("sum", time, scaled(sum, 1e3)) } });
-}
-
 Table body_table(const SlideStudy &slide)
 {
   const auto row =
@@ -260,36 +184,20 @@ std::vector<ResultFile> files_of(const SlideStudy &slide)
 
 Plot path_plot(const SlideStudy &slide)
 {
-  constexpr unsigned int n_outlines = 6, n_corners = 72;
-  const double radius = 1e3 * slide.inertia.outer_radius;
-  CurvePlot plot = {
-    "path",       "The path seen from above, with the outline of the body and a mark that turns with it.",
-    { "x (mm)" }, { "y (mm)" },
-    {},           "set size ratio -1\n"
-  };
-  Curve path = { "path of the centre" }, outlines = { "outline and mark" };
-  path.line_type = 1;
-  outlines.line_type = 7;
-  unsigned int n_drawn = 0;
+  constexpr unsigned int n_outlines = 6;
+  std::vector<double> x, y, yaw;
   for (const SlidePoint &point : slide.points)
   {
     const ring::SlidingState &state = point.state;
-    const double x = 1e3 * state.x, y = 1e3 * state.y;
-    path.add(x, y);
-    if (state.distance < slide.stop().state.distance * n_drawn / (n_outlines - 1) * (1 - 1e-9))
+    const double share = static_cast<double>(x.size()) / (n_outlines - 1);
+    if (state.distance < slide.stop().state.distance * share * (1 - 1e-9))
       continue;
-    // From the centre to the mark, round, and a gap.
-    outlines.add(x, y);
-    for (unsigned int corner = 0; corner <= n_corners; ++corner)
-    {
-      const double angle = state.yaw + turn * corner / n_corners;
-      outlines.add(x + radius * std::cos(angle), y + radius * std::sin(angle));
-    }
-    outlines.add(std::nan(""), std::nan(""));
-    n_drawn += 1;
+    x.push_back(state.x);
+    y.push_back(state.y);
+    yaw.push_back(state.yaw);
   }
-  plot.curves = { outlines, path };
-  return curve_plot(plot);
+  return plot_from(
+    "path", { { "radius", slide.inertia.outer_radius }, { "x_at", x }, { "y_at", y }, { "yaw_at", yaw } });
 }
 
 std::string slide_answer(const SlideStudy &slide)
@@ -320,7 +228,7 @@ Results tabulate(const Study &study, const SlideStudy &slide)
              {} };
   ReportSection path = { "The path", "", { path_plot(slide) } };
   if (drifts(slide))
-    path.plots.push_back(drift_plot(slide));
+    path.plots.push_back(plot_from("drift"));
   report.sections.push_back(path);
   if (drifts(slide))
     report.sections.push_back({ "Why it bends that way", curl_text });
@@ -342,9 +250,11 @@ Results tabulate(const Study &study, const SlideStudy &slide)
                      "large a share of path, time and final ωR/v is uncertain by the discretisation."),
           format::scientific_or_zero<1>(*slide.mesh_change))
       : "";
-  report.sections.push_back({ "Speed and spin",
-                              energy + load + mesh,
-                              { speed_plot(slide), slip_ratio_plot(slide), energy_plot(slide) } });
+  report.sections.push_back(
+    { "Speed and spin",
+      energy + load + mesh,
+      { plot_from("speeds", { { "radius", slide.inertia.outer_radius } }),
+        plot_from("slip_ratio", { { "at_stop", slide.final_slip_ratio } }), plot_from("energy") } });
   report.sections.push_back({ "What slides", "", {}, { body_table(slide) } });
   add_closing_sections(report, study, results.files);
   results.console = { { report.answer }, { energy + load + mesh } };

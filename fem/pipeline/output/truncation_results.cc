@@ -97,17 +97,22 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study, const
 // ---- report
 
 /// Spin-ups with 1, 2, 3 and all harmonics, in the colours of torque_plot(), and the paper's.
-std::vector<Curve> shown_spin_ups(const TruncationStudy &study)
+std::vector<SpinCurve> shown_spin_ups(const TruncationStudy &study)
 {
-  const auto curve = [&](const std::string &title, const std::vector<double> &omega, unsigned int line_type)
-  { return Curve{ title, study.time, omega, CurveStyle::line, {}, line_type }; };
   const unsigned int n_all = study.all().harmonics;
-  std::vector<Curve> curves = { curve(truncation_title(n_all, n_all), study.all().spin_up, 1) };
+  std::vector<SpinCurve> curves = { { truncation_title(n_all, n_all), study.all().spin_up, 1 } };
   for (const SpinRow &row : study.rows)
     if (row.harmonics <= 3 && row.harmonics < n_all && !row.spin_up.empty())
-      curves.push_back(curve(truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1));
-  curves.push_back(curve("the paper's model", study.paper, 7));
+      curves.push_back({ truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1 });
+  curves.push_back({ "the paper's model", study.paper, 7 });
   return curves;
+}
+
+/// truncation.dat.
+Table truncation_file(const TruncationStudy &study)
+{
+  return truncation_table(study, study.rows)
+    .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns);
 }
 
 /// Sentences about rows that lack something.
@@ -142,13 +147,13 @@ ReportSection table_section(const Study &study, const TruncationStudy &truncatio
       "foot that lifts off still leave a little of that, where their series overshoots." +
       reasons(truncations),
     { torque_plot(truncations.torque, truncations.rows),
-      spin_up_plot(shown_spin_ups(truncations), truncations.all(),
+      spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(),
                    "Spin-up from rest, n harmonics kept, beside the paper's result.") },
     { table.with("The spin", spin_columns),
       table.with("Torque and load, the worse of rest and terminal spin", load_columns) }
   };
   if (truncations.rows.size() > 1)
-    section.plots.push_back(deviation_plot(truncations.time, truncations.rows));
+    section.plots.push_back(deviation_plot(truncations.rows));
   return section;
 }
 
@@ -172,10 +177,9 @@ std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &
            { "harmonics.dat", "Fourier coefficients of the load at rest; Load/File reads them",
              load_file_text(load.rings) },
            { "rings.dat", "the same ring by ring", ring_table(load.rings) },
-           { "truncation.dat", "the answer by the number of harmonics",
-             truncation_table(study, study.rows)
-               .with("The answer with the load cut off after some harmonics; nan: there is none",
-                     data_columns) },
+           { "truncation.dat", "the answer by the number of harmonics", truncation_file(study) },
+           { "torque.dat", "τ_z, T_x, T_y against the spin, of 1, 2, 3 and all harmonics",
+             torque_table(study.torque) },
            { "spin_up.dat", "the spin against time by the number of harmonics", spin_up_table(study) },
            { "timings.json", "how long it took" } };
 }
@@ -191,8 +195,9 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   const Budget budget = chain_alone(truncations.budget);
   report = { "How many harmonics of the load matter", truncation_answer(study, truncations), {} };
   if (truncations.all().relative_change && truncations.rows.size() > 1)
-    report.sections.push_back(
-      { "The terminal spin by the number of harmonics", "", { truncation_plot(truncations) } });
+    report.sections.push_back({ "The terminal spin by the number of harmonics",
+                                "",
+                                { truncation_plot(truncations, truncation_file(truncations)) } });
   report.sections.insert(report.sections.end(), { chain_section(study, budget),
                                                   load_section(load, study.motion.orbit.orbit_sense, bands),
                                                   table_section(study, truncations) });

@@ -4,6 +4,7 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/waviness_text.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
 #include <boost/algorithm/string/predicate.hpp>
 
@@ -39,15 +40,55 @@ inline Range between(double lower, double upper)
 inline const Range not_tipping = { "a number less than 2, where the foot tips",
                                    [](double value) { return value < 2; } };
 
+/// What else an entry is known for; sets a member of it.
+using Fact = std::function<void(StudyEntry &)>;
+using Facts = std::vector<Fact>;
+
+/// The entry has an effect where @p condition holds, whatever the other entries of its subsection do.
+inline Fact used_if(StudyEntry::Condition condition)
+{
+  return [=](StudyEntry &entry) { entry.has_effect = condition; };
+}
+
+/// StudyEntry::plausible, and from what to what.
+inline Fact plausible(double least, double most, const std::string &reason)
+{
+  return [=](StudyEntry &entry)
+  {
+    entry.plausible = { least, most };
+    entry.plausible_reason = reason;
+  };
+}
+
+/// StudyEntry::times_contact_radius.
+inline Fact times_contact_radius(double least, double most)
+{
+  return [=](StudyEntry &entry) { entry.times_contact_radius = { least, most }; };
+}
+
+/// The path is that of a folder, which the program may make.
+inline const Fact of_a_folder = [](StudyEntry &entry) { entry.is_folder = true; };
+
 /// Collects the entries of one subsection after the other.
 class EntryList
 {
 public:
-  void enter(const std::string &name) { section = name; }
+  explicit EntryList(Study &study)
+      : study(study)
+  {
+  }
+
+  /// Begins the subsection @p name, whose entries have an effect where @p condition holds, unless they say
+  /// otherwise.
+  void enter(const std::string &name, StudyEntry::Condition condition)
+  {
+    subsection.section = name;
+    subsection.has_effect = condition;
+  }
 
   /// A quantity; @p unit is empty for pure numbers.
   void number(const std::string &name, double &value, const Range &range, const std::string &unit,
-              const std::string &help)
+              const std::string &help, const Facts &facts = {})
   {
     const auto parse = [range, unit](const std::string &text)
     {
@@ -55,14 +96,14 @@ public:
       return number && range.contains(*number) ? number : std::nullopt;
     };
     StudyEntry &entry =
-      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, parse, to_text);
+      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, facts, parse, to_text);
     entry.unit = unit.empty() ? "1" : unit;
-    entry.is_quantity = true;
+    entry.quantity = &value;
   }
 
   /// A number of things, from @p least to @p most.
   void count(const std::string &name, unsigned int &value, unsigned int least, unsigned int most,
-             const std::string &help)
+             const std::string &help, const Facts &facts = {})
   {
     const auto parse = [=](const std::string &text)
     {
@@ -70,38 +111,32 @@ public:
       return count && least <= *count && *count <= most ? count : std::nullopt;
     };
     const auto print = [](unsigned int count) { return std::to_string(count); };
-    append(name, value, fmt::format(FMT_STRING("a whole number from {} to {}"), least, most), help, parse,
-           print)
+    append(name, value, fmt::format(FMT_STRING("a whole number from {} to {}"), least, most), help, facts,
+           parse, print)
       .unit = "1";
   }
 
   /// The path of a file.
-  void path(const std::string &name, std::string &value, const std::string &help)
+  void path(const std::string &name, std::string &value, const std::string &help, const Facts &facts = {})
   {
     const auto parse = [](const std::string &text)
     { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
-    append(name, value, "a path without # and line ends, or nothing", help, parse,
+    append(name, value, "a path without # and line ends, or nothing", help, facts, parse,
            [](const std::string &text) { return text; })
       .path_value = &value;
-  }
-
-  /// The path of a folder that the program may make.
-  void folder(const std::string &name, std::string &value, const std::string &help)
-  {
-    path(name, value, help);
-    entries.back().is_folder = true;
   }
 
   /// How a surface is out of flat.
   void waviness(const std::string &name, Waviness &value, const std::string &help)
   {
-    append(name, value, waviness_words, help, parse_waviness, waviness_text);
+    append(name, value, waviness_words, help, {}, parse_waviness, waviness_text);
   }
 
   /// One of several named values.
   template <typename Choice>
   void choice(const std::string &name, Choice &value,
-              const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help)
+              const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help,
+              const Facts &facts = {})
   {
     const auto parse = [choices](const std::string &text)
     {
@@ -118,10 +153,10 @@ public:
           return word;
       throw std::logic_error("a study holds a value without a name");
     };
-    std::string words;
+    std::vector<std::string> words;
     for (const auto &[word, choice] : choices)
-      words += (word == choices.front().first ? "" : word == choices.back().first ? " or " : ", ") + word;
-    append(name, value, words, help, parse, print);
+      words.push_back(word);
+    append(name, value, listed(words), help, facts, parse, print);
   }
 
   std::vector<StudyEntry> entries;
@@ -129,10 +164,9 @@ public:
 private:
   template <typename Value, typename Parse, typename Print>
   StudyEntry &append(const std::string &name, Value &value, const std::string &allowed,
-                     const std::string &help, const Parse &parse, const Print &print)
+                     const std::string &help, const Facts &facts, const Parse &parse, const Print &print)
   {
-    StudyEntry entry;
-    entry.section = section;
+    StudyEntry entry = subsection;
     entry.name = name;
     entry.allowed = allowed;
     entry.help = help;
@@ -141,17 +175,23 @@ private:
       entry.json = [&value] { return nlohmann::ordered_json(value); };
     else
       entry.json = [&value, print] { return nlohmann::ordered_json(print(value)); };
-    entry.assign = [&value, parse](const std::string &text)
+    entry.assign = [&value, parse, &given = study.given_entries, path = entry.path()](const std::string &text)
     {
       const auto parsed = parse(text);
-      value = parsed.value_or(value);
-      return parsed.has_value();
+      if (!parsed)
+        return false;
+      value = *parsed;
+      given.insert(path);
+      return true;
     };
+    for (const Fact &fact : facts)
+      fact(entry);
     entries.push_back(entry);
     return entries.back();
   }
 
-  std::string section;
+  Study &study;
+  StudyEntry subsection; ///< what its entries begin as
 };
 
 } // namespace stemware::pipeline

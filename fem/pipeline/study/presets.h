@@ -1,31 +1,33 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// A glass or a table with a name, as the values of the entries that describe it (docs/presets.md has their
-/// sources).
+/// A glass or a table with a name: a study file of the entries that describe it, presets/*.prm
+/// (docs/presets.md has their sources).
 struct Preset
 {
-  std::string name;                                         ///< "cork mat"
-  std::string words;                                        ///< what it is, as part of a sentence
-  std::vector<std::pair<std::string, std::string>> entries; ///< "Section/Entry", value with its unit
+  std::string name;                     ///< "cork mat"
+  std::string words;                    ///< what it is, as part of a sentence
+  std::vector<std::string> other_names; ///< by which people may look for it
+  std::string text;                     ///< its entries with their comments, as in a study file
 };
 
 /// The first one is that of the default study.
 const std::vector<Preset> &glass_presets();
 const std::vector<Preset> &table_presets();
 
+std::vector<std::string> names_of(const std::vector<Preset> &presets);
+
 /// The preset of that name; upper and lower case are equal, and so are blanks and hyphens. Throws BadInput
 /// with the names that there are, and the one that may be meant; @p option is named as where it comes from.
 const Preset &preset_of(const std::vector<Preset> &presets, const std::string &option,
                         const std::string &name);
 
-/// A study file for that glass on that table: twelve entries with a comment each, then what else the presets
+/// A study file for that glass on that table: twelve entries with a comment each, and what else the presets
 /// set. @p file is the name that the comment at its top tells to run.
 std::string new_study_text(const Preset &glass, const Preset &table, const std::string &file);
 

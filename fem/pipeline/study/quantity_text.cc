@@ -2,17 +2,18 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 
-#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -29,116 +30,92 @@ struct Unit
   Dimension dimension = {};
   int decimal = 0;
   double factor = 1;
+
+  void multiply(const Unit &other, int exponent)
+  {
+    for (std::size_t d = 0; d < dimension.size(); ++d)
+      dimension[d] += exponent * other.dimension[d];
+    decimal += exponent * other.decimal;
+    factor *= std::pow(other.factor, exponent);
+  }
 };
 
-struct NamedUnit
+using Units = std::map<std::string, Unit>;
+namespace dimension
 {
-  Unit unit;
-  bool takes_prefixes = true;
-};
+constexpr Dimension mass = { 1 }, length = { 0, 1 }, time = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
+                    memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
+}
 
-const std::map<std::string, NamedUnit> named_units = {
-  { "g", { { { 1, 0, 0, 0, 0 }, -3, 1 } } },
-  { "m", { { { 0, 1, 0, 0, 0 }, 0, 1 } } },
-  { "s", { { { 0, 0, 1, 0, 0 }, 0, 1 } } },
-  { "N", { { { 1, 1, -2, 0, 0 }, 0, 1 } } },
-  { "Pa", { { { 1, -1, -2, 0, 0 }, 0, 1 } } },
-  { "rad", { { { 0, 0, 0, 1, 0 }, 0, 1 } } },
-  { "B", { { { 0, 0, 0, 0, 1 }, 0, 1 } } },
-  { "byte", { { { 0, 0, 0, 0, 1 }, 0, 1 }, false } },
-  { "bytes", { { { 0, 0, 0, 0, 1 }, 0, 1 }, false } },
-  { "deg", { { { 0, 0, 0, 1, 0 }, 0, M_PI / 180 }, false } },
-  { "degrees", { { { 0, 0, 0, 1, 0 }, 0, M_PI / 180 }, false } },
-  { "°", { { { 0, 0, 0, 1, 0 }, 0, M_PI / 180 }, false } },
-  { "min", { { { 0, 0, 1, 0, 0 }, 0, 60 }, false } },
-  { "h", { { { 0, 0, 1, 0, 0 }, 2, 36 }, false } },
-  { "inch", { { { 0, 1, 0, 0, 0 }, -4, 254 }, false } },
-  { "in", { { { 0, 1, 0, 0, 0 }, -4, 254 }, false } },
-  { "ft", { { { 0, 1, 0, 0, 0 }, -4, 3048 }, false } },
-  { "oz", { { { 1, 0, 0, 0, 0 }, -12, 28349523125. }, false } },
-  { "lb", { { { 1, 0, 0, 0, 0 }, -8, 45359237 }, false } },
-  { "bar", { { { 1, -1, -2, 0, 0 }, 5, 1 }, false } },
-  { "%", { { { 0, 0, 0, 0, 0 }, -2, 1 }, false } },
-  { "1", { { { 0, 0, 0, 0, 0 }, 0, 1 }, false } },
+/// Those that take prefixes, and those that do not.
+const Units metric_units = { { "g", { dimension::mass, -3 } },  { "m", { dimension::length } },
+                             { "s", { dimension::time } },      { "N", { dimension::force } },
+                             { "Pa", { dimension::pressure } }, { "rad", { dimension::angle } },
+                             { "B", { dimension::memory } } };
+const Units other_units = {
+  { "byte", { dimension::memory } },
+  { "bytes", { dimension::memory } },
+  { "deg", { dimension::angle, 0, M_PI / 180 } },
+  { "degrees", { dimension::angle, 0, M_PI / 180 } },
+  { "°", { dimension::angle, 0, M_PI / 180 } },
+  { "min", { dimension::time, 0, 60 } },
+  { "h", { dimension::time, 2, 36 } },
+  { "inch", { dimension::length, -4, 254 } },
+  { "in", { dimension::length, -4, 254 } },
+  { "ft", { dimension::length, -4, 3048 } },
+  { "oz", { dimension::mass, -12, 28349523125. } },
+  { "lb", { dimension::mass, -8, 45359237 } },
+  { "bar", { dimension::pressure, 5 } },
+  { "%", { {}, -2 } },
+  { "1", {} },
 };
-
-const std::map<std::string, int> prefixes = { { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 }, { "m", -3 },
-                                              { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 } };
+const std::map<std::string, int> prefixes = {
+  { "", 0 },   { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 },
+  { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }
+};
 
 /// "mm", "kg", "GPa", without an exponent.
 std::optional<Unit> parse_name(const std::string &name)
 {
-  if (const auto found = named_units.find(name); found != named_units.end())
-    return found->second.unit;
+  if (const auto other = other_units.find(name); other != other_units.end())
+    return other->second;
   for (const auto &[prefix, decimal] : prefixes)
-  {
-    const auto found =
-      name.rfind(prefix, 0) == 0 ? named_units.find(name.substr(prefix.size())) : named_units.end();
-    if (found == named_units.end() || !found->second.takes_prefixes)
-      continue;
-    Unit unit = found->second.unit;
-    unit.decimal += decimal;
-    return unit;
-  }
+    if (name.rfind(prefix, 0) == 0)
+      if (const auto metric = metric_units.find(name.substr(prefix.size())); metric != metric_units.end())
+        return Unit{ metric->second.dimension, metric->second.decimal + decimal };
   return std::nullopt;
 }
 
-/// "m", "m^2", "m2", "s^-1".
-std::optional<Unit> parse_power(const std::string &text)
-{
-  const auto digits = text.find_last_not_of("0123456789");
-  if (digits == std::string::npos)
-    return parse_name(text);
-  auto end = digits + 1;
-  if (end < text.size() && text[end - 1] == '-')
-    --end;
-  int exponent = 1;
-  if (end < text.size())
-  {
-    const auto [last, error] = std::from_chars(text.data() + end, text.data() + text.size(), exponent);
-    if (error != std::errc() || last != text.data() + text.size() || std::abs(exponent) > 9)
-      return std::nullopt;
-  }
-  if (end > 0 && end < text.size() && text[end - 1] == '^')
-    --end;
-  auto unit = parse_name(text.substr(0, end));
-  if (!unit)
-    return std::nullopt;
-  for (int &power : unit->dimension)
-    power *= exponent;
-  unit->decimal *= exponent;
-  unit->factor = std::pow(unit->factor, exponent);
-  return unit;
-}
-
-/// Products by blanks, * or ·, each part behind a / dividing: "N m", "g cm^2", "MPa/mm".
+/// Products by blanks, * or ·, all behind a / dividing, powers as m^2, m2 or s^-1: "N m", "g cm^2", "MPa/mm".
 std::optional<Unit> parse_unit(std::string text)
 {
-  boost::replace_all(text, "²", "^2");
-  boost::replace_all(text, "³", "^3");
-  boost::replace_all(text, "·", " ");
-  boost::replace_all(text, "*", " ");
+  for (const auto &[mark, plain] : { std::pair("²", "^2"), std::pair("³", "^3"), std::pair("·", " "),
+                                     std::pair("*", " "), std::pair("/", " / ") })
+    boost::replace_all(text, mark, plain);
+  std::istringstream words(text);
   Unit product;
-  std::vector<std::string> parts;
-  boost::split(parts, text, boost::is_any_of("/"));
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  int sign = 1;
+  bool is_whole = false; // begins and ends with a name
+  for (std::string word; words >> word;)
   {
-    std::vector<std::string> names;
-    boost::trim(parts[i]);
-    boost::split(names, parts[i], boost::is_space(), boost::token_compress_on);
-    const int sign = i == 0 ? 1 : -1;
-    for (const std::string &name : names)
+    if (word == "/" && !is_whole)
+      return std::nullopt;
+    is_whole = word != "/";
+    if (!is_whole)
     {
-      const auto unit = parse_power(name);
-      if (!unit)
-        return std::nullopt;
-      for (std::size_t d = 0; d < product.dimension.size(); ++d)
-        product.dimension[d] += sign * unit->dimension[d];
-      product.decimal += sign * unit->decimal;
-      product.factor *= std::pow(unit->factor, sign);
+      sign = -1;
+      continue;
     }
+    const auto end = word == "1" ? 1 : word.find_last_not_of("-0123456789") + 1;
+    const bool has_mark = 0 < end && end < word.size() && word[end - 1] == '^';
+    const auto unit = parse_name(word.substr(0, has_mark ? end - 1 : end));
+    int exponent = 1;
+    if (!unit || (end < word.size() && !boost::conversion::try_lexical_convert(word.substr(end), exponent)) ||
+        std::abs(exponent) > 9)
+      return std::nullopt;
+    product.multiply(*unit, sign * exponent);
   }
-  return product;
+  return is_whole ? std::optional(product) : std::nullopt;
 }
 
 /// A number and what stands behind it.
@@ -223,10 +200,7 @@ std::string units_of(const Kind &kind)
   units.insert(units.end(), kind.further.begin(), kind.further.end());
   if (kind.unit == "1")
     return ", also in %";
-  std::string text;
-  for (std::size_t i = 0; i < units.size(); ++i)
-    text += (i == 0 ? " in " : i + 1 == units.size() ? " or " : ", ") + units[i];
-  return text;
+  return " in " + listed(units);
 }
 
 } // namespace

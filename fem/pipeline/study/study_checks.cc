@@ -1,6 +1,6 @@
 #include "fem/pipeline/study/orbit_speed_file.h"
-#include "fem/pipeline/study/plausible_values.h"
 #include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
@@ -29,48 +29,6 @@ void require_able_body(const Study &study)
                       contact.degree));
   require(can.stands_on_elastic_disc || !study.table.make().substrate,
           "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
-}
-
-/// A length that no glass or table has beside this contact radius is most likely given in another unit.
-struct Length
-{
-  std::string entry;
-  double value;       ///< [m]
-  double least, most; ///< over the contact radius
-};
-
-void require_alike_lengths(const Study &study)
-{
-  const fem::GlassProfile &profile = study.glass.profile;
-  const double radius = profile.contact_radius;
-  constexpr double small = 1e-5, large = 300;
-  // Cells are as large as the body is thick: thinner ones would fill memory before they are counted.
-  constexpr double thinnest_foot = 0.01, thinnest_disc = 0.001;
-  std::vector<Length> lengths = { { "Motion/Orbit radius", study.motion.orbit.orbit_radius, 0.01, 1e5 } };
-  if (study.load.is_from_contact() && study.contact.mesh_file.empty())
-    lengths.push_back({ "Glass/Land width", profile.land_width, small, large });
-  if (study.load.is_from_contact() && study.contact.mesh_file.empty() &&
-      profile.shape != fem::GlassShape::profile)
-    lengths.insert(lengths.end(), { { "Glass/Foot radius", profile.foot_radius, small, large },
-                                    { "Glass/Foot thickness", profile.foot_thickness, thinnest_foot, large },
-                                    { "Glass/Land height", profile.land_height, small, large },
-                                    { "Glass/Stem radius", profile.stem_radius, small, large },
-                                    { "Glass/Stem height", profile.stem_height, small, large } });
-  if (study.load.is_from_contact() && profile.shape == fem::GlassShape::foot)
-    lengths.push_back({ "Glass/Edge thickness", profile.edge_thickness, small, large });
-  if (study.load.is_from_contact() && study.table.make().substrate)
-    lengths.insert(lengths.end(),
-                   { { "Table/Disc radius", study.table.disc.radius, small, large },
-                     { "Table/Disc thickness", study.table.disc.thickness, thinnest_disc, large } });
-  for (const Length &length : lengths)
-  {
-    const double ratio = length.value / radius;
-    require(length.least <= ratio && ratio <= length.most,
-            fmt::format(FMT_STRING("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is "
-                                   "allowed; give both in one unit."),
-                        length.entry, to_text(length.value), to_short_text(ratio), to_text(radius),
-                        to_text(length.least), to_text(length.most)));
-  }
 }
 
 /// A mat that is far stiffer than the glass is a hard table, but for rounding.

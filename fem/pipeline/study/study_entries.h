@@ -5,27 +5,44 @@
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// One entry of a study file, tied to the member of a Study that it sets.
+/// Numbers from least to most.
+struct Interval
+{
+  double least = 0, most = 0;
+  bool contains(double value) const { return least <= value && value <= most; }
+};
+
+/// One entry of a study file with all that is known of it, tied to the member of a Study that it sets.
 struct StudyEntry
 {
+  using Condition = bool (*)(const Study &);
+
   std::string section;
   std::string name;
-  std::string allowed;                          ///< as part of a sentence: "a number greater than 0 (m)"
-  std::string help;                             ///< sentences, units included
-  std::string unit;                             ///< "1" for pure numbers, empty for words and paths
-  bool is_quantity = false;                     ///< takes any number, not only whole ones
-  std::string *path_value = nullptr;            ///< where the entry is a path: its value
-  bool is_folder = false;                       ///< the path is that of a folder, and not of a file to read
+  std::string allowed;               ///< as part of a sentence: "a number greater than 0 (m)"
+  std::string help;                  ///< sentences, units included
+  std::string unit;                  ///< "1" for pure numbers, empty for words and paths
+  double *quantity = nullptr;        ///< where the entry takes any number, not only whole ones: its value
+  std::string *path_value = nullptr; ///< where the entry is a path: its value
+  bool is_folder = false;            ///< the path is that of a folder, and not of a file to read
+  Condition has_effect = nullptr;    ///< whether a result of the study depends on the entry
+  /// Values that a glass on a table has; with others a study is computed too, after a warning. docs/values.md
+  /// shows them as a table.
+  std::optional<Interval> plausible;
+  std::string plausible_reason; ///< from what to what
+  /// Of a length: with others, most likely given in another unit, a study is refused.
+  std::optional<Interval> times_contact_radius;
   std::function<std::string()> text;            ///< the present value as a study file writes it
   std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
-  std::function<bool(const std::string &)>
-    assign; ///< sets the value from a text; false where it is not allowed
+  /// Sets the value from a text; false where it is not allowed.
+  std::function<bool(const std::string &)> assign;
 
   /// Section/Entry, as in --set.
   std::string path() const { return section + '/' + name; }
@@ -47,10 +64,6 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 /// text.
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value);
-
-/// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
-/// likeliest one; @p word may be meant for an entry's name or path.
-std::string suggestion(const std::vector<StudyEntry> &entries, const std::string &word);
 
 /// Effective values as nested JSON objects: section, entry, value.
 nlohmann::ordered_json study_as_json(const Study &study);

@@ -18,7 +18,6 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <set>
 
 namespace stemware::pipeline
 {
@@ -28,13 +27,38 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// At most a little more than the longest study of a stream, and whether it could be read.
-std::pair<std::string, bool> beginning_of(std::istream &stream)
+/// At most a little more than the longest study of a stream.
+std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return { text, stream.good() || stream.eof() };
+  return text;
+}
+
+/// The bytes of the study file @p file. Throws BadInput, with a sentence that begins with @p the_file, for
+/// what is no such file.
+std::string contents(const std::string &the_file, const std::filesystem::path &file)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status))
+  {
+    const std::vector<std::string> cookbooks = cookbook_names();
+    const std::string name = file.stem();
+    const bool is_cookbook = std::find(cookbooks.begin(), cookbooks.end(), name) != cookbooks.end();
+    throw BadInput(the_file +
+                   " does not exist; give the path of a .prm file, or write one with `stemware new " +
+                   (is_cookbook ? "--cookbook " + name : "study.prm") + "`.");
+  }
+  require(std::filesystem::is_regular_file(status),
+          the_file + " is not a file; give the path of a .prm file.");
+  require(file.extension() == ".prm" || file.extension() == ".json",
+          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
+  std::ifstream stream(file);
+  const std::string text = beginning_of(stream);
+  require(stream.eof() || text.size() > longest_study, the_file + " cannot be read; check its permissions.");
+  return text;
 }
 
 /// @p bytes as text, once it is known to be that of a study; @p origin begins the sentence.
@@ -53,67 +77,11 @@ std::string checked_text(const std::string &origin, const std::string &bytes)
   return text;
 }
 
-/// All of standard input, which only the first rank has.
-std::string standard_input()
-{
-  return checked_text("The study on standard input",
-                      from_first_rank([] { return beginning_of(std::cin).first; }));
-}
-
-/// The whole file, once it is known to be one that can be read.
-std::string contents(const std::string &file)
-{
-  const std::string the_file = "The study file " + shortened_path(file);
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status))
-  {
-    const std::vector<std::string> cookbooks = cookbook_names();
-    const std::string name = std::filesystem::path(file).stem();
-    const bool is_cookbook = std::find(cookbooks.begin(), cookbooks.end(), name) != cookbooks.end();
-    throw BadInput(the_file +
-                   " does not exist; give the path of a .prm file, or write one with `stemware new " +
-                   (is_cookbook ? "--cookbook " + name : "study.prm") + "`.");
-  }
-  require(std::filesystem::is_regular_file(status),
-          the_file + " is not a file; give the path of a .prm file.");
-  const std::string extension = std::filesystem::path(file).extension();
-  require(extension == ".prm" || extension == ".json",
-          the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
-  std::ifstream stream(file);
-  const auto [text, is_read] = beginning_of(stream);
-  require(is_read && stream.gcount() >= 0 && (stream.eof() || text.size() > longest_study),
-          the_file + " cannot be read; check its permissions.");
-  return checked_text(the_file, text);
-}
-
-/// The first name that an object of @p text has twice; a parser keeps one of them without a word.
-std::optional<std::string> repeated_name(const std::string &text)
-{
-  using Json = nlohmann::json;
-  std::vector<std::set<std::string>> names;
-  std::optional<std::string> repeated;
-  const auto look = [&](int, Json::parse_event_t event, Json &value)
-  {
-    if (event == Json::parse_event_t::object_start)
-      names.emplace_back();
-    else if (event == Json::parse_event_t::object_end)
-      names.pop_back();
-    else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
-      repeated = value.get<std::string>();
-    return true;
-  };
-  [[maybe_unused]] const Json unused = Json::parse(text, look, false);
-  return repeated;
-}
-
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
 {
   const nlohmann::ordered_json sections = parse_json(file, text);
   require(sections.is_object(),
           file + " is not a JSON object; write {\"Glass\": {\"Contact radius\": 0.03}, ...}.");
-  if (const auto name = repeated_name(text))
-    throw BadInput(file + ": \"" + shortened(*name) + "\" stands twice; leave one of them.");
   for (const auto &[section, values] : sections.items())
   {
     require(values.is_object(),
@@ -126,25 +94,17 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Section/Entry=value of --set; returns the entry's path.
-std::string apply(const std::string &override_text, const std::vector<StudyEntry> &entries)
-{
-  const auto equal_sign = override_text.find('=');
-  require(equal_sign != std::string::npos && override_text.find('/') < equal_sign,
-          "--set \"" + shortened(override_text) +
-            "\" is not an assignment; write --set \"Section/Entry=value\".");
-  const std::string path = boost::trim_copy(override_text.substr(0, equal_sign));
-  assign(entries, "--set: ", path, boost::trim_copy(override_text.substr(equal_sign + 1)));
-  return path;
-}
-
-/// All of --set, each of its entries once, as in a study file.
-void apply_all(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
+/// All of --set, "Section/Entry=value", each of its entries once, as in a study file.
+void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
   for (const std::string &text : overrides)
   {
-    const std::string path = apply(text, entries);
+    const auto equal_sign = text.find('=');
+    require(equal_sign != std::string::npos && text.find('/') < equal_sign,
+            "--set \"" + shortened(text) + "\" is not an assignment; write --set \"Section/Entry=value\".");
+    const std::string path = boost::trim_copy(text.substr(0, equal_sign));
+    assign(entries, "--set: ", path, boost::trim_copy(text.substr(equal_sign + 1)));
     const auto [before, is_first] = text_of.emplace(path, text);
     require(is_first,
             fmt::format(FMT_STRING("--set gives {} twice, with \"{}\" and \"{}\"; leave one of them."), path,
@@ -183,20 +143,23 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
 {
   Study study;
   const std::vector<StudyEntry> entries = study_entries(study);
-  if (file == "-")
+  if (!file.empty())
   {
-    const std::string text = standard_input();
-    const bool is_json = text[text.find_first_not_of(" \t\r\n")] == '{';
-    is_json ? read_json("standard input", text, entries) : read_prm("standard input", text, entries);
+    const bool is_stream = file == "-"; // which only the first rank has
+    const std::string origin = is_stream ? "standard input" : file;
+    const std::string the_file =
+      is_stream ? "The study on standard input" : "The study file " + shortened_path(file);
+    const std::string text =
+      checked_text(the_file, is_stream ? from_first_rank([] { return beginning_of(std::cin); })
+                                       : contents(the_file, file));
+    const bool is_json = is_stream ? text[text.find_first_not_of(" \t\r\n")] == '{'
+                                   : std::filesystem::path(file).extension() == ".json";
+    is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
   }
-  else if (std::filesystem::path(file).extension() == ".json")
-    read_json(shortened_path(file), contents(file), entries);
-  else if (!file.empty())
-    read_prm(file, contents(file), entries);
   forget_stated_defaults(study);
   for (std::string *path : paths_of(study, true))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
-  apply_all(overrides, entries);
+  apply(overrides, entries);
   attach_profile(study);
   check_study(study);
   study.contact.checkpoint_owner = study_identity(study);

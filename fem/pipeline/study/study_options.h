@@ -18,11 +18,20 @@ struct StudyOptions
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 
   /// The stem of the study file, "default" without one, "stdin" for standard input.
-  std::string study_name() const;
+  std::string study_name() const
+  {
+    return study_file.empty()  ? "default"
+           : study_file == "-" ? "stdin"
+                               : std::filesystem::path(study_file).stem().string();
+  }
 
   /// The folder of the results: --output, or results/<name of the study> for `run` and
   /// results/<name of the study>-<verb> for the others.
-  std::filesystem::path results_place() const;
+  std::filesystem::path results_place() const
+  {
+    const std::string of_verb = verb == "run" ? "" : "-" + verb;
+    return output.empty() ? "results/" + study_name() + of_verb : output;
+  }
 };
 
 } // namespace stemware::pipeline

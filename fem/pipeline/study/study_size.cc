@@ -80,7 +80,7 @@ void add_solid_body(const Study &study, StudySize &size)
     size.cells += 20 * std::ldexp(contact.resolution.azimuthal_cells,
                                   static_cast<int>(contact.refinements + n_edge_halvings));
   size.unknowns = 4.5 * size.cells * std::pow(contact.degree, 3);
-  // Bytes per unknown (docs/method/solid_at_scale.md).
+  // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
   // The meshes under one with a halved edge have many cells too.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
@@ -90,12 +90,12 @@ void add_solid_body(const Study &study, StudySize &size)
   size.memory += size.unknowns * (is_direct ? factorised : iterated);
 }
 
-/// The entry whose default would lower the size most.
-StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
+/// The entry of @p study whose default would take the least memory.
+StudyEntry greediest(Study &study)
 {
-  Study defaults, trial = study;
-  const std::vector<StudyEntry> standard = study_entries(defaults), tried = study_entries(trial);
-  double least = measure(size_of(study));
+  Study defaults;
+  const std::vector<StudyEntry> standard = study_entries(defaults), tried = study_entries(study);
+  double least = size_of(study).memory;
   std::size_t found = 0;
   for (std::size_t i = 0; i < tried.size(); ++i)
   {
@@ -103,9 +103,9 @@ StudyEntry greediest(const Study &study, double (*measure)(const StudySize &))
     if (before == standard[i].text() || (tried[i].unit.empty() && tried[i].path() != mesh_file_entry))
       continue;
     tried[i].assign(standard[i].text());
-    if (const double size = measure(size_of(trial)); size < least)
+    if (const double memory = size_of(study).memory; memory < least)
     {
-      least = size;
+      least = memory;
       found = i;
     }
     tried[i].assign(before);
@@ -142,14 +142,6 @@ StudySize size_of(const Study &study)
 
 void require_affordable(const Study &study)
 {
-  const auto text_of = [](const Study &of, const StudyEntry &entry)
-  {
-    Study copy = of;
-    for (const StudyEntry &candidate : study_entries(copy))
-      if (candidate.path() == entry.path())
-        return candidate.text();
-    return std::string();
-  };
   const StudySize size = size_of(study);
   if (size.steps > study.motion.step_limit)
     throw BadInput(fmt::format(
@@ -159,11 +151,12 @@ void require_affordable(const Study &study)
       1.1 * size.steps));
   if (size.memory > study.contact.memory_limit)
   {
-    const StudyEntry entry = greediest(study, [](const StudySize &of) { return of.memory; });
+    Study trial = study;
+    const StudyEntry entry = greediest(trial);
     throw BadInput(fmt::format(
       FMT_STRING("{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), above {} GB; "
                  "give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
-      entry.path(), shortened_path(text_of(study, entry)), size.memory / 1e9, size.cells, size.unknowns,
+      entry.path(), shortened_path(entry.text()), size.memory / 1e9, size.cells, size.unknowns,
       to_short_text(study.contact.memory_limit / 1e9),
       entry.path() == mesh_file_entry ? "coarser mesh" : "value nearer to its default",
       std::ceil(1.1 * size.memory / 1e9)));

@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -16,24 +17,15 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The text before and after the first @p separator, trimmed; nothing for the second where there is none.
-std::pair<std::string, std::optional<std::string>> cut(const std::string &text, char separator)
-{
-  const auto place = text.find(separator);
-  if (place == std::string::npos)
-    return { boost::trim_copy(text), std::nullopt };
-  return { boost::trim_copy(text.substr(0, place)), boost::trim_copy(text.substr(place + 1)) };
-}
-
+/// "2: 5 um @ 20 deg"; the azimuth may be left out.
 std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 {
-  const auto [order_text, rest] = cut(text, ':');
-  if (!rest)
+  const auto colon = text.find(':'), at = std::min(text.find('@'), text.size());
+  if (colon > at)
     return std::nullopt;
-  const auto [amplitude_text, azimuth_text] = cut(*rest, '@');
-  const auto order = parse_count(order_text);
-  const auto amplitude = parse_quantity(amplitude_text, "m");
-  const auto azimuth = azimuth_text ? parse_quantity(*azimuth_text, "rad") : 0.;
+  const auto order = parse_count(text.substr(0, colon));
+  const auto amplitude = parse_quantity(text.substr(colon + 1, at - colon - 1), "m");
+  const auto azimuth = at < text.size() ? parse_quantity(text.substr(at + 1), "rad") : 0.;
   constexpr double end_of_amplitudes = 1, end_of_azimuths = 1000;
   if (!order || *order < 2 || !amplitude || !azimuth || !(std::abs(*amplitude) < end_of_amplitudes) ||
       !(std::abs(*azimuth) < end_of_azimuths))

@@ -16,25 +16,14 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The file descriptor of the text for users, or a negative number for nowhere.
-int &console_descriptor()
-{
-  static int descriptor = STDOUT_FILENO;
-  return descriptor;
-}
-
-/// Whether the program was started without a standard output.
-bool &stdout_was_missing()
-{
-  static bool missing = false;
-  return missing;
-}
+int console_descriptor = STDOUT_FILENO; ///< of the text for users; negative: nowhere
+bool stdout_was_missing = false;        ///< when the program was started
 
 std::streambuf *console_buffer()
 {
-  if (!is_first_rank() || console_descriptor() < 0)
+  if (!is_first_rank() || console_descriptor < 0)
     return nullptr;
-  return console_descriptor() == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
+  return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
 } // namespace
@@ -45,16 +34,16 @@ void open_missing_streams()
     if (::fcntl(descriptor, F_GETFD) < 0)
     {
       ::open("/dev/null", O_RDWR); // takes the lowest number that is free, which is this one
-      stdout_was_missing() = stdout_was_missing() || descriptor == STDOUT_FILENO;
+      stdout_was_missing = stdout_was_missing || descriptor == STDOUT_FILENO;
     }
 }
 
 void direct_console(bool quiet, bool json)
 {
-  if (json && stdout_was_missing())
+  if (json && stdout_was_missing)
     throw OutputFailure("--json prints on standard output, which is closed; redirect it to a file, or leave "
                         "--json away.");
-  console_descriptor() = quiet ? -1 : json ? STDERR_FILENO : STDOUT_FILENO;
+  console_descriptor = quiet ? -1 : json ? STDERR_FILENO : STDOUT_FILENO;
 }
 
 std::ostream &console()
@@ -79,7 +68,7 @@ void require_printed()
 bool console_is_terminal()
 {
   const char *kind = std::getenv("TERM");
-  return console_buffer() != nullptr && ::isatty(console_descriptor()) == 1 && kind != nullptr &&
+  return console_buffer() != nullptr && ::isatty(console_descriptor) == 1 && kind != nullptr &&
          std::string(kind) != "dumb";
 }
 

@@ -77,10 +77,8 @@ std::vector<std::string> names_in(const fs::path &folder)
 
 void create_new_folder(const fs::path &folder)
 {
-  // Unlike fs::create_directory(), which is content with a folder, or a link to one, that is there already.
-  if (::mkdir(folder.c_str(), 0777) != 0)
-    throw fs::filesystem_error("cannot create folder", folder,
-                               std::error_code(errno, std::generic_category()));
+  if (!fs::create_directory(folder)) // is content with a folder, or a link to one, that is there already
+    throw fs::filesystem_error("cannot create folder", folder, std::make_error_code(std::errc::file_exists));
 }
 
 std::string unique_suffix()

@@ -4,12 +4,9 @@
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/work_progress.h"
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <map>
 #include <set>
-#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -37,55 +34,9 @@ Watch &watch()
   return *the_watch;
 }
 
-int wake_up_pipe[2] = { -1, -1 };
-
-/// Which of the signals were ignored when the program started (nohup, jobs in the background): they stay so.
-/// Asked before main(), because MPI changes them.
-const std::map<int, bool> ignored_from_the_start = []
-{
-  std::map<int, bool> ignored;
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
-  {
-    struct sigaction action = {};
-    ::sigaction(signal, nullptr, &action);
-    ignored[signal] = action.sa_handler == SIG_IGN;
-  }
-  return ignored;
-}();
-
-/// Ends a program that has not reached main() yet; it has nothing to tidy up.
-extern "C" void end_at_once(int)
-{
-  const char message[] = "\nstemware: interrupted; no results were written.\n";
-  [[maybe_unused]] const auto n_written = ::write(STDERR_FILENO, message, sizeof(message) - 1);
-  ::_exit(static_cast<int>(ExitCode::interrupted));
-}
-
-void watch_while_libraries_start(int, char **, char **)
-{
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
-  {
-    struct sigaction action = {};
-    ::sigaction(signal, nullptr, &action);
-    if (action.sa_handler != SIG_DFL)
-      continue;
-    action.sa_handler = end_at_once;
-    ::sigaction(signal, &action, nullptr);
-  }
-}
-
-/// Called by the loader before the libraries are initialised: these take as long as a study that is refused.
-__attribute__((section(".preinit_array"),
-               used)) void (*const first_call)(int, char **, char **) = watch_while_libraries_start;
-
-extern "C" void wake_up(int)
-{
-  const int saved_errno = errno;
-  const char byte = 1;
-  // A full pipe means that the thread is awake already.
-  [[maybe_unused]] const auto n_written = ::write(wake_up_pipe[1], &byte, 1);
-  errno = saved_errno;
-}
+/// The signals that interrupt: those of SIGINT, SIGTERM and SIGHUP that were not ignored when the program
+/// started (nohup, jobs in the background).
+sigset_t interruptions;
 
 std::string how_far()
 {
@@ -96,8 +47,10 @@ std::string how_far()
          watch().work_done + " done";
 }
 
-[[noreturn]] void end_program()
+[[noreturn]] void end_on_interruption()
 {
+  int signal = 0;
+  ::sigwait(&interruptions, &signal);
   // Kept until the end, so that the working thread cannot publish results, or report that its folder is gone,
   // meanwhile.
   watch().mutex.lock();
@@ -116,32 +69,30 @@ std::string how_far()
   ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
-void wait_for_signal()
-{
-  char byte;
-  while (::read(wake_up_pipe[0], &byte, 1) < 0 && errno == EINTR)
-    ;
-  end_program();
-}
-
 } // namespace
+
+void hold_interruptions_back()
+{
+  sigset_t all;
+  ::sigemptyset(&all);
+  ::sigemptyset(&interruptions);
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP })
+  {
+    struct sigaction action = {};
+    ::sigaction(signal, nullptr, &action);
+    ::sigaddset(&all, signal);
+    if (action.sa_handler != SIG_IGN)
+      ::sigaddset(&interruptions, signal);
+  }
+  // Those that are ignored too: MPI puts handlers of its own in place.
+  ::sigprocmask(SIG_BLOCK, &all, nullptr);
+}
 
 void watch_for_interruption()
 {
   watch().first_rank = is_first_rank();
-  if (wake_up_pipe[0] < 0)
-  {
-    if (::pipe(wake_up_pipe) != 0)
-      throw std::system_error(errno, std::generic_category(), "the watch for interruptions cannot start");
-    std::thread(wait_for_signal).detach();
-  }
-  for (const auto &[signal, ignored] : ignored_from_the_start)
-  {
-    struct sigaction action = {};
-    action.sa_handler = ignored ? SIG_IGN : wake_up;
-    action.sa_flags = SA_RESTART;
-    ::sigaction(signal, &action, nullptr);
-  }
+  static std::once_flag once;
+  std::call_once(once, [] { std::thread(end_on_interruption).detach(); });
   // A file that grows beyond what the user may write is a file that cannot be written, and said so.
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -8,11 +8,15 @@
 namespace stemware::pipeline
 {
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the program with exit code 130, at once and whatever it is
-/// doing, after the clean-up of clean_up_on_interruption(). The signal handler only wakes a thread, and that
-/// thread does the work: so the clean-up is ordinary code, and a factorisation that never looks at a flag
-/// does not delay it. Signals that were ignored when the program started stay ignored. To be called before
-/// the work, and again after start_mpi(), which changes handlers of signals.
+/// Keeps SIGINT, SIGTERM and SIGHUP waiting until watch_for_interruption(), for this thread and those that it
+/// begins; those of them that were ignored when the program started stay ignored. To be called before any
+/// thread is begun.
+void hold_interruptions_back();
+
+/// From now on those signals end the program with exit code 130, at once and whatever it is doing, after the
+/// clean-up of clean_up_on_interruption(). A thread waits for them and does the work: so the clean-up is
+/// ordinary code, and a factorisation that never looks at a flag does not delay it. To be called before the
+/// work, and again after start_mpi(), which says which rank this is.
 void watch_for_interruption();
 
 /// Holds an interruption back while the lock lives: for steps that must happen together, such as swapping

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -14,29 +16,7 @@ namespace
 {
 
 /// Values are printed, compared and copied by functions that call themselves for every level.
-constexpr unsigned int most_levels = 100;
-
-/// Where the brackets of @p text first stand deeper than that.
-std::optional<std::size_t> too_deep(const std::string &text)
-{
-  unsigned int level = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (in_string && text[i] == '\\')
-      ++i; // whatever follows belongs to the string
-    else if (in_string)
-      in_string = text[i] != '"';
-    else if (text[i] == '"')
-      in_string = true;
-    else if (text[i] == '{' || text[i] == '[')
-    {
-      if (++level > most_levels)
-        return i;
-    }
-    else if ((text[i] == '}' || text[i] == ']') && level > 0)
-      --level;
-  return std::nullopt;
-}
+constexpr int most_levels = 100;
 
 /// "line 3, column 7" of the byte at @p place, counted from 0.
 std::string place_in(const std::string &text, std::size_t place)
@@ -51,13 +31,26 @@ std::string place_in(const std::string &text, std::size_t place)
 
 Json parse_json(const std::string &origin, const std::string &text)
 {
-  if (const auto place = too_deep(text))
-    throw BadInput(fmt::format(FMT_STRING("{}, {}: the JSON is nested more than {} levels deep; a study has "
-                                          "sections and entries, two levels."),
-                               origin, place_in(text, *place), most_levels));
+  std::vector<std::set<std::string>> names; // in the objects that are open
+  const auto look = [&](int level, Json::parse_event_t event, Json &value)
+  {
+    if (level > most_levels)
+      throw BadInput(fmt::format(FMT_STRING("{}: the JSON is nested more than {} levels deep; a study has "
+                                            "sections and entries, two levels."),
+                                 origin, most_levels));
+    if (event == Json::parse_event_t::object_start)
+      names.emplace_back();
+    else if (event == Json::parse_event_t::object_end)
+      names.pop_back();
+    // Of two values of one name the parser would keep one without a word.
+    else if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
+      throw BadInput(origin + ": \"" + shortened(value.get<std::string>()) +
+                     "\" stands twice; leave one of them.");
+    return true;
+  };
   try
   {
-    return Json::parse(text);
+    return Json::parse(text, look);
   }
   catch (const Json::parse_error &error)
   {

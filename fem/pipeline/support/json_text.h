@@ -9,7 +9,8 @@ namespace stemware::pipeline
 {
 
 /// The JSON of @p text, which may come from anywhere. Throws BadInput with one sentence, which begins with
-/// @p origin and names line and column, where it is broken, or nested deeper than any file of a study.
+/// @p origin, where it is broken (with line and column), nested deeper than any file of a study, or has two
+/// values of one name.
 nlohmann::ordered_json parse_json(const std::string &origin, const std::string &text);
 
 /// The same for files that the program itself has written: nothing where they are broken.

@@ -1,5 +1,7 @@
 #include "fem/pipeline/support/numbers.h"
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -9,19 +11,12 @@ namespace stemware::pipeline
 
 namespace
 {
-std::string trimmed(const std::string &text)
-{
-  const char *blanks = " \t\r\n";
-  const auto begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
 /// Number that makes up the whole of a text. std::from_chars, unlike streams, ignores the locale and leaves
 /// nothing behind unread.
 template <typename Number>
 std::optional<Number> parse_whole(const std::string &text)
 {
-  std::string digits = trimmed(text);
+  std::string digits = boost::trim_copy(text);
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
     digits.erase(0, 1);
   Number value{};
@@ -38,7 +33,7 @@ std::string tidy(const char *begin, const std::to_chars_result &result)
   std::string text(begin, static_cast<const char *>(result.ptr));
   const auto exponent = text.find('e');
   if (exponent == std::string::npos)
-    return text;
+    return text == "-nan" ? "nan" : text;
   const bool negative = text[exponent + 1] == '-';
   const auto digits = text.find_first_not_of('0', exponent + 2);
   return text.substr(0, exponent + 1) + (negative ? "-" : "") + text.substr(digits);
@@ -47,16 +42,12 @@ std::string tidy(const char *begin, const std::to_chars_result &result)
 
 std::string to_text(double value)
 {
-  if (std::isnan(value))
-    return "nan";
   std::array<char, 32> buffer;
   return tidy(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value));
 }
 
 std::string to_short_text(double value)
 {
-  if (std::isnan(value))
-    return "nan";
   std::array<char, 32> buffer;
   return tidy(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                            std::chars_format::general, 6));

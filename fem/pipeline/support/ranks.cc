@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -67,7 +68,7 @@ void start_mpi()
 
 bool is_first_rank()
 {
-  return !running_session || mpi::this_mpi_process(MPI_COMM_WORLD) == 0;
+  return this_rank() == 0;
 }
 
 unsigned int n_ranks()
@@ -78,54 +79,38 @@ unsigned int n_ranks()
 namespace
 {
 
-enum class Outcome : int
-{
-  done,
-  output_failure,
-  other_failure
-};
-
-/// What became of some work, and the message of its failure.
+/// What became of some work: the exit code that belongs to it, and the message of its failure.
 std::pair<int, std::string> outcome_of(const std::function<void()> &work)
+try
 {
-  const auto with = [](Outcome outcome, const std::string &text)
-  { return std::pair(static_cast<int>(outcome), text); };
-  try
-  {
-    work();
-    return with(Outcome::done, "");
-  }
-  catch (const OutputFailure &failure)
-  {
-    return with(Outcome::output_failure, failure.what());
-  }
-  catch (const std::filesystem::filesystem_error &failure)
-  {
-    return with(Outcome::output_failure, failure.what());
-  }
-  catch (const std::exception &failure)
-  {
-    return with(Outcome::other_failure, failure.what());
-  }
+  work();
+  return { static_cast<int>(ExitCode::success), "" };
 }
-
-void throw_unless_done(const std::pair<int, std::string> &outcome)
+catch (const OutputFailure &failure)
 {
-  if (outcome.first == static_cast<int>(Outcome::output_failure))
-    throw OutputFailure(outcome.second);
-  if (outcome.first == static_cast<int>(Outcome::other_failure))
-    throw std::runtime_error(outcome.second);
+  return { static_cast<int>(ExitCode::output_failure), failure.what() };
+}
+catch (const std::filesystem::filesystem_error &failure)
+{
+  return { static_cast<int>(ExitCode::output_failure), failure.what() };
+}
+catch (const std::exception &failure)
+{
+  return { static_cast<int>(ExitCode::numerical_failure), failure.what() };
 }
 
 } // namespace
 
 void on_every_rank(const std::function<void()> &work)
 {
-  const auto outcome = outcome_of(work);
-  if (n_ranks() == 1)
-    return throw_unless_done(outcome);
-  for (const auto &of_one : mpi::all_gather(MPI_COMM_WORLD, outcome))
-    throw_unless_done(of_one);
+  std::vector<std::pair<int, std::string>> outcomes = { outcome_of(work) };
+  if (n_ranks() > 1)
+    outcomes = mpi::all_gather(MPI_COMM_WORLD, outcomes.front());
+  for (const auto &[code, message] : outcomes)
+    if (code == static_cast<int>(ExitCode::output_failure))
+      throw OutputFailure(message);
+    else if (code != static_cast<int>(ExitCode::success))
+      throw std::runtime_error(message);
 }
 
 void on_first_rank(const std::function<void()> &work)

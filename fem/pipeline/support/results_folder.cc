@@ -55,11 +55,6 @@ void remove_own_folder(const fs::path &folder) noexcept
     }
 }
 
-bool begins_with(const std::string &text, const std::string &start)
-{
-  return text.compare(0, start.size(), start) == 0;
-}
-
 /// Removes what killed processes have left of their work on @p target, where it is theirs beyond doubt: a
 /// folder that nobody works in, and that holds nothing but what its manifest lists. What may be a user's is
 /// named and left. The older results that a process was about to replace stay where they are the only ones.
@@ -69,7 +64,7 @@ void remove_leftovers(const fs::path &target, const std::string &prefix)
   {
     const fs::path folder = target.parent_path() / name;
     const bool only_copy = folder.extension() == ".replaced" && !fs::exists(target);
-    if (!begins_with(name, prefix) || only_copy || !is_plain_folder(folder) || !FolderClaim(folder).held() ||
+    if (name.rfind(prefix, 0) != 0 || only_copy || !is_plain_folder(folder) || !FolderClaim(folder).held() ||
         !has_manifest(folder))
       continue;
     if (!why_not_replaceable(folder))
@@ -119,24 +114,20 @@ void ResultsFolder::claim_place()
     require_replaceable(target);
     created_parents = create_folders(target.parent_path());
     remove_leftovers(target, prefix);
-    partial = target.parent_path() / (prefix + unique_suffix());
-    create_new_folder(partial);
+    const fs::path made = target.parent_path() / (prefix + unique_suffix());
+    create_new_folder(made);
+    partial = made;
+    claim = FolderClaim(partial);
+    write_manifest(partial); // a killed process leaves nothing that the next one has to take for a user's
+    clean_up_on_interruption([this] { remove_partial(); });
   }
   catch (const fs::filesystem_error &error)
   {
-    remove_empty_folders(created_parents);
+    remove_partial();
     fail_to_write(target, error.code());
-  }
-  clean_up_on_interruption([this] { remove_partial(); });
-  claim = FolderClaim(partial);
-  try
-  {
-    // A killed process leaves nothing that the next one has to take for a user's.
-    write_manifest(partial);
   }
   catch (...)
   {
-    clean_up_on_interruption({});
     remove_partial();
     throw;
   }
@@ -155,7 +146,8 @@ ResultsFolder::~ResultsFolder()
 void ResultsFolder::remove_partial() noexcept
 {
   claim = FolderClaim(); // and its descriptor is free
-  remove_own_folder(partial);
+  if (!partial.empty())
+    remove_own_folder(partial);
   remove_empty_folders(created_parents);
 }
 

@@ -71,6 +71,14 @@ std::string wrapped(const std::string &text, const std::string &label, std::size
   return lines;
 }
 
+std::string listed(const std::vector<std::string> &words, const std::string &last)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? ' ' + last + ' ' : ", ") + words[i];
+  return text;
+}
+
 std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words)
 {
   constexpr std::size_t most_slips = 3;

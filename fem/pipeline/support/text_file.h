@@ -22,9 +22,6 @@ void require_no_file(const std::filesystem::path &file);
 /// does not take. Throws OutputFailure with one sentence.
 void create_text_file(const std::filesystem::path &file, const std::string &text);
 
-/// Whether the disk has taken every byte of @p text for the open file @p descriptor; errno says why not.
-bool write_all(int descriptor, const std::string &text);
-
 /// All bytes of a file; nothing of one that cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
 

@@ -272,9 +272,27 @@ std::vector<std::vector<double>> read_columns(const fs::path &table)
 std::map<std::string, std::string> all_files(const fs::path &folder)
 {
   std::map<std::string, std::string> files;
+  std::vector<std::string> timed;
   for (const auto &item : fs::recursive_directory_iterator(folder))
     if (item.is_regular_file() && item.path().filename() != "timings.json")
-      files[fs::relative(item.path(), folder).string()] = read_text(item.path());
+    {
+      const std::string name = fs::relative(item.path(), folder).string();
+      std::string &text = files[name] = read_text(item.path());
+      if (const auto hour = text.rfind("/Type /ObjStm");
+          item.path().extension() == ".pdf" && hour != text.npos)
+      {
+        text.resize(hour);
+        timed.push_back(name);
+      }
+    }
+  const auto manifest = files.find("manifest.json");
+  if (manifest != files.end() && !timed.empty())
+  {
+    auto listed = nlohmann::json::parse(manifest->second);
+    for (const std::string &name : timed)
+      listed["files"].erase(name);
+    manifest->second = listed.dump();
+  }
   return files;
 }
 
@@ -286,6 +304,23 @@ std::vector<std::string> names_in(const fs::path &folder)
       names.push_back(item.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+std::string between(const std::string &text, const std::string &begin, const std::string &end)
+{
+  const auto from = text.find(begin);
+  if (from == std::string::npos)
+    return "";
+  return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
+}
+
+std::vector<std::string> all_between(const std::string &text, const std::string &begin,
+                                     const std::string &end)
+{
+  std::vector<std::string> found;
+  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    found.push_back(between(text.substr(at), begin, end));
+  return found;
 }
 
 std::string plain_study(const std::string &further)

@@ -72,12 +72,20 @@ Ended stemware(const ScratchFolder &scratch, const std::vector<std::string> &arg
 std::vector<std::string> all_verbs();
 
 std::string read_text(const std::filesystem::path &file);
+
+/// What stands between @p begin and the next @p end in @p text; empty where there is no such place.
+std::string between(const std::string &text, const std::string &begin, const std::string &end);
+
+/// The same after every @p begin.
+std::vector<std::string> all_between(const std::string &text, const std::string &begin,
+                                     const std::string &end);
 nlohmann::json read_summary(const std::filesystem::path &results);
 
 /// Columns of a table of results by position, as numbers.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path &table);
 
-/// Contents of all files below a folder by relative path, without timings.json.
+/// Contents of all files below a folder by relative path, without timings.json, and without what tells the
+/// hour at which Debian 13's cairo made a PDF: its compressed last part, and the sum of it in manifest.json.
 std::map<std::string, std::string> all_files(const std::filesystem::path &folder);
 
 /// Names of everything in a folder, hidden files too, without the runner's own .out and .err.

@@ -167,8 +167,8 @@ TEST(MeshEstimate, HoldsUnderAHardFlatLand)
   EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2);
 }
 
-// There it would be a tenth of the error, or none of it (docs/method/solid_at_scale.md); the same feet on a
-// mat have one.
+// There it would be a tenth of the error, or none of it (docs/method/solid_measurements.md); the same feet on
+// a mat have one.
 TEST(MeshEstimate, SaysNothingOfAHardContactNarrowerThanItsCells)
 {
   GlassProfile flat = flat_profile();

@@ -146,7 +146,7 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
                                                unsigned int degree)
 {
   SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
-  FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree));
+  FootCase direct(profile, resolution, solved_by(LinearSolver::direct, degree, 1e-11));
   FootCase multigrid(profile, resolution, solved_by(LinearSolver::multigrid, degree, 1e-11));
   const WinklerInterface mat(1e11);
   direct.solve_on_winkler(1e11, load_at(1.3));
@@ -204,7 +204,8 @@ TEST(MultigridLong, AgreesWithTheFactorisation)
 
 TEST(MultigridLong, IterationsDoNotGrow)
 {
-  // More levels, and quadratic elements on them, are for multigrid_benchmark (docs/method/solid_at_scale.md).
+  // More levels, and quadratic elements on them, are for multigrid_benchmark
+  // (docs/method/solid_measurements.md).
   for (const GlassProfile &profile : { GlassProfile(), flat_profile() })
   {
     expect_iterations_that_do_not_grow(profile, { 48, 2, 2 }, 1, 2);

@@ -83,7 +83,8 @@ CaseLog::~CaseLog()
 
 void CaseLog::append(std::size_t index, const CaseResult &result)
 {
-  if (!write_all(descriptor, line_of(index, result)))
+  const std::string line = line_of(index, result);
+  if (::write(descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     fail_to_keep(file);
   const auto now = std::chrono::steady_clock::now();
   if (now - last_sync < std::chrono::seconds(1))

@@ -147,8 +147,9 @@ SweepPlan make_sample(const SweepRequest &request)
   {
     const Spread spread = parse_spread(text);
     const StudyEntry entry = find_entry("--random", spread.path);
-    require(entry.is_quantity, "--random: " + spread.path + " takes " + entry.allowed +
-                                 ", which cannot be drawn from a spread; list its values with --vary.");
+    require(entry.quantity != nullptr,
+            "--random: " + spread.path + " takes " + entry.allowed +
+              ", which cannot be drawn from a spread; list its values with --vary.");
     plan.entries.push_back({ spread.path, entry.unit, {}, spread.is_by_factors() });
     plan.spreads.push_back(spread);
   }

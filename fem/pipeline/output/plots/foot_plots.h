@@ -1,14 +1,15 @@
 #pragma once
 
-#include "fem/contact/pressure_map.h"
+#include "fem/contact/footprint.h"
+#include "fem/geometry/mesh_quality.h"
+#include "fem/geometry/rim_circle.h"
 #include "fem/geometry/section_view.h"
-#include "fem/pipeline/output/render/report.h"
+#include "fem/pipeline/report/plot.h"
 #include "ring_model/motion.h"
 
-#include <utility>
 #include <vector>
 
-/// The plots of the foot itself.
+/// The plots of the foot itself, and of its mesh.
 namespace stemware::pipeline
 {
 
@@ -21,36 +22,39 @@ struct FootLengths
   double load_outer_radius = 0;
   double outer_radius = 0;     ///< of the foot
   double height = 0;           ///< of the stem's cut
+  double stem_radius = 0;      ///< of the glass at the stem's cut
   double thickness_at_rim = 0; ///< of the glass above the contact radius
 };
 
 /// Outer radius, height and thickness of a foot from the @p cells of its section, of which there must be one.
 FootLengths measured(const std::vector<fem::SectionPolygon> &cells, double contact_radius);
 
-/// Least and largest radius in contact at any azimuth, as fem::contact_width() [m]; of points that are no
-/// grid those under pressure. The footprint must have a point under pressure.
-std::pair<double, double> loaded_band(const fem::PressureMap &footprint);
-
-/// Whether a footprint is a grid with several points across the contact.
-bool has_cells(const fem::PressureMap &footprint);
-
-/// The largest pressure [Pa].
-double largest_pressure(const fem::PressureMap &footprint);
-
-/// The cuts that a picture shows: of a footprint with cells every so many, the first one again after a whole
-/// turn, each at equally many places between the edges of its pressure, which lie between the points of the
-/// grid, and not a number where it has no load; of others the points under pressure.
-std::vector<std::vector<fem::PressurePoint>> drawn_cuts(const fem::PressureMap &footprint);
-
 /// The section of a foot with its cells and lengths.
 Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &lengths);
 
-/// The cells at the rim above the table, lifted by the crown, and where the foot carries load.
-Plot rim_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &lengths);
+/// The cells of section_plot() at the rim above the table, lifted by the crown, and where the foot carries
+/// load.
+Plot rim_plot(const FootLengths &lengths);
 
-/// The pressure seen from below, its distance from the rim drawn larger, with the direction of travel and the
-/// side of the orbit's centre. The footprint must have a point under pressure.
+/// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
+/// footprint must have a point under pressure.
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
+
+/// The pressure of footprint_plot() seen from below, its distance from the rim drawn larger, with the
+/// direction of travel and the side of the orbit's centre. The footprint must have a point under pressure.
 Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
                           const ring::Motion &motion);
+
+/// The points of the land and the circle through them, heights drawn larger.
+Plot rim_circle_plot(const fem::RimCircle &circle);
+
+/// The distances of the points from the circle, between lines at one scatter.
+Plot rim_residual_plot(const fem::RimCircle &circle);
+
+/// The faces of a mesh's contact zone, seen from above.
+Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces);
+
+/// How many cells of a mesh have which scaled Jacobian.
+Plot quality_plot(const std::vector<double> &jacobians);
 
 } // namespace stemware::pipeline

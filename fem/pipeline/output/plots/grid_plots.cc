@@ -1,12 +1,12 @@
+#include "fem/pipeline/analysis/sweep/curve_gaps.h"
 #include "fem/pipeline/output/plots/plots.h"
 #include "fem/pipeline/output/quantities.h"
-#include "fem/pipeline/output/render/plot_script.h"
+#include "fem/pipeline/output/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 namespace stemware::pipeline
 {
@@ -61,7 +61,7 @@ std::vector<Drawing> drawings()
 
 double nan_where_missing(const std::optional<double> &value)
 {
-  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+  return value.value_or(std::nan(""));
 }
 
 double value_in(const FinishedCases &cases, std::size_t index, const CaseValue &value)
@@ -73,10 +73,14 @@ double value_in(const FinishedCases &cases, std::size_t index, const CaseValue &
 /// Whether there is something to see: values, and not all of them the same.
 bool is_worth_drawing(const FinishedCases &cases, const CaseValue &quantity)
 {
-  Extent values;
+  std::vector<double> values;
   for (const auto &[index, result] : cases)
-    values.include(value_in(cases, index, quantity));
-  return values.most - values.least > 1e-9 * std::max(std::abs(values.most), std::abs(values.least));
+    if (const double value = value_in(cases, index, quantity); std::isfinite(value))
+      values.push_back(value);
+  if (values.empty())
+    return false;
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least > 1e-9 * std::max(std::abs(*most), std::abs(*least));
 }
 
 /// Numbers of an entry of numbers.
@@ -110,187 +114,148 @@ std::size_t case_at(const SweepPlan &plan, const Roles &roles, std::size_t along
   return first * plan.entries[1].values.size() + second;
 }
 
-/// Few values are marked.
-CurveStyle style_of(std::size_t n_values)
-{
-  return n_values <= 30 ? CurveStyle::line_and_points : CurveStyle::line;
-}
-
-/// Intervals between the values of a curve in which it jumps: one of them, or two side by side, over which
-/// the curve changes more than four times as much as over those to their left and right.
-std::vector<bool> jumps_of(const std::vector<double> &y)
-{
-  constexpr double factor = 4;
-  std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < y.size(); ++i)
-    steps.push_back(std::abs(y[i + 1] - y[i]));
-  std::vector<bool> jumps(steps.size(), false);
-  for (const std::ptrdiff_t width : { 1, 2 })
-    for (std::size_t i = 1; i + static_cast<std::size_t>(width) < steps.size(); ++i)
-    {
-      const auto first = steps.begin() + static_cast<std::ptrdiff_t>(i), last = first + width;
-      if (!std::all_of(first - 1, last + 1, [](double step) { return std::isfinite(step); }))
-        continue; // beside a case that has failed
-      const double smallest = *std::min_element(first, last), beside = std::max(*(first - 1), *last);
-      if (smallest > factor * beside && beside > 1e-9 * smallest) // rounding beside a step tells nothing
-        std::fill_n(jumps.begin() + static_cast<std::ptrdiff_t>(i), width, true);
-    }
-  return jumps;
-}
-
-/// Intervals in which a spin changes its sign, together with the values between that are zero, where they are
-/// too wide to tell how: the curve changes more than four times as much there as over the intervals beside,
-/// or there are none beside.
-std::vector<bool> unresolved_changes_of_sign(const std::vector<double> &y)
-{
-  constexpr double factor = 4;
-  std::vector<bool> unresolved(y.empty() ? 0 : y.size() - 1, false);
-  double largest = 0;
-  for (const double value : y)
-    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-  const auto is_zero = [&](std::size_t i) { return std::abs(y[i]) <= 1e-9 * largest; };
-  const auto step = [&](std::size_t i) { return std::abs(y[i + 1] - y[i]); };
-  for (std::size_t first = 0; first + 1 < y.size(); ++first)
-  {
-    std::size_t last = first + 1;
-    while (last + 1 < y.size() && is_zero(last))
-      ++last;
-    if (is_zero(first) || !(y[first] * y[last] < 0))
-      continue;
-    double beside = 0, smallest = step(first);
-    for (std::size_t i = first; i < last; ++i)
-      smallest = std::min(smallest, step(i));
-    if (first > 0 && std::isfinite(step(first - 1)))
-      beside = step(first - 1);
-    if (last + 1 < y.size() && std::isfinite(step(last)))
-      beside = std::max(beside, step(last));
-    if (smallest > factor * beside)
-      std::fill(unresolved.begin() + static_cast<std::ptrdiff_t>(first),
-                unresolved.begin() + static_cast<std::ptrdiff_t>(last), true);
-  }
-  return unresolved;
-}
-
-/// The curve with a gap in each of the intervals.
-Curve broken(const Curve &whole, const std::vector<bool> &jumps)
-{
-  Curve curve = whole;
-  curve.x.clear();
-  curve.y.clear();
-  for (std::size_t i = 0; i < whole.x.size(); ++i)
-  {
-    curve.add(whole.x[i], whole.y[i]);
-    if (i < jumps.size() && jumps[i])
-      curve.add((whole.x[i] + whole.x[i + 1]) / 2, std::numeric_limits<double>::quiet_NaN());
-  }
-  return curve;
-}
-
 /// A quantity over one entry, at the value @p across of the other.
-Curve curve_over(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
-                 const CaseValue &value)
+std::vector<double> values_over(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
+                                std::size_t across, const CaseValue &value)
 {
-  Curve curve;
-  std::size_t i = 0;
-  for (const double x : numbers_of(plan.entries[roles.along]))
-    curve.add(x, value_in(cases, case_at(plan, roles, i++, across), value));
-  return curve;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < plan.entries[roles.along].values.size(); ++i)
+    values.push_back(value_in(cases, case_at(plan, roles, i, across), value));
+  return values;
 }
 
-/// A curve with gaps where it jumps, and where a spin changes its sign; an effect has those of its two spins.
-/// Says in @p caption where there is a gap of the second kind.
-Curve broken_curve(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles, std::size_t across,
-                   const Drawing &drawing, std::string &caption)
+/// A curve of a picture, at the value @p across of the entry that tells curves apart.
+struct CaseCurve
 {
-  const Curve whole = curve_over(plan, cases, roles, across, drawing.value);
-  std::vector<bool> jumps = jumps_of(whole.y);
-  const auto add = [&](const std::vector<bool> &more)
-  { std::transform(jumps.begin(), jumps.end(), more.begin(), jumps.begin(), std::logical_or<>()); };
-  std::vector<std::vector<double>> spins;
-  if (drawing.is_spin)
-    spins = { whole.y };
-  if (drawing.is_effect)
-    for (const char *spin : { "terminal spin", "terminal spin of the first harmonic alone" })
-      spins.push_back(curve_over(plan, cases, roles, across, value_of(spin)).y);
-  const std::string remark =
-    " Points without a line: the spin changes its sign between them, and they are too "
-    "far apart to tell how.";
-  for (const std::vector<double> &spin : spins)
+  std::string title;
+  CaseValue value;
+  std::size_t across = 0;
+  bool is_points = false; ///< which belong to the end of a list of curves
+};
+
+/// Curves over one entry, with gaps where they jump and where a spin changes its sign; an effect has those of
+/// its two spins.
+Plot curves_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
+                 const Drawing &drawing, const std::vector<CaseCurve> &curves)
+{
+  const SweptEntry &along = plan.entries[roles.along];
+  const std::vector<double> x = numbers_of(along);
+  std::vector<std::string> titles;
+  std::vector<Table> blocks;
+  double n_points = 0;
+  bool hides_change_of_sign = false;
+  for (const CaseCurve &curve : curves)
   {
-    const std::vector<bool> unresolved = unresolved_changes_of_sign(spin);
-    add(jumps_of(spin));
-    add(unresolved);
-    if (std::find(unresolved.begin(), unresolved.end(), true) != unresolved.end() &&
-        caption.find(remark) == std::string::npos)
-      caption += (caption.back() == '.' ? "" : ".") + remark;
+    const auto values = [&](const CaseValue &value)
+    { return values_over(plan, cases, roles, curve.across, value); };
+    const std::vector<double> y = values(curve.value);
+    std::vector<std::vector<double>> spins;
+    if (drawing.is_spin && !curve.is_points)
+      spins = { y };
+    if (drawing.is_effect)
+      spins = { values(value_of("terminal spin")),
+                values(value_of("terminal spin of the first harmonic alone")) };
+    const CurveGaps gaps = gaps_of(y, spins);
+    hides_change_of_sign = hides_change_of_sign || gaps.hides_change_of_sign;
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      rows.push_back({ x[i], y[i] });
+      if (!curve.is_points && i < gaps.at.size() && gaps.at[i])
+        rows.push_back({ (x[i] + x[i + 1]) / 2, std::nan("") });
+    }
+    titles.push_back(curve.title);
+    blocks.push_back(number_rows(curve.title.empty() ? drawing.caption : curve.title,
+                                 { { name_of(along), along.unit }, { drawing.label, "1" } }, rows));
+    n_points += curve.is_points;
   }
-  return broken(whole, jumps);
+  Plot plot = plot_from("curves",
+                        { { "x_label", label_of(along) },
+                          { "y_label", drawing.label },
+                          { "is_logarithmic", along.by_factors },
+                          { "style", x.size() <= 30 ? "linespoints" : "lines" }, // few values are marked
+                          { "curve", titles },
+                          { "n_points", n_points } },
+                        data_tables(blocks))
+                .as(drawing.name, drawing.caption);
+  if (hides_change_of_sign)
+    plot.caption +=
+      std::string(plot.caption.back() == '.' ? "" : ".") +
+      " Points without a line: the spin changes its sign between them, and they are too far apart to "
+      "tell how.";
+  return plot;
 }
 
+/// A curve for each value of the other entry.
 Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
                  const Drawing &drawing)
 {
-  CurvePlot plot = {
-    drawing.name, drawing.caption, axis_of(plan.entries[roles.along]), { drawing.label }, {}
-  };
-  const std::size_t n_curves = roles.across ? plan.entries[*roles.across].values.size() : 1;
-  for (std::size_t across = 0; across < n_curves; ++across)
-  {
-    Curve curve = broken_curve(plan, cases, roles, across, drawing, plot.caption);
-    if (roles.across)
-      curve.title =
-        axis_of(plan.entries[*roles.across]).label + " = " + plan.entries[*roles.across].values[across];
-    curve.style = style_of(plan.entries[roles.along].values.size());
-    plot.curves.push_back(curve);
-  }
-  return curve_plot(plot);
+  std::vector<CaseCurve> curves;
+  if (!roles.across)
+    curves = { { "", drawing.value } };
+  else
+    for (const std::string &value : plan.entries[*roles.across].values)
+      curves.push_back(
+        { label_of(plan.entries[*roles.across]) + " = " + value, drawing.value, curves.size() });
+  return curves_plot(plan, cases, roles, drawing, curves);
 }
 
 /// Terminal spins of the models side by side, over one entry.
-Plot model_plot(const SweepPlan &plan, const FinishedCases &cases)
+Plot model_plot(const SweepPlan &plan, const FinishedCases &cases, Drawing drawing)
 {
-  CurvePlot plot = {
-    "terminal_spin",
+  drawing.caption =
     "Terminal spin under all harmonics of the load, under the first alone, and of a first harmonic on a ring "
-    "of the contact radius. A curve is interrupted where it jumps.",
-    axis_of(plan.entries[0]),
-    { heading_with_unit(quantity::omega_terminal) },
-    {}
+    "of the contact radius. A curve is interrupted where it jumps.";
+  std::vector<CaseCurve> curves = {
+    { "all harmonics", drawing.value },
+    { "first harmonic alone", value_of("terminal spin of the first harmonic alone") },
+    { "first harmonic on a ring", value_of("terminal spin of the closure's first harmonic") }
   };
-  for (const auto &[title, quantity] :
-       { std::pair("all harmonics", "terminal spin"),
-         std::pair("first harmonic alone", "terminal spin of the first harmonic alone"),
-         std::pair("first harmonic on a ring", "terminal spin of the closure's first harmonic") })
-  {
-    plot.curves.push_back(
-      broken_curve(plan, cases, {}, 0, { "", "", "", value_of(quantity), false, true }, plot.caption));
-    plot.curves.back().title = title;
-    plot.curves.back().style = style_of(plan.entries[0].values.size());
-  }
-  Curve falls = curve_over(plan, cases, {}, 0, value_of(spin_of_fall));
-  if (std::any_of(falls.y.begin(), falls.y.end(), [](double spin) { return std::isfinite(spin); }))
-  {
-    falls.title = "falls over at";
-    falls.style = CurveStyle::points;
-    plot.curves.push_back(falls);
-  }
-  return curve_plot(plot);
+  const std::vector<double> falls = values_over(plan, cases, {}, 0, value_of(spin_of_fall));
+  if (std::any_of(falls.begin(), falls.end(), [](double spin) { return std::isfinite(spin); }))
+    curves.push_back({ "falls over at", value_of(spin_of_fall), 0, true });
+  return curves_plot(plan, cases, {}, drawing, curves);
+}
+
+/// Where one cell of a map ends and the next begins: half-way between their values on the axis.
+std::vector<double> cell_bounds(const std::vector<double> &values, bool logarithmic)
+{
+  const auto middle = [=](double a, double b) { return logarithmic ? std::sqrt(a * b) : (a + b) / 2; };
+  const auto beyond = [=](double edge, double bound)
+  { return logarithmic ? edge * edge / bound : 2 * edge - bound; };
+  std::vector<double> bounds = { 0 };
+  for (std::size_t i = 1; i < values.size(); ++i)
+    bounds.push_back(middle(values[i - 1], values[i]));
+  bounds.front() = beyond(values.front(), bounds[1]);
+  bounds.push_back(beyond(values.back(), bounds.back()));
+  return bounds;
 }
 
 Plot map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &drawing)
 {
-  ValueMap map = { drawing.name,
-                   drawing.caption,
-                   axis_of(plan.entries[0]),
-                   axis_of(plan.entries[1]),
-                   drawing.label,
-                   numbers_of(plan.entries[0]),
-                   numbers_of(plan.entries[1]),
-                   {} };
-  const Roles roles = { 0, 1 };
-  for (std::size_t j = 0; j < map.y_values.size(); ++j)
-    map.values.push_back(curve_over(plan, cases, roles, j, drawing.value).y);
-  return map_plot(map);
+  const SweptEntry &across = plan.entries[0], &up = plan.entries[1];
+  const std::vector<double> x = numbers_of(across), y = numbers_of(up);
+  const std::vector<double> x_bounds = cell_bounds(x, across.by_factors),
+                            y_bounds = cell_bounds(y, up.by_factors);
+  std::vector<std::vector<std::vector<double>>> lines(y.size());
+  for (std::size_t j = 0; j < y.size(); ++j)
+  {
+    const std::vector<double> values = values_over(plan, cases, { 0, 1 }, j, drawing.value);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      lines[j].push_back(
+        { x[i], y[j], values[i], x_bounds[i], x_bounds[i + 1], y_bounds[j], y_bounds[j + 1] });
+  }
+  return plot_from("map",
+                   { { "x_label", label_of(across) },
+                     { "y_label", label_of(up) },
+                     { "x_logarithmic", across.by_factors },
+                     { "y_logarithmic", up.by_factors },
+                     { "colour_label", drawing.label } },
+                   grouped_data(drawing.caption,
+                                { label_of(across), label_of(up), drawing.label, "left bound of the cell",
+                                  "right bound", "lower bound", "upper bound" },
+                                lines))
+    .as(drawing.name, drawing.caption);
 }
 
 } // namespace
@@ -300,9 +265,9 @@ std::string name_of(const SweptEntry &entry)
   return entry.path.substr(entry.path.find('/') + 1);
 }
 
-Axis axis_of(const SweptEntry &entry)
+std::string label_of(const SweptEntry &entry)
 {
-  return { with_unit(name_of(entry), entry.unit, false), entry.by_factors };
+  return with_unit(name_of(entry), entry.unit, false);
 }
 
 std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
@@ -330,7 +295,7 @@ std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
     else if (as_map)
       plots.push_back(map_of(plan, cases, drawing));
     else if (!has_two && drawing.name == "terminal_spin")
-      plots.push_back(model_plot(plan, cases));
+      plots.push_back(model_plot(plan, cases, drawing));
     else
       plots.push_back(family_plot(plan, cases, roles, drawing));
   if (std::any_of(cases.begin(), cases.end(), [](const auto &one) { return one.second.falls_over(); }))

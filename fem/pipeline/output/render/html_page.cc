@@ -1,8 +1,8 @@
 #include "fem/pipeline/output/render/html_page.h"
 
-#include "fem/pipeline/output/render/formula_text.h"
 #include "fem/pipeline/output/render/html_style.h"
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/support/program.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -56,8 +56,8 @@ std::string figure(const Plot &plot, const std::map<std::string, std::string> &p
   std::string files;
   if (drawn)
     files = link(stem + "svg", "SVG") + " · " + link(stem + "pdf", "PDF") + " · ";
-  if (!plot.data.empty())
-    files += link(stem + "dat", "data") + " · ";
+  if (const std::string data = plot.data.empty() ? plot.data_file : stem + "dat"; !data.empty())
+    files += link(data, "data") + " · ";
   files += link(stem + "gp", "script");
   return element(
     "figure id=\"" + plot.name + "\"",

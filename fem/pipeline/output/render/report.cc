@@ -1,7 +1,7 @@
 #include "fem/pipeline/output/render/report.h"
 
-#include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/html_page.h"
+#include "fem/pipeline/report/gnuplot.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <fstream>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/output/render/table.h"
+#include "fem/pipeline/report/plot.h"
 
 #include <filesystem>
 #include <string>
@@ -8,16 +9,6 @@
 
 namespace stemware::pipeline
 {
-
-/// A picture of a report, drawn by gnuplot as SVG and as PDF.
-struct Plot
-{
-  std::string name;      ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
-  std::string caption;   ///< below the picture, and its name for those who do not see it
-  std::string script;    ///< gnuplot commands without terminal and output; data names the .dat
-  std::string data = ""; ///< content of figures/<name>.dat; empty: no such file is written
-  double width = 540, height = 360; ///< points of the SVG; the PDF is two thirds of it
-};
 
 /// A file of the results to which a report links.
 struct FileNote
@@ -45,10 +36,6 @@ struct Report
   std::string answer; ///< first paragraph: one or two sentences with the numbers that were asked for
   std::vector<ReportSection> sections;
 };
-
-/// What to say before long work where no gnuplot can be found: the report will then have no pictures, but
-/// their scripts and data. Empty where there is one.
-std::string missing_plotter();
 
 /// Writes report.html, one page that needs nothing else (CSS and SVG inside, no address outside), and
 /// figures/ with the plots as SVG and PDF, their gnuplot scripts and data, into @p folder.

@@ -65,24 +65,6 @@ Ended run_first_harmonic(const ScratchFolder &scratch, const std::string &moment
   return stemware(scratch, arguments);
 }
 
-/// What stands between the first @p begin and the next @p end.
-std::string between(const std::string &text, const std::string &begin, const std::string &end)
-{
-  const auto from = text.find(begin);
-  if (from == std::string::npos)
-    return "";
-  return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
-}
-
-std::vector<std::string> all_between(const std::string &text, const std::string &begin,
-                                     const std::string &end)
-{
-  std::vector<std::string> found;
-  for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
-    found.push_back(between(text.substr(at), begin, end));
-  return found;
-}
-
 /// The number in front of "\u00b1 band" in @p text, and the band; both as printed.
 std::pair<double, double> with_band(const std::string &printed)
 {
@@ -135,10 +117,11 @@ TEST_F(RunReport, HasEveryFigureAndLinksThatLead)
   const std::string page = html();
   for (const std::string &name : figures)
   {
-    for (const char *extension : { ".svg", ".pdf", ".gp", ".dat" })
+    for (const char *extension : { ".svg", ".pdf", ".gp" })
       EXPECT_GT(fs::file_size(results() / "figures" / (name + extension)), 0u) << name << extension;
-    EXPECT_NE(between(page, "<figure id=\"" + name + "\">", "</figure>").find("<svg"), std::string::npos)
-      << name;
+    const std::string figure = between(page, "<figure id=\"" + name + "\">", "</figure>");
+    for (const char *part : { "<svg", "figcaption", ".dat\">data</a>" })
+      EXPECT_NE(figure.find(part), std::string::npos) << name << part;
   }
   EXPECT_EQ(all_between(page, "<figure id=\"", "\"").size(), figures.size());
   const auto links = all_between(page, "<a href=\"", "\"");
@@ -229,6 +212,28 @@ TEST(FirstHarmonicReport, IsWrittenWithoutGnuplot)
     EXPECT_TRUE(fs::exists(scratch / "results/figures" / (name + std::string(".svg")))) << name;
 }
 
+TEST(FirstHarmonicReport, TemplatesOfTheSharedFolderComeBeforeThoseThatAreCompiledIn)
+{
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "bin");
+  fs::copy_file(STEMWARE_PROGRAM, scratch / "bin/stemware");
+  fs::create_directories(scratch / "share/stemware/plots");
+  scratch.write("share/stemware/plots/torque.gp",
+                "# My torque.\nload \"figures/style.gnuplot\"\nset ylabel \"mine\"\n"
+                "plot \"spin_up.dat\" using 1:2 with lines title kept(n_all)\n");
+  std::vector<std::string> command = lifted_run(scratch);
+  command.insert(command.begin(), (scratch / "bin/stemware").string());
+  command.insert(command.end(), { "--set", "Load/Source=first harmonic" });
+  const Ended ended = RunningProgram(command, scratch.path()).end();
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  const std::string figure =
+    between(read_text(scratch / "results/report.html"), "<figure id=\"torque\">", "</figure>");
+  for (const char *own : { "My torque.", ">mine</", "href=\"spin_up.dat\">data</a>" })
+    EXPECT_NE(figure.find(own), std::string::npos) << own << '\n' << figure;
+  EXPECT_TRUE(fs::exists(scratch / "results/figures/spin_up.svg")); // which has no template there
+}
+
 TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
 {
   const ScratchFolder scratch;
@@ -255,19 +260,6 @@ TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(read_text(command_line), "");
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "number", "programs", "study.prm" }));
-}
-
-TEST(CoarseReport, WithTwoRanks)
-{
-  const ScratchFolder scratch;
-  scratch.write("coarse.prm", coarse_study());
-  const Ended ended =
-    RunningProgram({ STEMWARE_MPIRUN, "-n", "2", STEMWARE_PROGRAM, "run", "coarse.prm" }, scratch.path())
-      .end();
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(all_between(ended.out, "\nReport ", "\n").size(), 1u) << ended.out;
-  EXPECT_EQ(all_between(read_text(scratch / "results/coarse/report.html"), "<svg", ">").size(),
-            figures.size());
 }
 
 } // namespace

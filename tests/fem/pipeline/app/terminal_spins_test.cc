@@ -62,7 +62,7 @@ const std::vector<std::string> bistable = {
 nlohmann::json run_of(const std::vector<std::string> &settings, std::string &page)
 {
   const ScratchFolder scratch;
-  std::vector<std::string> command = { "run", "--output", "out", "--quiet" };
+  std::vector<std::string> command = { "run", "--quick", "--output", "out", "--quiet" };
   command.insert(command.end(), settings.begin(), settings.end());
   const Ended ended = stemware(scratch, command);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;

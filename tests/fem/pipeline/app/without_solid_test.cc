@@ -20,8 +20,9 @@ TEST(WithoutSolid, ABodyOfRevolutionIsWhatItIs)
 {
   const ScratchFolder scratch;
   const std::string study = scratch.write("study.prm", plain_study());
-  ASSERT_EQ(without_solid(scratch, { "run", study, "--quiet", "--output", "without" }).exit_code, 0);
-  ASSERT_EQ(stemware(scratch, { "run", study, "--quiet", "--output", "with" }).exit_code, 0);
+  ASSERT_EQ(without_solid(scratch, { "run", study, "--quick", "--quiet", "--output", "without" }).exit_code,
+            0);
+  ASSERT_EQ(stemware(scratch, { "run", study, "--quick", "--quiet", "--output", "with" }).exit_code, 0);
   EXPECT_EQ(read_summary(scratch / "without")["ring"], read_summary(scratch / "with")["ring"]);
 }
 

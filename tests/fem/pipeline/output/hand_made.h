@@ -279,14 +279,24 @@ inline std::string file_names(const pipeline::Results &results)
   return text;
 }
 
-/// The data of the report's plot of that name.
-inline std::string plot_data(const pipeline::Results &results, const std::string &name)
+/// The report's plot of that name.
+inline const pipeline::Plot &plot_of(const pipeline::Results &results, const std::string &name)
 {
   for (const pipeline::ReportSection &section : results.report.sections)
     for (const pipeline::Plot &plot : section.plots)
       if (plot.name == name)
-        return plot.data;
+        return plot;
   throw std::out_of_range("no plot " + name);
+}
+
+inline std::string plot_data(const pipeline::Results &results, const std::string &name)
+{
+  return plot_of(results, name).data;
+}
+
+inline std::string plot_script(const pipeline::Results &results, const std::string &name)
+{
+  return plot_of(results, name).script;
 }
 
 } // namespace stemware::test

@@ -1,8 +1,8 @@
 // Reports: one page that stands alone, pictures that can be drawn again, and neither lost without the other.
-#include "fem/pipeline/output/render/gnuplot.h"
 #include "fem/pipeline/output/render/html_page.h"
 #include "fem/pipeline/output/render/report.h"
 #include "fem/pipeline/output/render/table_renderers.h"
+#include "fem/pipeline/report/gnuplot.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <boost/property_tree/ptree.hpp>
@@ -30,10 +30,11 @@ Report small_report()
 {
   const std::string data = "# parabola\n# 1: x (1)\n# 2: y (1)\n0 0\n1 1\n2 4\n";
   const Plot first = { "first", "τ_z & \"more\"",
-                       "set title " + gnuplot_text("<τ_z> & {more}_1") +
+                       "load 'figures/style.gnuplot'\nset title " + gnuplot_text("<τ_z> & {more}_1") +
                          "\nplot data with linespoints title 'λ(θ)'",
                        data };
-  const Plot second = { "second", "twice", "plot data with points", data, 400, 300 };
+  const Plot second = { "second", "twice", "width = 400; load 'figures/style.gnuplot'\nplot data with points",
+                        data };
   const Table table = words("numbers", { "name", "a_2" }, { { "x < y", "1.5" }, { "spin_up", "-2e-3" } });
   return { "A <title>",
            "The answer is -3.5 ± 0.1 rad/s & no more.",

@@ -104,7 +104,7 @@ TEST(TextReader, RefusesJsonThatIsNestedDeeply)
 {
   expect_refused_study("{\"Motion\": {\"Mass\": " + repeated("[", 490000) + "}}", ".json",
                        "nested more than 100");
-  expect_refused_study(repeated("{\"a\":", 100000), ".json", "line 1, column 501");
+  expect_refused_study(repeated("{\"a\":", 100000), ".json", "nested more than 100");
   EXPECT_EQ(
     parse_json("text", "{\"a\": \"" + repeated("[", 1000) + "\\\"[\"}")["a"].get<std::string>().size(),
     1002u); // not within strings

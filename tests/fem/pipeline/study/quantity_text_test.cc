@@ -77,7 +77,7 @@ TEST(QuantityText, EveryEntryRefusesAnotherDimension)
   Study study;
   unsigned int n_quantities = 0;
   for (const StudyEntry &entry : study_entries(study))
-    if (entry.is_quantity)
+    if (entry.quantity != nullptr)
     {
       // Nothing in a study is a length to the seventh power.
       EXPECT_FALSE(entry.assign("0.1 m^7")) << entry.path();

@@ -191,9 +191,8 @@ TEST(StudyFile, SuggestsTheLikeliestEntry)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.prm", "subsection Glass\n  set Contact radus = 0.03\nend\n");
-  EXPECT_EQ(refusal(file), file +
-                             ", line 2: there is no entry \"Contact radus\" in this subsection; did you mean "
-                             "Glass/Contact radius? (`stemware defaults` lists what there is.)");
+  EXPECT_EQ(refusal(file), file + ", line 2: there is no entry \"Glass/Contact radus\"; did you mean "
+                                  "Glass/Contact radius? (`stemware defaults` lists what there is.)");
   const std::string strange = refusal(scratch.write("b.prm", "# nothing\n"), { "Colour/Wine=red" });
   EXPECT_EQ(strange.find("did you mean"), std::string::npos) << strange;
 }
@@ -238,10 +237,9 @@ TEST(StudyFile, NamesTheLineOfWhatIsWrong)
   expect_refusal("include other.prm\n",
                  ", line 1: \"include other.prm\" is not a line of a study file; write "
                  "subsection NAME, set ENTRY = VALUE, or end.");
-  expect_refusal(
-    "subsection Table\n  set Contact radius = 0.03\nend\n",
-    ", line 2: there is no entry \"Contact radius\" in this subsection; did you mean Glass/Contact "
-    "radius? (`stemware defaults` lists what there is.)");
+  expect_refusal("subsection Table\n  set Contact radius = 0.03\nend\n",
+                 ", line 2: there is no entry \"Table/Contact radius\"; did you mean Glass/Contact "
+                 "radius? (`stemware defaults` lists what there is.)");
   expect_refusal("subsection Table\n  set Interface = " + std::string(100000, 'x') + "\nend\n",
                  ", line 2: Table/Interface = " + std::string(80, 'x') +
                    "... is not allowed; give hard, Winkler or rough.");

@@ -237,8 +237,8 @@ TEST(ResultsFolder, ASummaryMakesNoFolderReplaceable)
   scratch.write("thesis/summary.json",
                 R"({"schema":1,"program":{"version":"0.1.0"},"files":["thesis.txt","summary.json"]})");
   expect_refused(scratch / "thesis",
-                 "manifest.json), so that they cannot be told from files of yours; move it "
-                 "away, or choose another folder with --output.");
+                 "which is not a result of Stemware; move it away, or choose another folder "
+                 "with --output.");
   EXPECT_EQ(read_text(scratch / "thesis/thesis.txt"), "years of work");
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "fem/pipeline/report/plot.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// What to say before long work where no gnuplot can be found: the report will then have no pictures, but
+/// their scripts and data. Empty where there is one.
+std::string missing_plotter();
+
+/// The text of a file of plots/: of the folder share/stemware that comes with the program, where it has one,
+/// or else as it was compiled in. Throws std::out_of_range for a file that there is not.
+std::string plot_file_text(const std::string &name);
+
+/// Writes figures/style.gnuplot and the scripts and data of @p plots into @p folder, then lets gnuplot draw
+/// all of them, SVG and PDF side by side. A plot that fails costs the others nothing. Returns one or more
+/// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
+std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
+
+/// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the
+/// subscripts of with_subscripts().
+std::string gnuplot_text(const std::string &text);
+
+} // namespace stemware::pipeline

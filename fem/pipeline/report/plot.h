@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// A picture of a report, drawn by gnuplot as SVG and as PDF.
+struct Plot
+{
+  std::string name;           ///< file stem: figures/<name>.svg, .pdf, .gp and .dat; letters, digits, _ and -
+  std::string caption;        ///< below the picture, and its name for those who do not see it
+  std::string script;         ///< gnuplot commands that load figures/style.gnuplot; data names the .dat
+  std::string data = "";      ///< content of figures/<name>.dat; empty: no such file is written
+  std::string data_file = ""; ///< without one: the file of the results that the picture is drawn from
+
+  /// This picture under another name than that of its template, and with a caption of its own.
+  Plot as(const std::string &name, const std::string &caption) const;
+};
+
+/// What fills a template: a truth (1 or 0), a number, a text, or a list of numbers or texts. A list x comes
+/// with its length n_x.
+using PlotValue = std::variant<bool, double, std::string, std::vector<double>, std::vector<std::string>>;
+
+/// What fills a template, by the name of gnuplot's variable.
+using PlotValues = std::vector<std::pair<std::string, PlotValue>>;
+
+/// The picture of the template plots/<name>.gp: that of the folder share/stemware that comes with the
+/// program, or else the one that is compiled in. Its first comment is the caption. Texts show the characters
+/// that they have, with the subscripts of with_subscripts().
+Plot plot_from(const std::string &name, const PlotValues &values = {}, const std::string &data = "");
+
+/// Numbers for a picture: "# title", "# 1: name" for each column, then rows of numbers in groups, an empty
+/// line between them: polygons, or the lines of a grid.
+std::string grouped_data(const std::string &title, const std::vector<std::string> &columns,
+                         const std::vector<std::vector<std::vector<double>>> &groups);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,27 @@
+# Load round the rim, seen from above and drawn outwards from the rim, the mean load as half a radius; v is the direction of
+# travel, n the harmonics kept. A curve inside the rim would pull on the table.
+height = 380
+load "figures/style.gnuplot"
+
+# Block 0: azimuth, the load after 1, 2, 3 and all harmonics; block 1: azimuth, the load as it is drawn; all over the mean
+eval find_shown(1, 0.01)
+x(theta, load) = (1 + load / 2.) * cos(theta) # the rim has radius 1, the mean load half of that
+y(theta, load) = (1 + load / 2.) * sin(theta)
+stats data index 1 using 2 nooutput name "LOAD"
+set size ratio -1
+set lmargin at screen 0.02; set rmargin at screen 0.65; set tmargin at screen 0.97; set bmargin at screen 0.03
+unset border; unset tics; unset grid
+set offsets 0.1, 0.1, 0.1, 0.1
+set key at screen 0.67, screen 0.72 left top vertical
+set arrow 1 from 0,0 to 0.4,0 lw 1.5 lc rgb "#333333"
+set label 1 "v" at 0.46,0 left
+set arrow 2 from 0,0 to 0,side * 0.3 lw 1 dt (6,4) lc rgb "#333333"
+set label 6 "orbit's centre" at 0,side * 0.45 center font ",12"
+set for [i=0:3] label i + 2 sprintf("%d°", 90 * i) at 0.78 * cos(pi * i / 2),0.78 * sin(pi * i / 2) center font ",12"
+set parametric; set trange [0:2 * pi]; set samples 181
+plot cos(t), sin(t) with lines lt 8 title LOAD_min > 0 ? "" : "rim", \
+     data index 1 using ($2 > 0 ? cos($1) : NaN):(sin($1)) with lines lt 7 lw 5 title "under load", \
+     x(t, 1), y(t, 1) with lines lt 8 dt 3 title sprintf("mean, %.3g N/m", mean), \
+     for [i=1:words(shown)] data index 0 using (x($1, column(order(i) + 1))):(y($1, column(order(i) + 1))) with lines lt i + 1 \
+       title kept(order(i)), \
+     data index 1 using (x($1, $2)):(y($1, $2)) with lines lt 1 title is_pointwise ? "all harmonics" : kept(n_all)

@@ -1,0 +1,10 @@
+load "figures/style.gnuplot"
+
+# phases.dat: 1 and 2: marks of the glass and of the table, 3: torque at rest, 4: at the mean spin
+data = "phases.dat"
+set xlabel "θ from the direction of travel (degrees)"
+set ylabel "torque τ_{z} (mN m)"
+set xzeroaxis lt 8
+set key width 0
+plot data using (column(of_glass ? 1 : 2) * 180 / pi):(1e3 * $3) with points title "at rest", \
+     data using (column(of_glass ? 1 : 2) * 180 / pi):(1e3 * $4) with points title "at the mean spin"

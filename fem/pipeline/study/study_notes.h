@@ -1,0 +1,39 @@
+#pragma once
+
+#include "fem/pipeline/study/study.h"
+
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// "Section/Entry" of the entries that a study was given (Study::given_entries) and that no result of it
+/// depends on, in the order of a study file: the modulus of a disc on a rigid substrate, the tilt under a
+/// given moment.
+std::vector<std::string> idle_entries(const Study &study);
+
+/// One sentence for the console that names @p entries; empty where there are none.
+std::string idle_note(const std::vector<std::string> &entries);
+
+/// One sentence if @p value, in SI units, is one that no glass on a table has (StudyEntry::plausible):
+/// "Motion/Mass = 300 kg is outside 0.02 to 2 kg for a glass; write 300 g if grams are meant." Empty
+/// otherwise, and for the 0 of what may be left out.
+std::string implausible_note(const std::string &path, double value);
+
+/// Such a sentence for each entry that the study was given and that has an effect.
+std::vector<std::string> implausible_notes(const Study &study);
+
+/// The same entries in one line, with what glasses have: "Motion/Mass = 300 kg (0.02 to 2 kg), Motion/Orbit
+/// speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
+std::string implausible_list(const Study &study);
+
+/// Throws BadInput with one sentence where a value that the study was given is more than a billion times
+/// outside its plausible range: no unit is meant there, and the computation would overflow.
+void require_conceivable(const Study &study);
+
+/// Throws BadInput for a length that no glass or table has beside its contact radius
+/// (StudyEntry::times_contact_radius), where it has an effect.
+void require_alike_lengths(const Study &study);
+
+} // namespace stemware::pipeline

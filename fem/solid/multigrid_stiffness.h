@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fem/elasticity/elastic_material.h"
+#include "fem/solid/body_stiffness.h"
+
+namespace stemware::fem
+{
+
+/// The stiffness on one level of a MeshHierarchy, without a matrix, with V-cycles in single precision.
+class MultigridStiffness : public BodyStiffness
+{
+public:
+  MultigridStiffness(std::shared_ptr<MeshHierarchy> hierarchy, unsigned int level,
+                     const ElasticMaterial &material);
+
+  const SolidLevel &mesh() const override { return hierarchy->level(level); }
+  std::shared_ptr<const ContactNodes> contact_nodes() const override
+  {
+    return hierarchy->contact_nodes(level);
+  }
+  void initialize(Vector &vector) const override { elastic->initialize_dof_vector(vector); }
+  void vmult(Vector &dst, const Vector &src) const override { elastic->vmult(dst, src); }
+  void set_contact(const Eigen::SparseMatrix<double> &tangent) override
+  {
+    hierarchy->set_contact(level, tangent);
+  }
+  void precondition(Vector &dst, const Vector &src) const override { hierarchy->v_cycle(level, dst, src); }
+  bool has_coarser_meshes() const override { return hierarchy->coarsest_mesh() + 1 < hierarchy->n_levels(); }
+  bool is_coarsest() const override { return level == hierarchy->coarsest_mesh(); }
+  std::unique_ptr<BodyStiffness> coarser() const override;
+  void prolongate(Vector &fine, const Vector &coarse) const override
+  {
+    hierarchy->prolongate(level, fine, coarse);
+  }
+  void prolongate(FloatVector &fine, const FloatVector &coarse) const override
+  {
+    hierarchy->prolongate(level, fine, coarse);
+  }
+
+private:
+  const std::shared_ptr<MeshHierarchy> hierarchy;
+  const unsigned int level;
+  const ElasticMaterial material;
+  const std::unique_ptr<ElasticOperator<double>> elastic;
+};
+
+} // namespace stemware::fem

@@ -1,0 +1,112 @@
+// How wide a pressure map is in contact and how hard, against pressures whose edges and means are known.
+#include "fem/contact/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace stemware::fem
+{
+namespace
+{
+
+const double full_turn = 2 * std::acos(-1.);
+
+/// 72 cuts of 33 points up to @p reach [m] on both sides of r = 30 mm; @p pressure(azimuth, r - 30 mm).
+PressureMap map_of(double reach, const std::function<double(double, double)> &pressure)
+{
+  PressureMap footprint;
+  footprint.is_grid = true;
+  for (unsigned int c = 0; c < 72; ++c)
+  {
+    const double azimuth = full_turn * c / 72;
+    footprint.cuts.emplace_back();
+    for (int i = -16; i <= 16; ++i)
+    {
+      const double x = reach * i / 16;
+      footprint.cuts.back().push_back({ 0.03 + x, azimuth, pressure(azimuth, x) });
+    }
+  }
+  return footprint;
+}
+
+/// A strip of parabolic pressure whose half-width goes from 0.2 to 0.1 mm: the edges between the points of
+/// the grid are found, and the mean is two thirds of the largest pressure of each cut.
+TEST(Footprint, OfAParabolicPressureEndsBetweenThePoints)
+{
+  const auto half_width = [](double azimuth) { return 1.5e-4 + 0.5e-4 * std::cos(azimuth); };
+  const PressureMap footprint = map_of(2.5e-4,
+                                       [&](double azimuth, double x)
+                                       {
+                                         const double share = x / half_width(azimuth);
+                                         return 9e4 * std::max(0., 1 - share * share);
+                                       });
+  const auto cuts = loaded_cuts(footprint);
+  ASSERT_EQ(cuts.size(), 73u); // the first again after a whole turn
+  for (const auto &cut : cuts)
+    for (const double radius : { cut.front().radius, cut.back().radius })
+      EXPECT_NEAR(std::abs(radius - 0.03), half_width(cut.front().azimuth), 5e-6) << cut.front().azimuth;
+  const FootprintMeasures measures = measures_of(footprint);
+  EXPECT_EQ(measures.largest.pressure, 9e4);
+  EXPECT_EQ(measures.largest.azimuth, 0);
+  EXPECT_NEAR(measures.mean, 6e4, 1e3);
+  EXPECT_NEAR(measures.widest, 4e-4, 1e-5);
+  EXPECT_NEAR(measures.narrowest, 2e-4, 1e-5);
+}
+
+/// On a rough table the pressure of a crowned rim is a bell, which ends nowhere: the contact is as wide as
+/// what carries 99 % of the load, 2 x 2.5758 standard deviations, whatever the map shows beyond; the mean is
+/// 0.99 sqrt(2 pi) / 5.1517 of the largest pressure.
+TEST(Footprint, WithoutAnEdgeIsAsWideAsNinetyNinePercentOfTheLoad)
+{
+  const double deviation = 40e-6;
+  for (const double reach : { 3.6, 6. })
+  {
+    PressureMap footprint = map_of(reach * deviation, [=](double, double x)
+                                   { return 9e4 * std::exp(-x * x / deviation / deviation / 2); });
+    footprint.has_edge = false;
+    const auto width = contact_width(footprint.cuts.front(), false);
+    ASSERT_TRUE(width);
+    EXPECT_NEAR((width->outer - width->inner) / deviation, 5.1517, 0.1) << reach;
+    const ContactWidth band = loaded_band(footprint);
+    EXPECT_NEAR(band.inner, width->inner, 1e-15);
+    EXPECT_NEAR(band.outer, width->outer, 1e-15);
+    EXPECT_NEAR((loaded_cuts(footprint)[0].back().radius - 0.03) / deviation, 5.1517 / 2, 0.05);
+    EXPECT_NEAR(measures_of(footprint).mean, 9e4 * 0.99 * 2.5066 / 5.1517, 1e3);
+  }
+}
+
+/// A land that is loaded up to its end at some azimuths and not at all at others, with a point alone at its
+/// end: nothing is divided by nothing. The pressure is 60 kPa on the outer half of the land, on half of the
+/// rim.
+TEST(Footprint, AtTheEndOfTheLandHasAMean)
+{
+  PressureMap footprint;
+  footprint.is_grid = true;
+  for (unsigned int c = 0; c < 36; ++c)
+  {
+    footprint.cuts.emplace_back();
+    for (unsigned int i = 0; i < 33; ++i)
+      // Radii whose sum with a share of their difference rounds to beyond them.
+      footprint.cuts.back().push_back({ 0.0292807 + 0.0008256591 * i / 32, full_turn * c / 36,
+                                        c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
+  }
+  const FootprintMeasures measures = measures_of(footprint);
+  EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
+              300); // half of the first interval is taken for the fall to zero
+  EXPECT_EQ(measures.narrowest, 0);
+  EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
+  const auto cuts = loaded_cuts(footprint);
+  for (const PressurePoint &point : cuts[0])
+    EXPECT_TRUE(std::isfinite(point.pressure));
+  for (const PressurePoint &point : cuts[20])
+    EXPECT_TRUE(std::isnan(point.pressure)); // no load
+  for (auto &cut : footprint.cuts)
+    for (PressurePoint &point : cut)
+      point.pressure = 0;
+  EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
+}
+
+} // namespace
+} // namespace stemware::fem
