@@ -101,16 +101,6 @@ void require_radii(const std::vector<double> &radii)
       "The rings' radii are not allowed; give positive numbers in ascending order.");
 }
 
-/// Into how many parts a contact line is to be cut for its quadrature points to know the radial moments that
-/// @p n_rings rings take over (TableLaw::load()).
-unsigned int parts_of_lines(std::size_t n_rings)
-{
-  // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
-  // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
-  constexpr std::size_t known_by_four_points = 8;
-  return n_rings <= known_by_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
-}
-
 } // namespace
 
 RingShares::RingShares(std::vector<double> radii_given)
@@ -204,6 +194,14 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
                rise = (after.density - least->density) / to_after;
   const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;
   return bend > 0 ? std::max(0., least->density - slope * slope / (4 * bend)) : least->density;
+}
+
+unsigned int parts_of_lines(std::size_t n_rings)
+{
+  // Four Gauss points are exact for degree 7; nine parts of a line that is twice as long as the contact is
+  // wide know the moment of the order 12 to 1e-4, that of the order 24 to a per cent.
+  constexpr std::size_t known_by_four_points = 8;
+  return n_rings <= known_by_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }
 
 std::pair<double, double> loaded_band(const TableLoad &load)

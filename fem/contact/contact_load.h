@@ -65,6 +65,10 @@ ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, u
 /// neighbours by the parabola through the three; 0 where the lowest is [N/rad].
 double least_load(const std::vector<AzimuthLoad> &pointwise);
 
+/// Into how many parts a contact line is to be cut for its quadrature points to know the radial moments that
+/// @p n_rings rings take over (TableLaw::load()).
+unsigned int parts_of_lines(std::size_t n_rings);
+
 /// Least and largest radius [m] of those points of @p load that are more than rounding of the largest.
 std::pair<double, double> loaded_band(const TableLoad &load);
 

@@ -13,7 +13,7 @@ namespace
 double difference(const ContactLoad &load, const ContactLoad &rotated, double angle)
 {
   double largest = 0;
-  for (unsigned int n = 0; n < load.a.size(); ++n)
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
   {
     const double c = std::cos(n * angle);
     const double s = std::sin(n * angle);

@@ -166,7 +166,7 @@ TEST(RigidFoot, WavyInBalanceAtEveryPhase)
       foot.turn(phase);
       std::vector<verification::PlainPoint> points;
       const verification::PlainGlass expected = foot.at(omega, &points);
-      const LeaningLoad found = solved.load.at(omega, { phase, 0 });
+      const LeaningLoad found = solved.load.at(omega, ring::Orientation{ phase, 0 });
       EXPECT_NEAR((found.moment() - expected.contact_moment.head<2>()).norm(), 0, 1e-6 * scale);
       for (unsigned int n = 2; n <= 5; ++n)
       {

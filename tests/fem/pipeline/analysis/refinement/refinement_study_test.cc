@@ -257,11 +257,11 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
     return find_load(study, foot);
   };
   const SharedLoad twice = on_rings(4), own = on_rings(2);
-  const SpinRow row = spin_row(own, Levels::question_of(study));
+  const SpinRow row = spin_row(*own, Levels::question_of(study));
   const ErrorBands bands = estimate_bands(study, foot, row, std::nullopt, cache);
   const auto torque = [&](const BalancedLoad &load)
   { return yaw_torque(load, study.motion.orbit, 1.5 * row.terminal->omega); };
-  const double changed = std::abs(torque(twice) - torque(own));
+  const double changed = std::abs(torque(*twice) - torque(*own));
   for (const BandedQuantity &banded : bands)
     if (banded.quantity.key == "tau_at_spin_2")
     {
