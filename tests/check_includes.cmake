@@ -16,7 +16,6 @@ set(order
     fem/pipeline/coupling
     fem/pipeline/analysis
     fem/pipeline/report
-    fem/pipeline/output
     fem/pipeline/app)
 
 # The place in `order` of the folder that a path lies in, -1 for none.

@@ -3,8 +3,8 @@
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/output/comparison_results.h"
-#include "fem/pipeline/output/publish.h"
+#include "fem/pipeline/report/comparison_results.h"
+#include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <CLI/CLI.hpp>

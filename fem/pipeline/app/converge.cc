@@ -5,8 +5,8 @@
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/output/convergence_results.h"
-#include "fem/pipeline/output/publish.h"
+#include "fem/pipeline/report/convergence_results.h"
+#include "fem/pipeline/report/publish.h"
 
 #include <CLI/CLI.hpp>
 

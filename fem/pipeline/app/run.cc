@@ -6,8 +6,8 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/output/publish.h"
-#include "fem/pipeline/output/run_results.h"
+#include "fem/pipeline/report/publish.h"
+#include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/support/ranks.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/gnuplot.h"
 
-#include "fem/pipeline/report/compiled_plots.h"
 #include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/support/child_process.h"
 #include "fem/pipeline/support/failures.h"
@@ -15,6 +14,9 @@
 
 namespace stemware::pipeline
 {
+
+/// The files of plots/.
+const CompiledTexts &compiled_plots();
 
 namespace fs = std::filesystem;
 
@@ -127,7 +129,7 @@ std::string plot_file_text(const std::string &name)
   for (const fs::path &shared : shared_folders())
     if (const fs::path file = shared / "plots" / name; fs::is_regular_file(file, error))
       return read_text_file(file);
-  return compiled_plots.at(name);
+  return text_of(compiled_plots(), name);
 }
 
 std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 std::string missing_plotter();
 
 /// The text of a file of plots/: of the folder share/stemware that comes with the program, where it has one,
-/// or else as it was compiled in. Throws std::out_of_range for a file that there is not.
+/// or else as it was compiled in. Throws std::logic_error for a file that there is not.
 std::string plot_file_text(const std::string &name);
 
 /// Writes figures/style.gnuplot and the scripts and data of @p plots into @p folder, then lets gnuplot draw

@@ -1,5 +1,6 @@
 #include "fem/pipeline/study/presets.h"
 
+#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text.h"
 
@@ -17,8 +18,8 @@ namespace stemware::pipeline
 {
 
 /// The files presets/*.prm that CMakeLists.txt names, compiled in.
-const std::vector<std::string> &glass_texts();
-const std::vector<std::string> &table_texts();
+const CompiledTexts &glass_texts();
+const CompiledTexts &table_texts();
 
 namespace
 {
@@ -38,10 +39,11 @@ Preset preset_in(const std::string &text)
   return preset;
 }
 
-std::vector<Preset> presets_in(const std::vector<std::string> &texts)
+std::vector<Preset> presets_in(const CompiledTexts &texts)
 {
   std::vector<Preset> presets;
-  std::transform(texts.begin(), texts.end(), std::back_inserter(presets), preset_in);
+  for (const CompiledText &file : texts)
+    presets.push_back(preset_in(file.text));
   return presets;
 }
 

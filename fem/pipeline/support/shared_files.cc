@@ -1,5 +1,8 @@
 #include "fem/pipeline/support/shared_files.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace stemware::pipeline
 {
 
@@ -11,6 +14,15 @@ std::vector<std::filesystem::path> shared_folders()
     return {};
   const std::filesystem::path folder = program.parent_path();
   return { folder.parent_path() / "share/stemware", folder / "share/stemware" };
+}
+
+const std::string &text_of(const CompiledTexts &files, const std::string &name)
+{
+  const auto file =
+    std::find_if(files.begin(), files.end(), [&](const CompiledText &each) { return each.name == name; });
+  if (file == files.end())
+    throw std::logic_error("The program has no text " + name + ".");
+  return file->text;
 }
 
 } // namespace stemware::pipeline

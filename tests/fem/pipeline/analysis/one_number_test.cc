@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/output/run_results.h"
+#include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>

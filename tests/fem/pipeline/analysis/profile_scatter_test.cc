@@ -1,7 +1,7 @@
 // What the scatter of a scanned rim does to the spin, against the spin of the rim that the points were
 // scattered from, which is given by its two lengths and needs no points.
 #include "fem/pipeline/analysis/profile_scatter.h"
-#include "fem/pipeline/output/profile_results.h"
+#include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"

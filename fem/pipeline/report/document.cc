@@ -1,0 +1,158 @@
+#include "fem/pipeline/report/document.h"
+
+#include "fem/pipeline/report/filled_text.h"
+
+#include <boost/algorithm/string/trim.hpp>
+
+#include <sstream>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+template <typename Values>
+const auto &named(const Values &values, const std::string &name)
+{
+  const auto found = values.find(name);
+  if (found == values.end())
+    throw std::logic_error("A template shows " + name + ", which the document does not have.");
+  return found->second;
+}
+
+/// The words before and after the first @p mark, without blanks round them; the second may be empty.
+std::pair<std::string, std::string> parted(const std::string &text, char mark)
+{
+  const auto place = std::min(text.find(mark), text.size());
+  return { boost::trim_copy(text.substr(0, place)),
+           boost::trim_copy(text.substr(std::min(place + 1, text.size()))) };
+}
+
+/// The results as they grow, line by line of a filled template.
+class Reading
+{
+public:
+  explicit Reading(const Document &document)
+      : document(document)
+  {
+    results.findings = document.findings;
+    results.fields = document.fields;
+  }
+
+  void add(const std::string &line)
+  {
+    if (line.rfind("= ", 0) == 0)
+      results.report.title = line.substr(2);
+    else if (line.rfind("# ", 0) == 0 || line.rfind("#> ", 0) == 0)
+    {
+      const auto [mark, heading] = parted(line, ' ');
+      results.report.sections.push_back({ heading });
+      section().folded = mark == "#>";
+    }
+    else if (line[0] == '@')
+      obey(parted(line.substr(1), ' '));
+    else
+      add_text(line);
+  }
+
+  Results results;
+
+private:
+  ReportSection &section() { return results.report.sections.back(); }
+
+  std::string &present_text()
+  {
+    if (on_console)
+      return results.console.back().text;
+    return results.report.sections.empty() ? results.report.answer : section().text;
+  }
+
+  void add_text(const std::string &line)
+  {
+    std::string &text = present_text();
+    const bool is_close = text.empty() || text.back() == '\n' || std::string(",;.)").find(line[0]) < 4;
+    text += (is_close ? "" : " ") + line;
+  }
+
+  void obey(const std::pair<std::string, std::string> &command)
+  {
+    const auto &[word, rest] = command;
+    if (word == "plot")
+      section().plots.push_back(named(document.plots, rest)());
+    else if (word == "table")
+      add_table(rest);
+    else if (word == "file")
+      add_file(rest);
+    else if (word == "p")
+      add_paragraph();
+    else if (word == "console" || word == "block")
+    {
+      on_console = true;
+      results.console.emplace_back();
+    }
+    else
+      throw std::logic_error("A template has @" + word + ", which means nothing.");
+  }
+
+  void add_paragraph()
+  {
+    std::string &text = present_text();
+    if (!text.empty())
+      text += on_console ? "\n" : "\n\n";
+  }
+
+  void add_table(const std::string &what)
+  {
+    const auto [columns, title] = parted(what, '|');
+    const auto [name, keys] = parted(columns, ':');
+    const Table &whole = named(document.tables, name);
+    const Table table = keys.empty() ? whole : whole.with(title, keys);
+    if (!on_console)
+      section().tables.push_back(table);
+    else
+    {
+      results.console.back().table = table;
+      results.console.emplace_back();
+    }
+  }
+
+  void add_file(const std::string &what)
+  {
+    const auto [names, words] = parted(what, '|');
+    const auto [file, content] = parted(names, '=');
+    results.files.push_back({ file, words });
+    if (content.empty())
+      ;
+    else if (const auto text = document.texts.find(content); text != document.texts.end())
+      results.files.back().content = text->second;
+    else
+      results.files.back().content = named(document.tables, content);
+    if (!words.empty())
+      section().files.push_back({ file, words });
+  }
+
+  const Document &document;
+  bool on_console = false;
+};
+
+} // namespace
+
+Results shown(const Document &document, const std::string &name)
+{
+  nlohmann::ordered_json facts = document.findings.summary;
+  facts.update(document.facts);
+  std::istringstream lines(filled_text(name + ".txt", facts));
+  Reading reading(document);
+  for (std::string line; std::getline(lines, line);)
+    if (boost::trim(line); !line.empty())
+      reading.add(line);
+  Results results = reading.results;
+  results.console.erase(std::remove_if(results.console.begin(), results.console.end(),
+                                       [](const ConsoleBlock &block) { return block.text.empty() && !block.table; }),
+                        results.console.end());
+  return results;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "fem/contact/foot.h"
+#include "fem/pipeline/report/results.h"
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// What a verb has found out, and all that a template may show of it. SI units, or those of the study.
+struct Document
+{
+  Findings findings; ///< for summary.json and --json
+  /// What sentences need beside the findings, which they see too: words, flags, derived numbers.
+  nlohmann::ordered_json facts = nlohmann::ordered_json::object();
+  std::map<std::string, Table> tables = {};
+  std::map<std::string, std::string> texts = {};            ///< files that are no table
+  std::map<std::string, std::function<Plot()>> plots = {};  ///< pictures, made where they are shown
+  std::vector<fem::FieldFile> fields = {};
+};
+
+/// The @p document as the template fem/pipeline/report/templates/NAME.txt shows it, filled as filled_text()
+/// says. Its lines:
+///
+///   = TITLE                          of the page; what follows is the answer
+///   # HEADING                        a section; "#> HEADING" is folded
+///   text                             lines are joined by a blank, those that begin with , ; . or ) by
+///                                    nothing; a line "@p" parts paragraphs
+///   @plot NAME
+///   @table NAME                      all columns under the table's own title
+///   @table NAME: KEY KEY | TITLE     these columns under this title (Table::with())
+///   @file FILE = NAME | WORDS        a file of the table or text NAME, listed with WORDS unless they are empty;
+///                                    without "= NAME" one that is written elsewhere
+///   @console                         what follows is the console's; "@block" begins a new part of it, and so
+///                                    does what follows a table
+///
+/// Empty lines mean nothing. Throws std::logic_error for another line, and for a name that the document does not
+/// have.
+Results shown(const Document &document, const std::string &name);
+
+} // namespace stemware::pipeline

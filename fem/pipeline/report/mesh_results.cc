@@ -1,0 +1,175 @@
+#include "fem/pipeline/report/mesh_results.h"
+
+#include "fem/pipeline/report/answer.h"
+#include "fem/pipeline/report/plots/foot_plots.h"
+#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
+{
+  const auto found = check.n_faces.find(static_cast<unsigned int>(id));
+  return found == check.n_faces.end() ? 0 : found->second;
+}
+
+/// Faces with ids that mean nothing; they are as free as those without.
+unsigned int n_other_faces(const fem::MeshCheck &check)
+{
+  unsigned int n = 0;
+  for (const auto &[id, count] : check.n_faces)
+    n += id > static_cast<unsigned int>(fem::FootBoundary::contact_zone) ? count : 0;
+  return n;
+}
+
+/// "x -34 to 34", in mm; a single number where both are equal.
+std::string mesh_range(const std::string &name, double least, double most)
+{
+  return fmt::format(FMT_STRING("{} {:.6g}"), name, 1e3 * least) +
+         (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
+}
+
+/// What a mesh is like, line by line: a word, and what there is to say.
+std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
+{
+  const fem::MeshCheck &check = findings.check;
+  using fem::FootBoundary;
+  std::vector<std::vector<std::string>> lines = {
+    { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
+                          check.n_vertices) },
+    { "Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
+               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
+               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)" },
+    { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
+                           n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
+                           n_faces(check, FootBoundary::free), n_other_faces(check)) },
+    { "Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
+                   mesh_range("z", check.lowest, check.highest) +
+                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area) }
+  };
+  if (const auto &report = findings.report)
+    lines.push_back(
+      { "Rim",
+        report->round_rim
+          ? fmt::format(
+              FMT_STRING("round, middle radius {:.6g} mm: the cells of the land follow the circles"),
+              1e3 * report->rim_radius)
+          : fmt::format(
+              FMT_STRING("not round, middle radius {:.6g} mm: straight edges cut off about {:.2g} % of "
+                         "the land"),
+              1e3 * report->rim_radius, 100 * report->land_area_deficit) });
+  lines.push_back(
+    { "Quality",
+      fmt::format(
+        FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
+        check.least_jacobian, 1e3 * check.worst_place[0], 1e3 * check.worst_place[1],
+        1e3 * check.worst_place[2], check.mean_jacobian) });
+  for (const std::string &remark : mesh_remarks(findings))
+    lines.push_back({ "Remark", remark });
+  return lines;
+}
+
+nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
+{
+  const fem::MeshCheck &check = findings.check;
+  nlohmann::ordered_json json = {
+    { "mesh", findings.origin },
+    { "cells", check.n_cells },
+    { "vertices", check.n_vertices },
+    { "faces",
+      { { "stem_cut", n_faces(check, fem::FootBoundary::stem_cut) },
+        { "contact_zone", n_faces(check, fem::FootBoundary::contact_zone) },
+        { "free", n_faces(check, fem::FootBoundary::free) },
+        { "other", n_other_faces(check) } } },
+    { "box", { { "lower", check.lower }, { "upper", check.upper } } },
+    { "contact_zone",
+      { { "radii", { check.inner_radius, check.outer_radius } },
+        { "heights", { check.lowest, check.highest } },
+        { "centre", check.centre },
+        { "area", check.contact_area } } },
+    { "scaled_jacobian",
+      { { "least", check.least_jacobian }, { "mean", check.mean_jacobian }, { "at", check.worst_place } } },
+    { "remarks", mesh_remarks(findings) }
+  };
+  if (findings.report)
+    json["rim"] = { { "round", findings.report->round_rim },
+                    { "radius", findings.report->rim_radius },
+                    { "land_area_deficit", findings.report->land_area_deficit } };
+  return json;
+}
+
+/// The section, where the axis goes through the mesh, the contact zone and the quality of the cells.
+std::vector<Plot> pictures_of(const fem::MeshCheck &check, const MeshPictures &pictures)
+{
+  std::vector<Plot> plots = { contact_zone_plot(pictures.contact_faces),
+                              quality_plot(pictures.scaled_jacobians) };
+  if (!pictures.section.empty())
+  {
+    const double middle = (check.inner_radius + check.outer_radius) / 2;
+    plots.insert(plots.begin(), section_plot(pictures.section, measured(pictures.section, middle)));
+    plots.front().caption += " R is the middle radius of the contact zone.";
+  }
+  return plots;
+}
+
+} // namespace
+
+Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
+                 const std::vector<std::string> &written)
+{
+  const fem::MeshCheck &check = findings.check;
+  std::vector<std::string> answer = { fmt::format(
+    FMT_STRING(
+      "The mesh can be used: {} hexahedra whose scaled Jacobian is {:.3g} at least, a contact zone of "
+      "{:.4g} mm² between radii of {:.4g} and {:.4g} mm."),
+    check.n_cells, check.least_jacobian, 1e6 * check.contact_area, 1e3 * check.inner_radius,
+    1e3 * check.outer_radius) };
+  const std::vector<std::string> remarks = mesh_remarks(findings);
+  answer.insert(answer.end(), remarks.begin(), remarks.end());
+  Results results;
+  results.files = { { "summary.json", "all numbers, for programs" } };
+  results.report = {
+    "Mesh of a foot",
+    joined(answer),
+    { { "What it is like", "", pictures_of(check, pictures), { words("", { "", "" }, lines_of(findings)) } },
+      file_section(results.files) }
+  };
+  const nlohmann::ordered_json summary = mesh_summary(findings);
+  results.findings.summary = { { "mesh", summary } };
+  results.findings.key_figures = { { "written", written } };
+  results.findings.key_figures.update(summary);
+  return results;
+}
+
+std::string mesh_text(const MeshFindings &findings)
+{
+  std::string text;
+  for (const std::vector<std::string> &line : lines_of(findings))
+    text += wrapped(line[1], fmt::format(FMT_STRING("{:<10}"), line[0])) + '\n';
+  return text;
+}
+
+std::vector<std::string> mesh_remarks(const MeshFindings &findings)
+{
+  constexpr double poor = 0.1;
+  const fem::MeshCheck &check = findings.check;
+  std::vector<std::string> remarks;
+  if (check.least_jacobian < poor)
+    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.least_jacobian) +
+                      ", below 0.1: stresses near it are poor.");
+  if (n_other_faces(check) > 0)
+    remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
+  if (check.outer_radius > 1)
+    remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
+                      " m: is the mesh in metres?");
+  return remarks;
+}
+
+} // namespace stemware::pipeline

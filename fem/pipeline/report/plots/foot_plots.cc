@@ -1,0 +1,217 @@
+#include "fem/pipeline/report/plots/foot_plots.h"
+
+#include "fem/pipeline/report/render/table_renderers.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr double degree = boost::math::double_constants::degree;
+constexpr double micrometre = 1e-6;
+
+struct PressureUnit
+{
+  double pascals;
+  std::string name;
+};
+
+PressureUnit unit_of(const fem::PressureMap &footprint)
+{
+  return fem::largest_pressure(footprint) < 1e6 ? PressureUnit{ 1e3, "kPa" } : PressureUnit{ 1e6, "MPa" };
+}
+
+/// The largest number of two easy digits that is not above @p factor: 1, 1.5, 2, ... 9.5, 10, 15 ...
+double round_down(double factor)
+{
+  const double power = std::pow(10, std::floor(std::log10(factor)));
+  return std::floor(2 * factor / power) / 2 * power;
+}
+
+/// The corners of polygons in mm, the first again at the end.
+template <typename Polygon>
+std::vector<std::vector<std::vector<double>>> outlines(const std::vector<Polygon> &polygons)
+{
+  std::vector<std::vector<std::vector<double>>> closed(polygons.size());
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+    for (std::size_t i = 0; i <= polygons[p].size(); ++i)
+    {
+      const auto &corner = polygons[p][i % polygons[p].size()];
+      closed[p].push_back({ 1000 * corner[0], 1000 * corner[1] });
+    }
+  return closed;
+}
+
+/// Largest and mean pressure and the width of the contact.
+std::string measures_sentence(const fem::PressureMap &footprint, const PressureUnit &unit)
+{
+  const fem::FootprintMeasures measures = fem::measures_of(footprint);
+  const double narrowest = measures.narrowest / micrometre, widest = measures.widest / micrometre;
+  const std::string widths = widest - narrowest < 0.005 * widest
+                               ? fmt::format(FMT_STRING("{:.3g} µm"), widest)
+                               : fmt::format(FMT_STRING("{:.3g} µm to {:.3g} µm"), narrowest, widest);
+  return fmt::format(
+    FMT_STRING(" Largest pressure {:.3g} {} at θ = {:.0f}°, mean {:.3g} {}; the contact is {} "
+               "wide{}."),
+    format::Number{ measures.largest.pressure / unit.pascals }, unit.name, measures.largest.azimuth / degree,
+    format::Number{ measures.mean / unit.pascals }, unit.name, widths,
+    footprint.has_edge ? "" : ", where 99 % of the load lie");
+}
+
+/// What both pictures of the pressure are filled with.
+PlotValues pressure_values(const fem::PressureMap &footprint)
+{
+  const PressureUnit unit = unit_of(footprint);
+  return { { "colour_label", "pressure (" + unit.name + ")" },
+           { "largest", fem::largest_pressure(footprint) / unit.pascals },
+           { "is_grid", fem::has_cells(footprint) } };
+}
+
+} // namespace
+
+FootLengths measured(const std::vector<fem::SectionPolygon> &cells, double contact_radius)
+{
+  FootLengths lengths;
+  lengths.contact_radius = contact_radius;
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower; // above the contact radius
+  for (const fem::SectionPolygon &cell : cells)
+    for (std::size_t i = 0; i < cell.size(); ++i)
+    {
+      const auto &begin = cell[i], &end = cell[(i + 1) % cell.size()];
+      lengths.outer_radius = std::max(lengths.outer_radius, begin[0]);
+      lengths.height = std::max(lengths.height, begin[1]);
+      const double before = begin[0] - contact_radius, after = end[0] - contact_radius;
+      if ((before < 0) == (after < 0))
+        continue;
+      const double crossing = begin[1] + before / (before - after) * (end[1] - begin[1]);
+      lower = std::min(lower, crossing);
+      upper = std::max(upper, crossing);
+    }
+  lengths.thickness_at_rim = upper - lower;
+  for (const fem::SectionPolygon &cell : cells)
+    for (const auto &corner : cell)
+      if (corner[1] > lengths.height * (1 - 1e-6))
+        lengths.stem_radius = std::max(lengths.stem_radius, corner[0]);
+  return lengths;
+}
+
+Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengths &lengths)
+{
+  return plot_from("section",
+                   { { "radius", 1000 * lengths.contact_radius },
+                     { "edge", 1000 * lengths.outer_radius },
+                     { "top", 1000 * lengths.height },
+                     { "stem", 1000 * lengths.stem_radius },
+                     { "thickness", 1000 * lengths.thickness_at_rim },
+                     { "crown", 1000 * lengths.crown_radius } },
+                   grouped_data("Section of the foot, its cells", { "r (mm)", "z (mm)" }, outlines(cells)));
+}
+
+Plot rim_plot(const FootLengths &lengths)
+{
+  Plot plot = plot_from("rim", { { "radius", 1000 * lengths.contact_radius },
+                                 { "crown", 1000 * lengths.crown_radius },
+                                 { "inner", 1000 * lengths.load_inner_radius },
+                                 { "outer", 1000 * lengths.load_outer_radius } });
+  if (!(lengths.crown_radius > 0))
+    plot.caption = "The cells at the rim, above the table.";
+  return plot;
+}
+
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
+{
+  const PressureUnit unit = unit_of(footprint);
+  std::vector<std::vector<std::vector<double>>> cuts;
+  for (const auto &cut : fem::loaded_cuts(footprint))
+  {
+    cuts.emplace_back();
+    for (const fem::PressurePoint &point : cut)
+      cuts.back().push_back({ point.azimuth / degree, (point.radius - contact_radius) / micrometre,
+                              point.pressure / unit.pascals });
+  }
+  Plot plot =
+    plot_from("footprint", pressure_values(footprint),
+              grouped_data("Pressure of the foot on the table",
+                           { "theta (degrees)", "r - R (µm)", "pressure (" + unit.name + ")" }, cuts));
+  if (fem::has_cells(footprint))
+    plot.caption += measures_sentence(footprint, unit);
+  return plot;
+}
+
+Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
+                          const ring::Motion &motion)
+{
+  constexpr double share_of_radius = 0.12;
+  const double radius = lengths.contact_radius;
+  const fem::ContactWidth band = fem::loaded_band(footprint);
+  const double extent = std::max({ radius - band.inner, band.outer - radius, 1e-4 * radius });
+  const double magnification = std::max(1., round_down(share_of_radius * radius / extent));
+  PlotValues values = pressure_values(footprint);
+  values.insert(values.end(),
+                { { "radius", 1000 * radius },
+                  { "edge", 1000 * lengths.outer_radius },
+                  { "magnification", magnification },
+                  { "orbit_radius", 1000 * motion.orbit_radius },
+                  { "side", motion.orbit_sense == ring::OrbitSense::counterclockwise ? 1. : -1. } });
+  Plot plot = plot_from("foot_from_below", values);
+  plot.caption = fmt::format(
+    FMT_STRING("The foot seen from below before it spins: where it presses on the table. Distances from the "
+               "rim, the thin circle, are drawn {:g} times larger; v is the direction of travel."),
+    magnification);
+  return plot;
+}
+
+Plot rim_circle_plot(const fem::RimCircle &circle)
+{
+  std::vector<std::vector<double>> rows;
+  for (const fem::RimPoint &point : circle.points)
+    rows.push_back({ 1e3 * point.radius, 1e6 * point.height, 1e6 * point.distance, point.weight });
+  return plot_from(
+    "rim_circle", { { "radius", 1e3 * circle.contact_radius }, { "crown", 1e3 * circle.crown_radius } },
+    data_table(number_rows(
+      "The points of the land",
+      { { "r", "mm" }, { "height", "µm" }, { "distance from the circle", "µm" }, { "weight", "1" } }, rows)));
+}
+
+Plot rim_residual_plot(const fem::RimCircle &circle)
+{
+  Plot plot = plot_from("rim_residuals", { { "scatter", 1e6 * circle.scatter } });
+  plot.caption = fmt::format(
+    FMT_STRING("Distance of the points from the circle, upwards positive; the lines are at the scatter, "
+               "{:.2g} µm. Points that follow a curve instead of scattering say that the land is no circle: "
+               "take a smaller Glass/Land width."),
+    1e6 * circle.scatter);
+  return plot;
+}
+
+Plot contact_zone_plot(const std::vector<fem::Quadrilateral> &faces)
+{
+  return plot_from("contact_zone", {},
+                   grouped_data("The faces of the contact zone", { "x (mm)", "y (mm)" }, outlines(faces)));
+}
+
+Plot quality_plot(const std::vector<double> &jacobians)
+{
+  constexpr unsigned int n_bins = 20;
+  std::vector<double> bins, counts(n_bins, 0);
+  for (unsigned int b = 0; b < n_bins; ++b)
+    bins.push_back((b + 0.5) / n_bins);
+  for (const double jacobian : jacobians)
+  {
+    const int bin = static_cast<int>(jacobian * n_bins);
+    ++counts[static_cast<std::size_t>(std::clamp(bin, 0, static_cast<int>(n_bins) - 1))];
+  }
+  return plot_from(
+    "quality", {},
+    data_table({ "Scaled Jacobians of the cells",
+                 { numbers("middle of the bin", "1", bins), numbers("cells", "1", counts) } }));
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fem/pipeline/analysis/profile_scatter.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/study/study.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+
+/// What the points of a drawn profile say, and leave open, in the results of `run` and `mesh`.
+namespace stemware::pipeline
+{
+
+/// The standard error of the terminal spin that follows from the scatter of a drawn profile's points [rad/s];
+/// nothing where there is none.
+std::optional<double> spin_error(const std::optional<ProfileScatter> &scatter);
+
+/// "-3.712 ± 0.035": a value with the digits that its standard error leaves.
+std::string with_error(double value, double error);
+
+/// How far the crown rises over half of the contact @p load [m].
+double sag_over_contact(const Study &study, const LoadReport &load);
+
+/// Says how well the points fix the rim, what that leaves open of the spin beside @p band [rad/s], and where
+/// the crown is not determined: it rises over the contact @p load by less than the points scatter, or its
+/// error is half of it. Empty where the points have no scatter.
+std::string profile_remark(const Study &study, const LoadReport &load,
+                           const std::optional<ProfileScatter> &scatter, const std::optional<double> &band);
+
+/// Puts "scatter of the profile" under the rows of a table of the budget: its title into the column @p title,
+/// the standard error of the spin beside the bands.
+void add_scatter_row(const std::optional<ProfileScatter> &scatter, const std::string &title, Table &table);
+
+/// The rim as it follows from the points, for a report. The study must have a circle.
+Table rim_table(const Study &study);
+
+/// "profile" of summary.json: the rim with its covariance, null where it has none.
+nlohmann::ordered_json profile_summary(const Study &study);
+
+/// profile_summary() with what the scatter leaves open of the spin under @p load.
+nlohmann::ordered_json profile_summary(const Study &study, const LoadReport &load,
+                                       const std::optional<ProfileScatter> &scatter);
+
+} // namespace stemware::pipeline

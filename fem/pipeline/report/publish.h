@@ -1,0 +1,25 @@
+#pragma once
+
+#include "fem/pipeline/report/results.h"
+#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/study_options.h"
+#include "fem/pipeline/support/results_folder.h"
+#include "fem/pipeline/support/stopwatch.h"
+
+#include <optional>
+
+namespace stemware::pipeline
+{
+
+/// The end of every verb, collective over all ranks: each writes its fields of @p results into the working
+/// folder (write_fields()), the first all else (write_results()). When all have, that one writes
+/// parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files"),
+/// timings.json and manifest.json, gives the folder its final name, and prints the console's text and where
+/// the results are. With --json the last line of standard output is {"verb", "results", "summary", "report",
+/// key figures}. Without a study there is neither parameters.prm nor "parameters".
+///
+/// Throws OutputFailure, and std::runtime_error for a finding that is not finite: JSON has no word for it.
+void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
+             ResultsFolder &folder, Stopwatch &stopwatch);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,95 @@
+#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/support/text.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+constexpr std::size_t margin = 2; ///< blanks before each column
+
+/// The label of a column and its unit, in lines.
+std::vector<std::string> header_of(const Quantity &quantity)
+{
+  const bool has_unit = !quantity.unit.empty() && quantity.unit != "1";
+  std::istringstream stream(quantity.label + (has_unit ? "\n(" + quantity.unit + ")" : ""));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+/// A column as the lines that are printed, all equally wide; headers stand at the bottom of theirs.
+struct LaidOutColumn
+{
+  LaidOutColumn(const Column &column, std::size_t n_header_lines)
+  {
+    const std::vector<std::string> header = header_of(column.quantity);
+    lines.assign(n_header_lines - header.size(), "");
+    lines.insert(lines.end(), header.begin(), header.end());
+    for (std::size_t row = 0; row < column.cells.size(); ++row)
+      lines.push_back(shown(column, row, "-", true));
+    for (const std::string &line : lines)
+      width = std::max(width, width_of(line) + margin);
+    const bool is_text =
+      column.quantity.unit.empty() &&
+      std::any_of(column.cells.begin(), column.cells.end(),
+                  [](const Cell &cell) { return std::holds_alternative<std::string>(cell); });
+    for (std::string &line : lines)
+    {
+      const std::string blanks(width - margin - width_of(line), ' ');
+      line = std::string(margin, ' ') + (is_text ? line + blanks : blanks + line);
+    }
+  }
+
+  std::vector<std::string> lines;
+  std::size_t width = 0;
+};
+
+/// The lines of some columns side by side, without blanks at their ends.
+std::string side_by_side(const std::vector<const LaidOutColumn *> &columns)
+{
+  std::string text;
+  for (std::size_t i = 0; i < columns.front()->lines.size(); ++i)
+  {
+    for (const LaidOutColumn *column : columns)
+      text += column->lines[i];
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+  return text;
+}
+
+} // namespace
+
+std::string console_table(const Table &table)
+{
+  std::size_t n_header_lines = 0;
+  for (const Column &column : table.columns)
+    n_header_lines = std::max(n_header_lines, header_of(column.quantity).size());
+  std::vector<LaidOutColumn> columns;
+  for (const Column &column : table.columns)
+    columns.emplace_back(column, n_header_lines);
+
+  std::string text = table.title.empty() ? "" : table.title + '\n';
+  std::vector<const LaidOutColumn *> block = { &columns.front() };
+  std::size_t width = columns.front().width;
+  for (std::size_t c = 1; c < columns.size(); ++c)
+  {
+    if (block.size() > 1 && width + columns[c].width > console_width)
+    {
+      text += side_by_side(block) + '\n';
+      block = { &columns.front() };
+      width = columns.front().width;
+    }
+    block.push_back(&columns[c]);
+    width += columns[c].width;
+  }
+  return text + side_by_side(block);
+}
+
+} // namespace stemware::pipeline

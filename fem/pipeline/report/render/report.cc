@@ -1,0 +1,37 @@
+#include "fem/pipeline/report/render/report.h"
+
+#include "fem/pipeline/report/render/html_page.h"
+#include "fem/pipeline/report/gnuplot.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace stemware::pipeline
+{
+
+namespace fs = std::filesystem;
+
+void write_report(const Report &report, const fs::path &folder)
+{
+  std::vector<Plot> plots;
+  for (const ReportSection &section : report.sections)
+    plots.insert(plots.end(), section.plots.begin(), section.plots.end());
+  const std::string notice = draw_plots(plots, folder);
+  if (!notice.empty() && notice != missing_plotter())
+    std::cerr << "stemware: " << notice << std::endl;
+
+  std::map<std::string, std::string> pictures;
+  for (const Plot &plot : plots)
+  {
+    std::ifstream stream(folder / "figures" / (plot.name + ".svg"), std::ios::binary);
+    std::ostringstream svg;
+    svg << stream.rdbuf();
+    if (stream)
+      pictures[plot.name] = svg.str();
+  }
+  write_text_file(folder / "report.html", html_page(report, pictures, notice));
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "fem/pipeline/report/render/table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+/// The four forms of a table.
+namespace stemware::pipeline
+{
+
+/// For eye, gnuplot and numpy: "# title", one line "# 1: name (unit)" per column, then aligned rows of
+/// full-precision numbers; flags are 1 and 0, what does not exist is nan.
+std::string data_table(const Table &table);
+
+/// Data tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
+std::string data_tables(const std::vector<Table> &tables);
+
+/// As RFC 4180 has it: commas, CRLF, fields with commas, quotes or line ends in double quotes. The header
+/// reads "name (unit)"; numbers have all their digits.
+std::string csv_table(const Table &table);
+
+/// The lines of a table that fits the console, each with its line break: the title, the labels with their
+/// units, the rows. Columns that have no room follow below, beside the first column again. Words stand to the
+/// left, numbers to the right.
+std::string console_table(const Table &table);
+
+/// An HTML table in a box that scrolls; columns of numbers are aligned to the right, and a header of empty
+/// cells is left out.
+std::string html_table(const Table &table);
+
+/// A list of objects, one a row, of the columns that have a key. JSON has no word for a number that is not
+/// finite: publish() refuses it, null is only what does not exist.
+nlohmann::ordered_json json_table(const Table &table);
+
+/// The object of one row of the columns that have a key.
+nlohmann::ordered_json json_row(const Table &table, std::size_t row = 0);
+
+/// The objects of all rows by the word in the first column, which is not repeated in them.
+nlohmann::ordered_json json_by_name(const Table &table);
+
+/// A number, or null where there is none.
+nlohmann::ordered_json json_number(const std::optional<double> &value);
+
+} // namespace stemware::pipeline

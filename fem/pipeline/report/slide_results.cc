@@ -1,0 +1,183 @@
+#include "fem/pipeline/report/slide_results.h"
+
+#include "fem/pipeline/report/answer.h"
+#include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/render/table_renderers.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+constexpr double turn = boost::math::double_constants::two_pi;
+
+/// Of the points of a slide, by a function of each.
+template <typename Value>
+std::vector<double> of_points(const SlideStudy &slide, const Value &value)
+{
+  std::vector<double> values;
+  for (const SlidePoint &point : slide.points)
+    values.push_back(value(point));
+  return values;
+}
+
+template <typename Value>
+Column point_column(const std::string &name, const std::string &unit, const SlideStudy &slide,
+                    const Value &value)
+{
+  return numbers(name, unit, of_points(slide, value));
+}
+
+Table path_table(const SlideStudy &slide)
+{
+  using Point = const SlidePoint &;
+  return { "The slide from the push to the stop; x along the initial motion, y to its left",
+           { point_column("time", "s", slide, [](Point p) { return p.state.time; }),
+             point_column("x", "m", slide, [](Point p) { return p.state.x; }),
+             point_column("y", "m", slide, [](Point p) { return p.state.y; }),
+             point_column("speed", "m/s", slide, [](Point p) { return p.state.speed; }),
+             point_column("heading", "rad", slide, [](Point p) { return p.state.heading; }),
+             point_column("yaw angle", "rad", slide, [](Point p) { return p.state.yaw; }),
+             point_column("spin", "rad/s", slide, [](Point p) { return p.state.omega; }),
+             point_column("slip ratio omega R / v", "1", slide, [](Point p) { return p.slip_ratio; }),
+             point_column("T_x along the motion", "N", slide, [](Point p) { return p.friction.force_x; }),
+             point_column("T_y to its left", "N", slide, [](Point p) { return p.friction.force_y; }),
+             point_column("tau_z", "N m", slide, [](Point p) { return p.friction.torque; }),
+             point_column("acceleration to the left", "m/s^2", slide,
+                          [](Point p) { return p.side_acceleration; }),
+             point_column("moment ratio", "1", slide, [](Point p) { return p.moment_ratio; }),
+             point_column("kinetic energy", "J", slide, [](Point p) { return p.kinetic_energy; }),
+             point_column("friction loss", "J", slide, [](Point p) { return p.state.friction_loss; }) } };
+}
+
+/// A number that may not exist: null where it is not finite.
+Json finite_or_null(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Findings findings_of(const SlideStudy &slide)
+{
+  const ring::SlidingState &stop = slide.stop().state, &start = slide.start().state;
+  const double eps = slide.final_slip_ratio;
+  const Json inverse = eps == 0 ? Json(nullptr) : Json(1 / eps);
+  Findings findings;
+  findings.summary["slide"] = { { "body",
+                                  { { "kind", to_string(slide.question.body) },
+                                    { "mass", slide.inertia.mass },
+                                    { "yaw_inertia", slide.inertia.yaw_inertia },
+                                    { "outer_radius", slide.inertia.outer_radius },
+                                    { "inner_radius", slide.question.inner_radius },
+                                    { "centre_of_mass_height", slide.centre_of_mass_height } } },
+                                { "start",
+                                  { { "speed", start.speed },
+                                    { "spin", start.omega },
+                                    { "slip_ratio", slide.start().slip_ratio },
+                                    { "acceleration_to_the_left", slide.start().side_acceleration },
+                                    { "kinetic_energy", slide.start().kinetic_energy } } },
+                                { "stop",
+                                  { { "time", stop.time },
+                                    { "x", stop.x },
+                                    { "y", stop.y },
+                                    { "heading", finite_or_null(stop.heading) },
+                                    { "yaw_angle", stop.yaw },
+                                    { "distance", slide.stop().state.distance } } },
+                                { "final_slip_ratio", finite_or_null(eps) },
+                                { "final_speed_over_rim_speed", inverse },
+                                { "largest_moment_ratio", slide.largest_moment_ratio() },
+                                { "formal", slide.is_formal() },
+                                { "energy_error", slide.energy_error },
+                                { "load_error", slide.load_error },
+                                { "mesh_change", json_number(slide.mesh_change) } };
+  findings.key_figures = { { "distance", slide.stop().state.distance },
+                           { "time", stop.time },
+                           { "drift", stop.y },
+                           { "yaw_angle", stop.yaw },
+                           { "final_slip_ratio", finite_or_null(eps) } };
+  return findings;
+}
+
+Table body_table(const SlideStudy &slide)
+{
+  const auto row =
+    [](const std::string &what, double value, const std::string &unit, const std::string &whence)
+  {
+    return std::vector<std::string>{ what, format::significant<6>(value) + (unit.empty() ? "" : " " + unit),
+                                     whence };
+  };
+  const bool is_glass = slide.question.body == SlidingBodyKind::glass;
+  std::vector<std::vector<std::string>> rows = {
+    row("mass", slide.inertia.mass, "kg", "Motion/Mass"),
+    row("yaw inertia", slide.inertia.yaw_inertia, "kg m²",
+        is_glass || slide.inertia_is_given ? "Motion/Yaw inertia" : "of mass spread like the pressure"),
+    row("outer radius R", slide.inertia.outer_radius, "m", "Glass/Contact radius")
+  };
+  if (slide.question.inner_radius > 0)
+    rows.push_back(row("inner radius", slide.question.inner_radius, "m", "--inner-radius"));
+  rows.push_back(row("centre of mass above the table", slide.centre_of_mass_height, "m",
+                     is_glass || slide.height_is_given ? "Motion/Centre of mass height"
+                                                       : "none given: no tilt of the pressure"));
+  rows.push_back(row("friction coefficient", slide.friction_coefficient, "", "Motion/Friction coefficient"));
+  rows.push_back(row("gravity", slide.gravity, "m/s²", "Motion/Gravity"));
+  return words("What slides", { "", "", "from" }, rows);
+}
+
+/// Whether the path bends by more than rounding.
+bool drifts(const SlideStudy &slide)
+{
+  return std::abs(slide.stop().state.y) > 1e-9 * slide.stop().state.distance;
+}
+
+} // namespace
+
+Plot path_plot(const SlideStudy &slide)
+{
+  constexpr unsigned int n_outlines = 6;
+  std::vector<double> x, y, yaw;
+  for (const SlidePoint &point : slide.points)
+  {
+    const ring::SlidingState &state = point.state;
+    const double share = static_cast<double>(x.size()) / (n_outlines - 1);
+    if (state.distance < slide.stop().state.distance * share * (1 - 1e-9))
+      continue;
+    x.push_back(state.x);
+    y.push_back(state.y);
+    yaw.push_back(state.yaw);
+  }
+  return plot_from(
+    "path", { { "radius", slide.inertia.outer_radius }, { "x_at", x }, { "y_at", y }, { "yaw_at", yaw } });
+}
+
+Results tabulate(const Study &study, const SlideStudy &slide)
+{
+  const ring::SlidingState &stop = slide.stop().state;
+  const double eps = slide.final_slip_ratio, radius = slide.inertia.outer_radius;
+  Document document = { findings_of(slide) };
+  document.facts = { { "turns", std::abs(stop.yaw) / turn },
+                     { "drifts", drifts(slide) },
+                     { "is_straight", !drifts(slide) && slide.question.spin != 0 },
+                     { "side", stop.y < 0 ? "to the right" : "to the left" },
+                     { "beside", std::abs(stop.y) },
+                     { "ends_together", eps != 0 && std::isfinite(eps) },
+                     { "turns_never", eps == 0 && slide.question.spin == 0 },
+                     { "spin_ends_first", eps == 0 && slide.question.spin != 0 },
+                     { "sliding_ends_first", !std::isfinite(eps) },
+                     { "has_load_error", slide.load_error > 0 } };
+  document.tables = { { "path", path_table(slide) }, { "body", body_table(slide) } };
+  document.plots = { { "path", [&] { return path_plot(slide); } },
+                     { "drift", [] { return plot_from("drift"); } },
+                     { "speeds", [=] { return plot_from("speeds", { { "radius", radius } }); } },
+                     { "slip_ratio", [=] { return plot_from("slip_ratio", { { "at_stop", eps } }); } },
+                     { "energy", [] { return plot_from("energy"); } } };
+  add_study(study, document);
+  return shown(document, "slide");
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,268 @@
+// The budget of effects from one made by hand: its tables in every form, and its
+// pictures. The second row is formal, that with tilt has no balance.
+#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/report/run_results.h"
+#include "tests/fem/pipeline/report/hand_made_studies.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace test;
+
+Budget made_budget()
+{
+  Numbers next;
+  return hand_made_budget(next);
+}
+
+constexpr char shown_columns[] = "step title omega_terminal difference relative_difference band remark";
+
+TEST(BudgetByHand, TableForPeople)
+{
+  EXPECT_EQ(html_lines(html_table(budget_table({}, made_budget()).with("Budget", shown_columns))), R"(Budget
+step: 1 | 2 | 2a | 3 | 3a | 4 | 5
+what is added: the paper&#39;s model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
+terminal spin (rad/s): -1.0101235 | -1.0601235 | -1.1101235 | -1.1601235 | – | -1.2101235 | -1.2601235
+difference (rad/s): – | -0.05 | -0.05 | -0.05 | – | – | -0.05
+relative: – | +4.95 % | +4.72 % | +4.5 % | – | – | +4.13 %
+band (rad/s): 1.1e-03 | 1.1e-03 | 1.2e-03 | 1.2e-03 | – | 1.3e-03 | 1.3e-03
+:  | formal |  |  | The foot tips |  | 
+)");
+  EXPECT_EQ(html_lines(html_table(without_table({}, made_budget())
+                                    .with("Without", "name omega_terminal difference relative_difference "
+                                                     "remark"))),
+            R"(Without
+without: tilt | elasticity of the foot | compliance of the interface
+terminal spin (rad/s): -1.3101235 | -1.3301235 | –
+difference (rad/s): +0.0132 | -0.0134 | –
+relative: -1.05 % | +1.06 % | –
+:  |  | not defined
+)");
+}
+
+TEST(BudgetByHand, DataFile)
+{
+  const std::string text = budget_file_text({}, made_budget());
+  EXPECT_EQ(text, R"(# From the paper's model to the study's; the rows are
+# row 1: 1, the paper's model
+# row 2: 2, moment balance
+# row 3: 2a, grip
+# row 4: 3, where the foot touches
+# row 5: 3a, tilt
+# row 6: 4, harmonics, n <= 2
+# row 7: 5, harmonics, all
+# 1: harmonics kept, nan: all (1)
+# 2: terminal omega (rad/s)
+# 3: difference of terminal omega (rad/s)
+# 4: half-width of the error band of terminal omega (rad/s)
+# 5: 1 if the load is negative somewhere (1)
+# 6: tau_z at rest of the last row (N m)
+# 7: tau_z at half the terminal spin of the last row (N m)
+# 8: tau_z at the terminal spin of the last row (N m)
+                       1            -1.0101234567                      nan          0.0010201234567                        0             1.0301234567             1.0401234567             1.0501234567
+                       1            -1.0601234567    -0.050000000000000044          0.0010701234567                        1             1.0801234567             1.0901234567             1.1001234567
+                       1            -1.1101234567    -0.050000000000000044          0.0011201234567                        0             1.1301234567             1.1401234567             1.1501234567
+                       1            -1.1601234567    -0.050000000000000044          0.0011701234567                        0             1.1801234567             1.1901234567             1.2001234567
+                       1                      nan                      nan                      nan                        0                      nan                      nan                      nan
+                       2            -1.2101234567                      nan    0.0012201234567000001                        0             1.2301234567             1.2401234567             1.2501234567
+                     nan            -1.2601234567     -0.04999999999999982          0.0012701234567                        0             1.2801234567             1.2901234567             1.3001234567
+
+
+# The complete model without one thing at a time; the rows are
+# row 1: without tilt
+# row 2: without elasticity of the foot
+# row 3: without compliance of the interface
+# 1: terminal omega (rad/s)
+# 2: difference of terminal omega (rad/s)
+           -1.3101234567           0.013201234567
+           -1.3301234567          -0.013401234567
+                     nan                      nan
+)");
+}
+
+TEST(BudgetByHand, Summary)
+{
+  EXPECT_EQ(json_lines(budget_summary({}, made_budget())), R"(step: "1" | "2" | "2a" | "3" | "3a" | "4" | "5"
+name: "paper" | "moment balance" | "grip" | "where the foot touches" | "tilt" | "harmonics" | "harmonics"
+harmonics: 1 | 1 | 1 | 1 | 1 | 2 | "all"
+omega_terminal: -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | null | -1.2101234567 | -1.2601234567
+difference: null | -0.050000000000000044 | -0.050000000000000044 | -0.050000000000000044 | null | null | -0.04999999999999982
+band: 0.0010201234567 | 0.0010701234567 | 0.0011201234567 | 0.0011701234567 | null | 0.0012201234567000001 | 0.0012701234567
+torques: [1.0301234567,1.0401234567,1.0501234567] | [1.0801234567,1.0901234567,1.1001234567] | [1.1301234567,1.1401234567,1.1501234567] | [1.1801234567,1.1901234567,1.2001234567] | [null,null,null] | [1.2301234567,1.2401234567,1.2501234567] | [1.2801234567,1.2901234567,1.3001234567]
+state: "full contact" | "formal" | "full contact" | "full contact" | "tips" | "full contact" | "full contact"
+reason: null | null | null | null | "The foot tips" | null | null
+)");
+  EXPECT_EQ(json_lines(without_summary({}, made_budget())),
+            R"(name: "tilt" | "elasticity of the foot" | "compliance of the interface"
+omega_terminal: -1.3101234567 | -1.3301234567 | null
+difference: 0.013201234567 | -0.013401234567 | null
+reason: null | null | "not defined"
+)");
+  EXPECT_EQ(harmonic_effect_summary(made_budget().harmonics).dump(),
+            R"({"absolute":-0.013501234567,"relative":0.0013601234567})");
+  EXPECT_EQ(harmonic_effect_summary({}).dump(), R"({"absolute":null,"relative":null})");
+}
+
+TEST(BudgetByHand, HarmonicsThatChangeNothingAreNotShown)
+{
+  Budget budget = made_budget();
+  const std::size_t n_rows = budget.rows.size();
+  budget.rows[5].difference = 1e-13;
+  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
+  EXPECT_EQ(budget_table({}, budget).n_rows(), n_rows);
+  budget.rows.back().difference = 0; // the study itself stays
+  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
+}
+
+TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
+{
+  Budget budget = made_budget();
+  budget.rows[0].omega_terminal = 0;
+  budget.rows[1].difference = budget.rows[1].omega_terminal;
+  EXPECT_TRUE(budget_summary({}, budget)[0]["difference"].is_null());
+  const Table table = budget_table({}, budget).with("", "relative_difference");
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.columns[0].cells[1]));
+  EXPECT_FALSE(std::holds_alternative<std::monostate>(table.columns[0].cells[2]));
+}
+
+/// What gnuplot complains about; the words of the picture go to @p words.
+std::string draw(const Plot &plot, std::string &words)
+{
+  const ScratchFolder scratch;
+  testing::internal::CaptureStderr();
+  write_report({ "A plot", "", { { "The plot", "", { plot } } } }, scratch.path());
+  bool inside = true;
+  for (const char character : read_text(scratch / ("figures/" + plot.name + ".svg")))
+    if (character == '<' || character == '>')
+      inside = character == '>';
+    else if (inside)
+      words += character;
+  return testing::internal::GetCapturedStderr();
+}
+
+/// Whether each of the names is a word of the picture, and none of the others.
+void expect_words(const std::string &words, const std::vector<std::string> &names,
+                  const std::vector<std::string> &others = {})
+{
+  for (const std::string &name : names)
+    EXPECT_NE(words.find(name), std::string::npos) << name;
+  for (const std::string &name : others)
+    EXPECT_EQ(words.find(name), std::string::npos) << name;
+}
+
+TEST(BudgetPlots, Waterfall)
+{
+  std::string words;
+  const Plot plot = waterfall_plot(made_budget(), 1e-9);
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words,
+               { "the paper's model", "moment balance (formal)", "grip", "where the foot touches", "tilt",
+                 "harmonics", "this study", "terminal spin (rad/s)", "error band", "faster, formally" },
+               { "slower" });
+  EXPECT_EQ(data_lines(plot.data), R"(# From the paper's model to this study's
+place from below (1): 7 | 6 | 5 | 4 | 3 | 2 | 1
+omega before (rad/s): nan | -1.0101234567 | -1.0601234567 | -1.1101234567 | nan | nan | nan
+omega (rad/s): -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | nan | -1.2601234567 | -1.2601234567
+half-width of its error band, 0: none (rad/s): 0.0010201234567 | 0.0010701234567 | 0.0011201234567 | 0.0011701234567 | 0 | 0.0012701234567 | 0.0012701234567
+1: faster, 2: slower, 3, 4: the same, formally (1): 0 | 3 | 1 | 1 | 0 | 0 | 0
+line to the next row (1): -1 | -1 | -1 | 0 | 0 | -1 | 0
+)");
+}
+
+TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
+{
+  Budget budget;
+  budget.rows = { { { 1 }, "paper", 1, -3. },
+                  { { 2 }, "moment balance", 1, -3.5, -0.5 },
+                  { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
+                  { { 4 }, "harmonics", 2, -3.2, 0.2 },
+                  { { 5 }, "harmonics", {}, -3.25, -0.05, 0.01 } };
+  const Plot plot = waterfall_plot(budget, 1e-9);
+  std::string words;
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "+0.15", "−0.5", "+0.1", "−3.25" }, { "+0.2", "formal" });
+}
+
+TEST(BudgetPlots, WaterfallOfAGlassThatDoesNotSpin)
+{
+  Budget budget;
+  budget.rows = { { { 1 }, "paper", 1, 0. }, { { 2 }, "moment balance", 1, 0., 0. } };
+  std::string words;
+  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
+  EXPECT_EQ(draw(effects_plot(budget, 1e-8), words), "");
+  budget.rows = { { { 1 }, "paper", 1 } };
+  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
+}
+
+TEST(BudgetPlots, Effects)
+{
+  std::string words;
+  const Plot plot = effects_plot(made_budget(), 1e-9);
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "moment balance", "without tilt", "without elasticity of the foot",
+                        "without compliance of the interface", "not defined", "steps of the model",
+                        "one thing left out", "error band" });
+  Budget budget = made_budget();
+  budget.without[0].difference = 1e-12;
+  EXPECT_EQ(effects_plot(budget, 1e-9).data.find("1e-12"), std::string::npos);
+}
+
+TEST(BudgetPlots, TheBandsAreThoseOfTheRows)
+{
+  RunByHand by_hand;
+  by_hand.spin.budget.rows.back().band.reset();
+  const Results without = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  EXPECT_TRUE(without.findings.summary["budget"].back()["band"].is_null());
+  by_hand.spin.budget.rows.back().band = 0.0123;
+  const Results with = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+  EXPECT_EQ(with.findings.summary["budget"].back()["band"], 0.0123);
+}
+
+TEST(BudgetPlots, HarmonicTorque)
+{
+  Budget budget;
+  budget.omega = { 0, -1, -2 };
+  budget.torque_all = { -4e-3, -2e-3, std::nan("") };
+  budget.torque_first = { -4e-3, -1.99e-3, -1e-3 };
+  std::string words;
+  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
+  expect_words(words, { "(mN m)", "(µN m)", "all harmonics", "first harmonic" });
+  budget.torque_all = budget.torque_first;
+  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
+}
+
+TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
+{
+  const Plot plot = one_way(waterfall_plot(made_budget(), 1e-9));
+  std::string words;
+  EXPECT_EQ(draw(plot, words), "");
+  expect_words(words, { "one-way" });
+  EXPECT_NE(plot.caption.find("One-way"), std::string::npos);
+}
+
+TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)
+{
+  const std::vector<BudgetRow> rows = named_steps({ { { 1 }, "paper", 1, -3. },
+                                                    { { 3 }, "where the foot touches", 1, -3.4, -0.4 },
+                                                    { { 4 }, "harmonics", 2, -3.2, 0.2 },
+                                                    { { 5 }, "harmonics", 3, {}, {} },
+                                                    { { 6 }, "harmonics", {}, -3.25, {} } });
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(title_of(rows[2]), "harmonics, all");
+  EXPECT_NEAR(rows[2].difference.value(), 0.15, 1e-15); // -3.25 + 3.4
+  EXPECT_FALSE(named_steps({ { { 1 }, "paper", 1, -3. },
+                             { { 3 }, "tilt", 1 },
+                             { { 4 }, "harmonics", 2, -3.2 },
+                             { { 5 }, "harmonics", {}, -3.25, -0.05 } })
+                 .back()
+                 .difference);
+}
+
+} // namespace
+} // namespace stemware::pipeline

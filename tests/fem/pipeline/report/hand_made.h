@@ -1,0 +1,302 @@
+#pragma once
+
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/results.h"
+#include "tests/fem/pipeline/csv_table.h"
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// Results made by hand, whose numbers are all different: a swapped column, unit or digit shows.
+namespace stemware::test
+{
+
+/// 1.0101234567, 1.0201234567, ... 1.9901234567, 2.0001234567, ...
+class Numbers
+{
+public:
+  double operator()()
+  {
+    ++n;
+    return std::stod(fmt::format(FMT_STRING("{}.{:02}01234567"), 1 + n / 100, n % 100));
+  }
+
+private:
+  unsigned int n = 0;
+};
+
+/// Two rings with two harmonics.
+inline ring::RingStack hand_made_rings(Numbers &next)
+{
+  std::vector<ring::RingStack::Ring> rings;
+  for (unsigned int j = 0; j < 2; ++j)
+  {
+    const double radius = next(), a0 = next(), a1 = next(), b1 = next(), a2 = next(), b2 = next();
+    rings.push_back({ radius, { a0, a1, a2 }, { 0, b1, b2 } });
+  }
+  return ring::RingStack(rings);
+}
+
+/// A ring with two harmonics.
+inline ring::RingStack hand_made_load(Numbers &next)
+{
+  const double a0 = next(), a1 = next(), b1 = next(), a2 = next(), b2 = next(), radius = next();
+  return ring::RingStack({ a0, a1, a2 }, { 0, b1, b2 }, radius);
+}
+
+inline pipeline::RingState hand_made_state(Numbers &next)
+{
+  pipeline::RingState state = { hand_made_load(next), {}, 0, 0, 0 };
+  state.friction = { next(), next(), next() };
+  state.moment_ratio = next();
+  state.minimum = -next();
+  state.pulling_share = next() / 100;
+  return state;
+}
+
+/// A row with everything.
+inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
+{
+  pipeline::SpinRow row;
+  row.load = "elastic foot";
+  row.harmonics = harmonics;
+  row.at_rest = hand_made_state(next);
+  const double omega = -next(), slope = -next();
+  row.terminal = ring::TerminalSpin{ omega, slope, next(), true };
+  row.at_terminal = hand_made_state(next);
+  row.contact_fraction = next() / 10;
+  row.band = next() / 1000;
+  row.torques = { next(), next() };
+  row.standing = pipeline::Standing::lift_off;
+  row.relative_change = next() / 100;
+  row.bound = next() / 1e6;
+  row.difference_to_paper = next() / 100;
+  row.spin_up = { 0, -next() };
+  row.largest_deviation = next() / 1000;
+  row.final_deviation = next() / 1000;
+  return row;
+}
+
+/// A row without a balance of moments at rest.
+inline pipeline::SpinRow missing_row(unsigned int harmonics)
+{
+  pipeline::SpinRow row;
+  row.load = "elastic foot";
+  row.harmonics = harmonics;
+  row.torques = { std::nan(""), std::nan("") };
+  row.standing = pipeline::Standing::no_balance;
+  row.reason = "No balance of moments was found";
+  return row;
+}
+
+inline pipeline::LoadReport hand_made_load_report(Numbers &next)
+{
+  pipeline::LoadReport load = { hand_made_rings(next) };
+  load.normal_force = next();
+  load.moment = { next(), next() };
+  load.moment_ratio = next();
+  load.mean_radius = next();
+  load.contact_fraction = next() / 10;
+  load.minimum = next();
+  load.pointwise = { { 0.5, next() }, { 1.5, next() } };
+  return load;
+}
+
+/// Columns as lines "heading: value value ...", so that a heading stands beside its values.
+inline std::string as_lines(const std::vector<std::vector<std::string>> &columns)
+{
+  std::string lines;
+  for (const std::vector<std::string> &column : columns)
+    for (std::size_t i = 0; i < column.size(); ++i)
+      lines += column[i] + (i == 0 ? ": " : i + 1 < column.size() ? " | " : "\n");
+  return lines;
+}
+
+/// A data table, its title first, then a line for each column.
+inline std::string data_lines(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string title, line;
+  std::vector<std::vector<std::string>> columns;
+  std::getline(lines, title);
+  while (std::getline(lines, line))
+    if (line[0] == '#')
+      columns.push_back({ line.substr(line.find(':') + 2) });
+    else
+    {
+      std::istringstream numbers(line);
+      for (std::vector<std::string> &column : columns)
+        numbers >> column.emplace_back();
+    }
+  return title + '\n' + as_lines(columns);
+}
+
+/// A CSV table, a line for each column.
+inline std::string csv_lines(const std::string &text)
+{
+  const auto rows = parse_csv(text);
+  std::vector<std::vector<std::string>> columns(rows[0].size());
+  for (const auto &row : rows)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c].push_back(row.at(c));
+  return as_lines(columns);
+}
+
+/// Columns as lines of their rows, "cell | cell | cell", the heading first.
+inline std::string as_rows(const std::vector<std::vector<std::string>> &columns)
+{
+  std::string lines;
+  for (std::size_t row = 0; row < columns.at(0).size(); ++row)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      lines += columns[c].at(row) + (c + 1 < columns.size() ? " | " : "\n");
+  return lines;
+}
+
+/// A page of HTML with numbers as the console has them: -3.4e-06 for a true minus and a power of ten.
+inline std::string with_plain_numbers(std::string html)
+{
+  boost::replace_all(html, "\u2212", "-");
+  static const std::regex power("([0-9.]+ · )?10<sup>(-?)([0-9]+)</sup>");
+  std::string plain;
+  for (std::smatch match; std::regex_search(html, match, power); html = match.suffix())
+  {
+    const std::string mantissa = match[1].str().substr(0, match[1].str().find(' '));
+    plain += match.prefix().str() + (mantissa.empty() ? "1" : mantissa) + 'e' +
+             (match[2] == "-" ? '-' : '+') + (match[3].length() < 2 ? "0" : "") + match[3].str();
+  }
+  return plain + html;
+}
+
+/// HTML tables, the caption first, then a line for each column, or @p by_rows for each row, without markup.
+inline std::string html_lines(const std::string &page, bool by_rows = false)
+{
+  const std::string html = with_plain_numbers(page);
+  std::string text, content;
+  std::vector<std::vector<std::string>> columns;
+  std::size_t c = 0;
+  for (std::size_t i = 0; i < html.size(); ++i)
+  {
+    if (html[i] != '<')
+    {
+      content += html[i];
+      continue;
+    }
+    const std::string tag = html.substr(i + 1, html.find('>', i) - i - 1);
+    i += tag.size() + 1;
+    if (tag == "caption" || tag.substr(0, 3) == "th " || tag.substr(0, 2) == "td")
+      content.clear();
+    else if (tag == "/caption")
+      text += content + '\n';
+    else if (tag == "tr")
+      c = 0;
+    else if (tag == "/th" || tag == "/td")
+    {
+      if (c == columns.size())
+        columns.emplace_back();
+      columns[c++].push_back(content);
+    }
+    else if (tag == "/table")
+    {
+      text += by_rows ? as_rows(columns) : as_lines(columns);
+      columns.clear();
+    }
+  }
+  return text;
+}
+
+/// A list of JSON objects, a line for each key.
+inline std::string json_lines(const nlohmann::ordered_json &rows)
+{
+  std::vector<std::vector<std::string>> columns;
+  for (const auto &[key, value] : rows.at(0).items())
+    columns.push_back({ key });
+  for (const auto &row : rows)
+  {
+    std::size_t c = 0;
+    for (const auto &[key, value] : row.items())
+      columns.at(c++).push_back(value.dump());
+    if (c != columns.size())
+      throw std::out_of_range("objects differ in their keys");
+  }
+  return as_lines(columns);
+}
+
+/// The results file of that name as it is written.
+inline std::string file_text(const pipeline::Results &results, const std::string &name)
+{
+  for (const pipeline::ResultFile &file : results.files)
+    if (file.name == name)
+    {
+      if (const auto *text = std::get_if<std::string>(&file.content))
+        return *text;
+      const auto &table = std::get<pipeline::Table>(file.content);
+      return name.find(".csv") == std::string::npos ? data_table(table) : csv_table(table);
+    }
+  throw std::out_of_range("no file " + name);
+}
+
+/// The tables under a heading of the report, by lines.
+inline std::string report_lines(const pipeline::Results &results, const std::string &heading,
+                                bool by_rows = false)
+{
+  for (const pipeline::ReportSection &section : results.report.sections)
+    if (section.heading == heading)
+    {
+      std::string html;
+      for (const pipeline::Table &table : section.tables)
+        html += html_table(table);
+      return html_lines(html, by_rows);
+    }
+  throw std::out_of_range("no section " + heading);
+}
+
+/// The tables on the console.
+inline std::string console_tables(const pipeline::Results &results)
+{
+  std::string text;
+  for (const pipeline::ConsoleBlock &block : results.console)
+    if (block.table)
+      text += console_table(*block.table);
+  return text;
+}
+
+/// Names of the files, with what the report says of them.
+inline std::string file_names(const pipeline::Results &results)
+{
+  std::string text;
+  for (const pipeline::ResultFile &file : results.files)
+    text += file.name + ": " + file.description + '\n';
+  return text;
+}
+
+/// The report's plot of that name.
+inline const pipeline::Plot &plot_of(const pipeline::Results &results, const std::string &name)
+{
+  for (const pipeline::ReportSection &section : results.report.sections)
+    for (const pipeline::Plot &plot : section.plots)
+      if (plot.name == name)
+        return plot;
+  throw std::out_of_range("no plot " + name);
+}
+
+inline std::string plot_data(const pipeline::Results &results, const std::string &name)
+{
+  return plot_of(results, name).data;
+}
+
+inline std::string plot_script(const pipeline::Results &results, const std::string &name)
+{
+  return plot_of(results, name).script;
+}
+
+} // namespace stemware::test

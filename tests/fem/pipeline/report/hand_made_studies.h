@@ -1,0 +1,291 @@
+#pragma once
+
+#include "fem/pipeline/analysis/comparison.h"
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/sweep/sweep_findings.h"
+#include "fem/pipeline/analysis/truncation.h"
+#include "fem/pipeline/report/mesh_results.h"
+#include "fem/pipeline/report/run_results.h"
+#include "tests/fem/pipeline/report/hand_made.h"
+
+namespace stemware::test
+{
+
+/// A quantity with its band.
+inline pipeline::BandedQuantity hand_made_band(Numbers &next, const std::string &key, const std::string &name,
+                                               const std::string &unit)
+{
+  const double value = next();
+  return { { key, name, unit, value, 1e-9 }, next() / 1000, next() };
+}
+
+/// The value of a harmonic that symmetry forbids.
+inline pipeline::BandedQuantity zero_band(const std::string &key)
+{
+  return { { key, key, "1", 0, 1e-9 }, 0, 0 };
+}
+
+inline pipeline::TorqueCurve hand_made_torque_curve(Numbers &next)
+{
+  pipeline::TorqueCurve curve;
+  curve.omega = { -next(), next() };
+  curve.slip_ratio = { next(), next() };
+  curve.friction = { { next(), next(), next() }, { next(), next(), next() } };
+  curve.lean_torque = { 0.015, 0.025 };
+  curve.grip_torque = { 0.035, -0.045 };
+  for (std::size_t i = 0; i < 2; ++i)
+    curve.sum.push_back(curve.friction[i].torque + curve.lean_torque[i] + curve.grip_torque[i]);
+  curve.harmonics = { 1 };
+  curve.truncations = { { next(), next() } };
+  return curve;
+}
+
+/// Every kind of row: the second is formal, and the one with tilt has no balance.
+inline pipeline::Budget hand_made_budget(Numbers &next)
+{
+  pipeline::Budget budget;
+  const auto add =
+    [&](const pipeline::ChainStep &step, const char *name, std::optional<unsigned int> harmonics)
+  {
+    pipeline::BudgetRow row = { step, name, harmonics };
+    row.omega_terminal = -next();
+    if (!budget.rows.empty())
+      row.difference = *row.omega_terminal - budget.rows.back().omega_terminal.value_or(-1);
+    row.band = next() / 1000;
+    row.torques = { next(), next(), next() };
+    row.standing = pipeline::Standing::full_contact;
+    budget.rows.push_back(row);
+  };
+  add({ 1 }, "paper", 1);
+  add({ 2 }, "moment balance", 1);
+  budget.rows.back().standing = pipeline::Standing::formal;
+  add({ 2, true }, "grip", 1);
+  add({ 3 }, "where the foot touches", 1);
+  budget.rows.push_back({ { 3, true }, "tilt", 1 });
+  budget.rows.back().standing = pipeline::Standing::tips;
+  budget.rows.back().reason = "The foot tips";
+  add({ 4 }, "harmonics", 2);
+  budget.rows.back().difference.reset();
+  add({ 5 }, "harmonics", {});
+  budget.without = { { "tilt", -next(), next() / 100, "" },
+                     { "elasticity of the foot", -next(), -next() / 100, "" },
+                     { "compliance of the interface", {}, {}, "not defined" } };
+  budget.harmonics = { -next() / 100, next() / 1000 };
+  budget.shown_spins = { 0, -next(), -next() };
+  budget.omega = { 0, -next() };
+  budget.torque_all = { next(), next() };
+  budget.torque_first = { next(), next() };
+  return budget;
+}
+
+struct RunByHand
+{
+  RunByHand()
+  {
+    Numbers next;
+    report.load = hand_made_load_report(next);
+    report.foot = pipeline::FootReport();
+    report.coupling = pipeline::CouplingStatistics();
+    pipeline::FootReport &foot = *report.foot;
+    foot.foot = { "solid", 101, 102, 103, fem::MeshReport() };
+    foot.foot.mesh_report->rim_radius = next();
+    foot.foot.mesh_report->land_area_deficit = next();
+    foot.friction_coupling = "none";
+    fem::ContactSolution &solution = foot.at_rest.solution;
+    solution.outcome = fem::ContactOutcome::narrow_contact;
+    solution.n_loaded_nodes = 104;
+    solution.n_nodes_across = 105;
+    solution.n_iterations = 106;
+    solution.n_linear_iterations = 107;
+    solution.force_residual = next() * 1e-10;
+    solution.moment_residual = next() * 1e-11;
+    solution.equilibrium_residual = next() * 1e-12;
+    solution.motion = { next(), next(), next() };
+    foot.at_rest.history = { { 1, 201, 202, next(), next(), 203 }, { 2, 204, 205, next(), next(), 206 } };
+    foot.footprint.is_grid = true;
+    foot.footprint.cuts = { { { next(), 0.25, next() }, { next(), 0.25, next() } } };
+    foot.fields = { { "contact.vtu", "" } };
+    *report.coupling = { 301, 302, next(), next() };
+    spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
+    spin.torque = hand_made_torque_curve(next);
+    spin.spin_up = {
+      { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }, { 0, next() }
+    };
+    spin.phases = pipeline::PhaseStudy{
+      next(),     next(),    next(), next(), next(), next(), 401, 402, 403, next(), { { next(), next() } },
+      { next() }, { next() }
+    };
+    bands = { zero_band("a1"), hand_made_band(next, "b1", "b_1/a_0", "1"),
+              hand_made_band(next, "a2", "a_2/a_0", "1"), zero_band("b2"),
+              hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
+    study.table.waviness.push_back({});
+    report.load_at_end = hand_made_load_report(next);
+    report.tilt = { next(), next() };
+    report.load.outer_radius = report.load.inner_radius + 2 * next() / 1000;
+    spin.budget = hand_made_budget(next);
+    bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
+    study.load.coupling = pipeline::LoadCoupling::one_way;
+  }
+
+  pipeline::Study study;
+  pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
+                                     { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
+                                     {},
+                                     {},
+                                     {} }; // replaced
+  pipeline::SpinStudy spin;
+  std::vector<pipeline::BandedQuantity> bands;
+};
+
+inline pipeline::Results made_run()
+{
+  const RunByHand by_hand;
+  return tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
+}
+
+struct TruncationByHand
+{
+  TruncationByHand()
+  {
+    truncations.omega = { -1.5, -3 };
+    truncations.time = { 0, next() };
+    truncations.paper = { 0, next() };
+    truncations.torque_slope = -next();
+    truncations.rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
+    truncations.rows[0].at_rest->minimum = truncations.rows[0].at_terminal->minimum = 0.25;
+    truncations.torque = hand_made_torque_curve(next);
+    truncations.harmonics = { -next() / 100, next() / 1000 };
+    truncations.budget = hand_made_budget(next).rows;
+    truncations.budget.back().band = truncations.all().band;
+  }
+
+  Numbers next;
+  pipeline::Study study;
+  pipeline::LoadReport load = hand_made_load_report(next);
+  pipeline::TruncationStudy truncations;
+};
+
+/// First harmonic and elastic foot (2 harmonics) under every moment balance; no row for closure hand.
+inline pipeline::Comparison comparison_by_hand()
+{
+  Numbers next;
+  pipeline::Comparison comparison;
+  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
+  {
+    pipeline::SpinRow first = hand_made_row(next, 1), one = hand_made_row(next, 1),
+                      all = hand_made_row(next, 2);
+    if (closure == ring::Closure::hand)
+      one = all = missing_row(1);
+    all.harmonics = 2;
+    first.load = "first harmonic";
+    first.all_harmonics = all.all_harmonics = true;
+    first.standing = pipeline::Standing::formal;
+    for (pipeline::SpinRow row : { first, one, all })
+    {
+      row.closure = closure;
+      comparison.rows.push_back(row);
+    }
+  }
+  comparison.rows.front().difference_to_paper = 0;
+  comparison.budget = hand_made_budget(next).rows;
+  return comparison;
+}
+
+struct RefinementByHand
+{
+  RefinementByHand()
+  {
+    Numbers next;
+    for (const char *key : { "a2", "a3", "b3", "a4", "b4" })
+      result.quantities.push_back(zero_band(key));
+    result.quantities.push_back(hand_made_band(next, "b2", "b_2/a_0", "1"));
+    result.quantities.push_back(hand_made_band(next, "omega_terminal", "terminal spin", "rad/s"));
+    result.quantities.push_back(hand_made_band(next, "time_constant", "time constant", "s"));
+    pipeline::AxisResult axis;
+    axis.axis.key = "meridional_mesh";
+    axis.axis.name = "meridional mesh";
+    axis.axis.size = "halvings of every cell";
+    axis.axis.levels = { { 0, {} }, { 1, {} } };
+    axis.axis.own = 1;
+    for (std::size_t i = 0; i < result.quantities.size(); ++i)
+    {
+      pipeline::QuantitySequence sequence = { { next(), next() }, {} };
+      if (i % 2 == 0)
+        sequence.judged.order = next();
+      sequence.judged.limit = next();
+      sequence.judged.bands = { next() / 1000, next() / 1000 };
+      axis.quantities.push_back(sequence);
+    }
+    result.axes.push_back(axis);
+  }
+
+  pipeline::RefinementResult result;
+};
+
+inline pipeline::SweepPlan grid_by_hand()
+{
+  pipeline::SweepRequest request;
+  request.varied = { "Load/Moment ratio=1,1.5", "Motion/Closure=paper,full" };
+  return pipeline::make_plan(request);
+}
+
+inline pipeline::SweepPlan sample_by_hand()
+{
+  pipeline::SweepRequest request;
+  request.random = { "Motion/Mass=0.2..0.4", "Table/Foundation modulus=1e10*/2" };
+  request.n_samples = 8;
+  return pipeline::make_plan(request);
+}
+
+/// All cases, with all values different; the third has failed.
+inline pipeline::FinishedCases cases_by_hand(const pipeline::SweepPlan &plan)
+{
+  Numbers next;
+  pipeline::FinishedCases cases;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i)
+  {
+    pipeline::CaseResult &result = cases[i];
+    if (i == 2)
+    {
+      result.message = "No contact, \"tipping\".";
+      continue;
+    }
+    result.outcome = "converged";
+    for (const pipeline::SweepQuantity &quantity : pipeline::sweep_quantities())
+      if (quantity.name.find("falls over") == std::string::npos)
+        result.values.push_back(next());
+      else
+        result.values.push_back(std::nullopt);
+    result.values[pipeline::quantity_index("closure effect")].reset();
+    result.values[pipeline::quantity_index("held by the grip")] = i == 1 ? 1 : 0;
+  }
+  return cases;
+}
+
+inline pipeline::MeshFindings mesh_by_hand()
+{
+  Numbers next;
+  pipeline::MeshFindings findings;
+  findings.origin = "foot.msh";
+  fem::MeshCheck &check = findings.check;
+  check.n_cells = 101;
+  check.n_vertices = 102;
+  check.n_faces = { { 0, 103 }, { 1, 104 }, { 2, 105 }, { 7, 106 } };
+  check.lower = { -next(), -next(), -next() };
+  check.upper = { next(), next(), next() };
+  check.inner_radius = next();
+  check.outer_radius = next();
+  check.lowest = next();
+  check.highest = next();
+  check.contact_area = next();
+  check.centre = { next(), next() };
+  check.least_jacobian = next() / 20;
+  check.mean_jacobian = next();
+  check.worst_place = { next(), next(), next() };
+  findings.report = fem::MeshReport();
+  findings.report->rim_radius = next();
+  findings.report->land_area_deficit = next();
+  return findings;
+}
+
+} // namespace stemware::test

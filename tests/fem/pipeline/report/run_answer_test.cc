@@ -1,0 +1,240 @@
+// The sentences of `run`: its answer and its remarks.
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
+#include "fem/pipeline/report/answer.h"
+#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/support/text.h"
+#include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/report/hand_made_studies.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace test;
+
+/// A study of two rows with a budget and bands.
+struct SpunStudy
+{
+  SpunStudy()
+  {
+    Numbers next;
+    spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
+    spin.rows.back().terminal->omega = -3.25;
+    spin.budget.rows = { { { 1 }, "paper", 1, -3. },
+                         { { 2 }, "moment balance", 1, -3.5, -0.5 },
+                         { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
+                         { { 4 }, "harmonics", {}, -3.25, 0.15 } };
+    spin.budget.harmonics = { 0.15, -0.15 / 3.4 };
+    spin.budget.without = { { "tilt", -3.24, 0.01, "" },
+                            { "grip", -3.3, -0.05, "" },
+                            { "compliance of the interface", {}, {}, "not defined" } };
+    bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
+  }
+
+  std::string answer() const { return run_answer(study, spin, bands); }
+
+  Study study;
+  SpinStudy spin;
+  std::vector<BandedQuantity> bands;
+};
+
+TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
+{
+  EXPECT_EQ(
+    wrapped(SpunStudy().answer()),
+    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the
+paper's model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the
+first make it 4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one
+is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not
+contain what the model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
++0.01 and grip -0.05.)");
+}
+
+TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
+{
+  // The moment goes like v^2, so does the spin over v / R: at 0.1 mm/s it is 8e-9 of that.
+  Study study = quick_contact_study();
+  std::optional<double> usual;
+  for (const double speed : { 1e-2, 1e-4 })
+  {
+    SCOPED_TRACE(speed);
+    study.motion.orbit.orbit_speed = speed;
+    fem::ComplianceCache cache;
+    const CaseResult solved = solve_case(study, cache);
+    const auto value = [&](const std::string &name) { return solved.values[quantity_index(name)].value(); };
+    const HarmonicEffect effect = { value("absolute harmonic effect"), value("harmonic effect") / 100 };
+    EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));
+    usual = effect.relative;
+    const std::string sentence = harmonic_effect_sentence(study, effect);
+    EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
+    EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
+    EXPECT_TRUE(is_spin(study, value("terminal spin")));
+  }
+  // Below rounding there is no per cent, and the sentence says how little.
+  const std::string nothing =
+    harmonic_effect_sentence(study, harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study)));
+  EXPECT_NE(nothing.find("change that by less than 3.3e-18 rad/s."), std::string::npos) << nothing;
+}
+
+TEST(RunAnswer, SaysOneWayInEverySentence)
+{
+  SpunStudy one_way;
+  one_way.study.load.coupling = LoadCoupling::one_way;
+  EXPECT_EQ(
+    wrapped(one_way.answer()),
+    R"(With the load of rest kept at every spin (one-way), the glass spins clockwise, against its orbit,
+one turn in 1.93 s: -3.2500 ± 0.0013 rad/s. In the paper's model it makes one turn in 2.09 s:
+-3.00000 rad/s. The harmonics of the one-way load beyond the first make it 4.41 % slower
+(+0.15 rad/s). The largest other step from the paper's model to this one-way one is "moment
+balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does not contain
+what the one-way model leaves open. Left out one at a time, these change the spin by (rad/s): tilt
++0.01 and grip -0.05.)");
+  one_way.study.load.moment_ratio = 0.5;
+  EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
+  one_way.study.load.source = LoadSource::file;
+  EXPECT_EQ(one_way.answer().substr(0, 25), "Under the given load (one");
+}
+
+TEST(RunAnswer, NoPerCentWhereTheSpinChangesItsSign)
+{
+  SpunStudy turned;
+  turned.spin.budget.rows[1].omega_terminal = 3.5;
+  turned.spin.budget.rows[1].difference = 6.5; // from -3
+  turned.spin.budget.harmonics = harmonic_effect(3.4, -3.25, 11.7);
+  EXPECT_FALSE(turned.spin.budget.harmonics.relative);
+  EXPECT_NE(turned.answer().find("beyond the first change it by -6.65 rad/s."), std::string::npos)
+    << turned.answer();
+  EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
+}
+
+TEST(RunAnswer, OfAGlassThatFallsOver)
+{
+  SpunStudy falling;
+  SpinRow &all = falling.spin.rows.back();
+  all.fall = Fall{ -9.1234, *all.at_rest };
+  all.fall->state.moment_ratio = 1.6789;
+  all.at_rest->moment_ratio = 1.4321;
+  all.at_rest->friction.torque = -0.0012345;
+  all.terminal.reset();
+  all.at_terminal.reset();
+  all.standing = Standing::tips;
+  EXPECT_EQ(wrapped(falling.answer()),
+            R"(The glass stands at rest and falls over on the way: turning clockwise, against its orbit at
+9.12 rad/s it has reached a moment ratio of 1.68, and beyond that no load that only pushes keeps it
+in balance. It has no terminal spin. At rest its moment ratio is 1.432 and friction turns it with a
+torque of -0.001234 N m. In the paper's model it makes one turn in 2.09 s: -3.00000 rad/s.)");
+}
+
+TEST(RunAnswer, WithoutBandsAndEffects)
+{
+  SpunStudy plain;
+  plain.bands.clear();
+  plain.spin.budget.without.clear();
+  plain.spin.budget.harmonics = { 1e-12, 1e-12 };
+  plain.spin.budget.rows[1].standing = Standing::formal;
+  EXPECT_EQ(
+    wrapped(plain.answer()),
+    R"(The glass spins clockwise, against its orbit, one turn in 1.93 s: -3.25000 rad/s. It has no band:
+one of the contacts that would tell, coarser, finer or stiffer, could not be had. In the paper's
+model it makes one turn in 2.09 s: -3.00000 rad/s. The harmonics of the load beyond the first change
+that by less than 3.2e-09 rad/s. The largest other step from the paper's model to this one is
+"moment balance": -0.5 rad/s (16.7 % faster), formally: such a load would have to pull on the table.)");
+}
+
+TEST(RunAnswer, SaysThatASolidFootOnAHardTableMayTouchBetweenItsNodes)
+{
+  SpunStudy plain;
+  plain.bands.clear();
+  const std::string narrow = "could not be had, or the contact is narrower than the mesh's cells.";
+  plain.study.table.interface = TableInterface::hard;
+  EXPECT_EQ(plain.answer().find(narrow), std::string::npos);
+  plain.study.contact.body = BodyKind::solid;
+  EXPECT_NE(plain.answer().find(narrow), std::string::npos);
+}
+
+TEST(RunAnswer, SenseIsSeenFromAboveAndComparedWithTheOrbit)
+{
+  SpunStudy spun;
+  const auto begins = [&](double omega, ring::OrbitSense sense)
+  {
+    spun.spin.rows.back().terminal->omega = omega;
+    spun.study.motion.orbit.orbit_sense = sense;
+    const std::string answer = spun.answer();
+    return answer.substr(0, answer.find(", one turn"));
+  };
+  using ring::OrbitSense;
+  EXPECT_EQ(begins(-2, OrbitSense::counterclockwise), "The glass spins clockwise, against its orbit");
+  EXPECT_EQ(begins(2, OrbitSense::counterclockwise), "The glass spins counter-clockwise, with its orbit");
+  EXPECT_EQ(begins(-2, OrbitSense::clockwise), "The glass spins clockwise, with its orbit");
+  EXPECT_EQ(begins(2, OrbitSense::clockwise), "The glass spins counter-clockwise, against its orbit");
+}
+
+TEST(RunAnswer, ThePapersSpinStandsBesideAnotherModelOnly)
+{
+  SpunStudy spun;
+  spun.spin.budget.rows.front().omega_terminal = 1e-13;
+  EXPECT_NE(spun.answer().find("rad/s. In the paper's model it does not spin up. "), std::string::npos);
+  spun.spin.budget.rows.front().omega_terminal.reset();
+  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
+  spun.spin.budget.rows = { { { 1 }, "paper", 1, -3.25 } };
+  EXPECT_EQ(spun.answer().find("In the paper's"), std::string::npos);
+}
+
+TEST(RunAnswer, AGlassThatDoesNotSpinHasNoPercentages)
+{
+  SpunStudy resting;
+  resting.spin.rows.back().terminal->omega = 1e-13;
+  EXPECT_EQ(resting.answer(), "The glass does not spin up.");
+}
+
+TEST(RunAnswer, PrintedBandsContainTheWholeBand)
+{
+  // Value and band are rounded: what is printed must contain value -/+ band.
+  for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
+    for (const double value : { -3.2549, -3.25451, 1.000049 })
+    {
+      const std::string text = with_band(value, band);
+      const double printed = std::stod(text), half = std::stod(text.substr(text.find("± ") + 3));
+      EXPECT_LE(printed - half, value - band + 1e-12) << text;
+      EXPECT_GE(printed + half, value + band - 1e-12) << text;
+      EXPECT_LE(half, 1.2 * band) << text;
+    }
+}
+
+TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
+{
+  Study study;
+  EXPECT_EQ(layer_remark(study, 2e-4), ""); // no layer is named
+  study.table.layer_thickness = 5e-3;
+  EXPECT_EQ(wrapped(layer_remark(study, 2e-4)),
+            R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
+thickness). A Winkler interface stands for a layer only where the contact is much wider than it;
+take an elastic disc instead (Table/Substrate = elastic).)");
+  EXPECT_EQ(layer_remark(study, 6e-3), "");
+  study.table.interface = TableInterface::hard;
+  EXPECT_EQ(layer_remark(study, 2e-4), "");
+}
+
+TEST(Remarks, LiftOffAndLoadsThatPull)
+{
+  LoadReport load = { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) };
+  load.contact_fraction = 1;
+  load.minimum = 0.1;
+  load.moment_ratio = 0.9;
+  EXPECT_EQ(lift_off_remark(load, "At rest"), "");
+  load.contact_fraction = 0.75;
+  load.minimum = 0;
+  EXPECT_EQ(lift_off_remark(load, "At rest"),
+            "At rest the foot has left the table in part: 75.0 % of the rim carries load, at a "
+            "moment ratio of 0.9.");
+  load.minimum = -999999;
+  EXPECT_EQ(lift_off_remark(load, "At the terminal spin"),
+            "At the terminal spin the load is negative somewhere, down to -1e+06 N/rad: the table would have "
+            "to pull. 75.0 % of the rim carries load.");
+}
+
+} // namespace
+} // namespace stemware::pipeline

@@ -1,0 +1,447 @@
+// The results of `run` from a study made by hand, whose numbers are all different: each heading, unit and
+// digit of every table stands beside the values that belong there.
+#include "fem/pipeline/report/run_results.h"
+#include "tests/fem/pipeline/report/hand_made_studies.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using namespace test;
+
+TEST(RunByHand, Truncations)
+{
+  const Results results = made_run();
+  EXPECT_EQ(data_lines(file_text(results, "truncation.dat")),
+            R"(# The answer with the load cut off after some harmonics
+harmonics (1): 1 | 2
+tau_z at rest (N m): 1.4601234567 | 1.8301234567
+terminal omega (rad/s): -1.5201234567 | -1.8901234567
+relative change of terminal omega to all harmonics, nan where that is 0 (1): 0.017101234567000002 | 0.020801234567
+a-priori bound on the change of tau_z at the terminal spin (N m): 1.7201234567000001e-6 | 2.0901234567000004e-6
+minimum of the load at rest (N/rad): -1.5001234567 | -1.8701234567
+)");
+  EXPECT_EQ(report_lines(results, "Fewer harmonics"), R"(The answer with the load cut off after some harmonics
+harmonics: 1 | 2
+τz at rest (N m): 1.460123 | 1.830123
+terminal spin (rad/s): -1.5201235 | -1.8901235
+change of spin: +1.71 % | +2.08 %
+bound on Δτz (N m): 1.72e-06 | 2.09e-06
+least λ at rest (N/rad): -1.5 | -1.87
+)");
+  EXPECT_EQ(json_lines(results.findings.summary["truncation"]), R"(harmonics: 1 | 2
+tau_at_rest: 1.4601234567 | 1.8301234567
+omega_terminal: -1.5201234567 | -1.8901234567
+relative_change: 0.017101234567000002 | 0.020801234567
+bound: 1.7201234567000001e-06 | 2.0901234567000004e-06
+load_minimum: -1.5001234567 | -1.8701234567
+)");
+}
+
+TEST(RunByHand, Friction)
+{
+  const Results results = made_run();
+  EXPECT_EQ(report_lines(results, "Torque and spin"),
+            R"(The torques on the glass, and the friction force of the table
+: at rest | at the terminal spin
+τz (N m): 1.83012 | 1.98012
+lean torque (N m): 0 | 0
+torque of the fingers (N m): 0 | 0
+sum of the torques (N m): 1.83012 | 1.98012
+Tx (N): 1.84012 | 1.99012
+Ty (N): 1.85012 | 2.00012
+)");
+}
+
+TEST(RunByHand, OneRing)
+{
+  RunByHand by_hand;
+  Numbers next;
+  by_hand.spin.one_ring = hand_made_row(next, 2);
+  const Results results = tabulate(by_hand.study, by_hand.report, by_hand.spin, {});
+  EXPECT_EQ(
+    results.findings.summary["one_ring"].dump(),
+    R"({"tau_at_rest":1.0701234567,"omega_terminal":-1.1301234567,"relative_change":0.013201234567})");
+  EXPECT_EQ(results.findings.summary["truncation"].size(), 2u);
+  EXPECT_NE(report_lines(results, "Fewer harmonics").find("harmonics: 1 | 2 | 2, on one ring"),
+            std::string::npos);
+  EXPECT_TRUE(made_run().findings.summary["one_ring"].is_null());
+}
+
+TEST(RunByHand, NoLiftOffIsDecidedByTheLoadItself)
+{
+  RunByHand by_hand;
+  const auto decided = [&]
+  {
+    return tabulate(by_hand.study, by_hand.report, by_hand.spin, {})
+      .findings.summary["ring"]["no_lift_off"]
+      .get<bool>();
+  };
+  for (LoadReport *load : { &by_hand.report.load, &by_hand.report.load_at_end })
+  {
+    load->contact_fraction = 1;
+    load->minimum = 0.1;
+    load->moment_ratio = 0.9;
+  }
+  EXPECT_TRUE(decided());
+  by_hand.report.load.minimum = -1e-3; // it pulls, whatever its moment ratio
+  EXPECT_FALSE(decided());
+  by_hand.report.load.minimum = 0;
+  EXPECT_TRUE(decided());
+  by_hand.report.load_at_end.contact_fraction = 0.99;
+  EXPECT_FALSE(decided());
+}
+
+TEST(RunByHand, BudgetStandsFirst)
+{
+  const Results results = made_run();
+  ASSERT_GE(results.report.sections.front().plots.size(), 3u);
+  EXPECT_EQ(results.report.sections.front().plots[0].name, "waterfall");
+  EXPECT_EQ(results.report.sections.front().plots[1].name, "effects");
+  EXPECT_EQ(results.report.sections.front().plots[2].name, "harmonic_torque");
+  EXPECT_EQ(results.findings.summary["budget"].size(), 7u);
+  EXPECT_EQ(results.findings.summary["without"].size(), 3u);
+  for (const char *key : { "closures", "resolved", "effects" })
+    EXPECT_FALSE(results.findings.summary.contains(key)) << key;
+}
+
+TEST(RunByHand, Contact)
+{
+  const Results results = made_run();
+  EXPECT_EQ(report_lines(results, "The contact at rest", true), R"(body | solid
+cells | 101
+unknowns | 102
+contact nodes | 103
+of them under load | 104
+side by side across the contact | 105
+outcome | narrow contact
+Newton steps | 106
+|Σf - N| / N | 1.2e-10
+|Σr×f - MN| / (N R) | 1.3e-11
+residual of the body&#39;s equilibrium | 1.3e-12
+table moved by q0 (m) | 1.27012
+table tilted by q1 (rad) | 1.28012
+table tilted by q2 (rad) | 1.29012
+)");
+  EXPECT_EQ(results.findings.summary["contact"].dump(1), R"({
+ "body": "solid",
+ "friction_coupling": "none",
+ "outcome": "narrow contact",
+ "mesh": {
+  "cells": 101,
+  "round_rim": false,
+  "rim_radius": 1.2201234567,
+  "land_area_deficit": 1.2301234567
+ },
+ "unknowns": 102,
+ "contact_nodes": 103,
+ "loaded_nodes": 104,
+ "nodes_across": 105,
+ "iterations": 106,
+ "linear_iterations": 107,
+ "force_residual": 1.2401234567e-10,
+ "moment_residual": 1.2501234566999998e-11,
+ "equilibrium_residual": 1.2601234566999998e-12,
+ "table_motion": [
+  1.2701234567,
+  1.2801234567,
+  1.2901234567
+ ]
+})");
+  EXPECT_EQ(data_lines(file_text(results, "contact_history.dat")), R"(# Newton steps of the contact
+step (1): 1 | 2
+loaded places (1): 201 | 204
+changed places (1): 202 | 205
+relative imbalance of forces (1): 1.3001234567 | 1.3201234567
+share of the step taken (1): 1.3101234567 | 1.3301234567
+iterations of the linear solver (1): 203 | 206
+)");
+  EXPECT_EQ(
+    file_text(results, "footprint.dat"),
+    R"(# Pressure of the foot on the table at rest, where there is some: a grid, one block for each azimuth
+# 1: r (m)
+# 2: theta (rad)
+# 3: pressure (Pa)
+1.3401234567 0.25 1.35012
+1.3601234567 0.25 1.37012
+
+)");
+}
+
+TEST(RunByHand, LoadAndItsHarmonics)
+{
+  const Results results = made_run();
+  EXPECT_EQ(results.findings.summary["load"].dump(1), R"({
+ "radii": [
+  1.0101234567,
+  1.0701234567
+ ],
+ "rings": [
+  {
+   "a": [
+    1.0201234567,
+    1.0301234567,
+    1.0501234567
+   ],
+   "b": [
+    0.0,
+    1.0401234567,
+    1.0601234567
+   ]
+  },
+  {
+   "a": [
+    1.0801234567,
+    1.0901234567,
+    1.1101234567
+   ],
+   "b": [
+    0.0,
+    1.1001234567,
+    1.1201234567
+   ]
+  }
+ ],
+ "a": [
+  2.1002469134,
+  2.1202469134,
+  2.1602469134
+ ],
+ "b": [
+  0.0,
+  2.1402469134,
+  2.1802469134
+ ],
+ "normal_force": 1.1301234567,
+ "moment": [
+  1.1401234567,
+  1.1501234567
+ ],
+ "moment_ratio": 1.1601234567,
+ "ring_radius": 1.0409684105596575,
+ "mean_radius": 1.1701234567,
+ "contact_fraction": 0.11801234567,
+ "minimum": 1.1901234567
+})");
+  EXPECT_EQ(report_lines(results, "The load on the table"),
+            R"(Harmonics of the load over its mean, a0 = 2.10025 N/rad
+n: 1 | 2
+an / a0: 1.00952 | 1.02857
+bn / a0: 1.01905 | 1.03809
+amplitude / a0: 1.43443 | 1.46136
+largest at θ (degrees): 45.3 | 22.6
+)");
+  EXPECT_EQ(
+    data_lines(file_text(results, "load_lines.dat")),
+    R"(# Load on the table round the ring at rest, pointwise: at the azimuths of the contact's lines, 0 where they carry none
+theta (rad): 0.5 | 1.5
+lambda (N/rad): 1.2001234567 | 1.2101234567
+)");
+}
+
+TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
+{
+  // Closed form of the mean over the phases, as the torque beside it: mu pi r b_1 = 0.3
+  // pi 1.8201234567 1.7901234567, not mu times the moment 1.1401234567 at the phase of t = 0.
+  const Results results = made_run();
+  EXPECT_EQ(results.findings.summary["ring"].dump(1), R"({
+ "tau_at_rest": 1.8301234567,
+ "tau_closed_form": 3.0708242206909597,
+ "lean_torque_at_rest": 0.0,
+ "standing": "lift-off",
+ "fall": null,
+ "omega_terminal": -1.8901234567,
+ "tau_at_terminal": 1.9801234567,
+ "lean_torque_at_terminal": 0.0,
+ "grip_torque_at_terminal": 0.0,
+ "time_constant": 1.9101234567,
+ "terminal_spins": [],
+ "driven": null,
+ "no_lift_off": false,
+ "force_at_terminal": [
+  1.9901234567,
+  2.0001234567
+ ],
+ "moment_ratio_at_terminal": 2.0101234567,
+ "tilt_at_terminal": [
+  2.7301234567,
+  2.7401234567
+ ],
+ "phase_dependent": true,
+ "spin_ripple": 2.3201234567
+})");
+  EXPECT_EQ(results.findings.summary["coupling"].dump(1), R"({
+ "balanced_spins": 301,
+ "contact_solutions": 302,
+ "response_error": 1.3801234567,
+ "interpolation_error": 1.3901234567
+})");
+  EXPECT_EQ(results.findings.summary["waviness"].dump(1), R"({
+ "spin_ripple": 2.3201234567,
+ "spin_uncertainty": 2.3301234567,
+ "zero_of_mean_torque": 2.3401234567,
+ "torque_ripple": 2.3501234567,
+ "least_load": 2.3601234567,
+ "least_contact_fraction": 2.3701234567,
+ "glass_phases": 401,
+ "table_phases": 402,
+ "spins": 403,
+ "interpolation_error": 2.3801234567
+})");
+  EXPECT_EQ(results.findings.key_figures.dump(1), R"({
+ "tau_at_rest": 1.8301234567,
+ "omega_terminal": -1.8901234567,
+ "omega_terminal_band": 0.0025001234567,
+ "omega_terminal_first_harmonic": -1.5201234567,
+ "harmonic_effect": -0.031001234567,
+ "harmonic_effect_relative": 0.0031101234566999997
+})");
+}
+
+TEST(RunByHand, ErrorBands)
+{
+  const Results results = made_run();
+  EXPECT_EQ(report_lines(results, "Error bands"), R"(The study as it is; harmonics not listed are zero
+quantity: b1/a0 | a2/a0 | terminal spin
+value: 2.4301 | 2.4601 | 2.4901
+band: 2.5e-03 | 2.5e-03 | 2.6e-03
+Richardson value: 2.4501 | 2.4801 | 2.5101
+unit: – | – | rad/s
+What the bands are made of
+quantity: b1/a0 | a2/a0 | terminal spin
+mesh: – | – | 3.2e-04
+rings: – | – | 3.3e-04
+)");
+  EXPECT_EQ(results.findings.summary["error_bands"].dump(1), R"({
+ "a1": {
+  "value": 0.0,
+  "band": 0.0,
+  "parts": {
+   "mesh": null,
+   "degree": null,
+   "harmonics": null,
+   "lines": null,
+   "interface": null,
+   "load_harmonics": null,
+   "rings": null,
+   "interpolation": null,
+   "solver": null
+  },
+  "unit": "1"
+ },
+ "b1": {
+  "value": 2.4301234567,
+  "band": 0.0024401234567,
+  "parts": {
+   "mesh": null,
+   "degree": null,
+   "harmonics": null,
+   "lines": null,
+   "interface": null,
+   "load_harmonics": null,
+   "rings": null,
+   "interpolation": null,
+   "solver": null
+  },
+  "unit": "1"
+ },
+ "a2": {
+  "value": 2.4601234567,
+  "band": 0.0024701234567,
+  "parts": {
+   "mesh": null,
+   "degree": null,
+   "harmonics": null,
+   "lines": null,
+   "interface": null,
+   "load_harmonics": null,
+   "rings": null,
+   "interpolation": null,
+   "solver": null
+  },
+  "unit": "1"
+ },
+ "b2": {
+  "value": 0.0,
+  "band": 0.0,
+  "parts": {
+   "mesh": null,
+   "degree": null,
+   "harmonics": null,
+   "lines": null,
+   "interface": null,
+   "load_harmonics": null,
+   "rings": null,
+   "interpolation": null,
+   "solver": null
+  },
+  "unit": "1"
+ },
+ "omega_terminal": {
+  "value": 2.4901234567,
+  "band": 0.0025001234567,
+  "parts": {
+   "mesh": 0.00031901234567,
+   "degree": null,
+   "harmonics": null,
+   "lines": null,
+   "interface": null,
+   "load_harmonics": null,
+   "rings": 0.00032001234567,
+   "interpolation": null,
+   "solver": null
+  },
+  "unit": "rad/s"
+ }
+})");
+}
+
+TEST(RunByHand, Files)
+{
+  const Results results = made_run();
+  EXPECT_EQ(file_names(results), R"(summary.json: all numbers, for programs
+parameters.prm: the study, to be run again
+load.dat: λ(θ) at rest
+harmonics.dat: its Fourier coefficients; Load/File reads them
+rings.dat: the same ring by ring
+budget.dat: the terminal spin from the paper's model to this study's, and without one thing at a time
+torque.dat: τ_z, T_x, T_y against the spin
+spin_up.dat: the spin against time
+truncation.dat: the answer after 1, 2, 3, 4, 6, 8 ... harmonics
+phases.dat: τ_z by the orientation of glass and table
+load_lines.dat: λ(θ) at rest where the contact was solved
+footprint.dat: pressure p(r, θ) of the foot on the table at rest
+contact_history.dat: Newton steps of the contact
+fields/contact.vtu: displacement, stress and contact pressure for ParaView
+timings.json: how long it took
+)");
+  EXPECT_EQ(
+    data_lines(file_text(results, "rings.dat")),
+    R"(# Load at rest ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta); the load is the sum of the rings
+ring j (1): 1 | 1 | 1 | 2 | 2 | 2
+r_j (m): 1.0101234567 | 1.0101234567 | 1.0101234567 | 1.0701234567 | 1.0701234567 | 1.0701234567
+n (1): 0 | 1 | 2 | 0 | 1 | 2
+a_n (N/rad): 1.0201234567 | 1.0301234567 | 1.0501234567 | 1.0801234567 | 1.0901234567 | 1.1101234567
+b_n (N/rad): 0 | 1.0401234567 | 1.0601234567 | 0 | 1.1001234567 | 1.1201234567
+)");
+}
+
+TEST(RunByHand, WithoutAContactThereIsNothingAboutOne)
+{
+  const RunByHand by_hand;
+  ContactReport report = by_hand.report;
+  report.foot.reset();
+  report.coupling.reset();
+  const Results without = tabulate(by_hand.study, report, by_hand.spin, {});
+  for (const char *key : { "contact", "coupling" })
+    EXPECT_TRUE(without.findings.summary[key].is_null()) << key;
+  EXPECT_FALSE(without.findings.summary.contains("error_bands"));
+  EXPECT_THROW(file_text(without, "contact_history.dat"), std::out_of_range);
+  EXPECT_THROW(report_lines(without, "The contact at rest"), std::out_of_range);
+}
+
+} // namespace
+} // namespace stemware::pipeline
