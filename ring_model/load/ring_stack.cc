@@ -13,8 +13,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Where @p function passes through 0 between two angles at which its signs differ, to 1e-9: an integral or an
-/// extremum that depends on that place is off by the square.
+/// Where @p function passes through 0 between two angles at which its signs differ, to 1e-9: an integral or
+/// an extremum that depends on that place is off by the square.
 template <typename Function>
 double sign_change(const Function &function, double from, double to)
 {
