@@ -4,6 +4,7 @@
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/study/study_entries.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -64,6 +65,12 @@ Table part_table(const std::vector<BandedQuantity> &bands)
   return table;
 }
 
+/// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
+std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
+{
+  return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
+}
+
 } // namespace
 
 void add_study(const Study &study, Document &document)
@@ -83,51 +90,50 @@ void add_study(const Study &study, Document &document)
   document.tables["study_entries"] = words("", { "entry", "value", "unit", "meaning" }, all);
 }
 
-void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files)
+void add_chain(const Study &study, const Budget &budget, Document &document)
 {
-  Document document;
-  add_study(study, document);
-  ReportSection differences = { "The study", "What differs from the defaults (stemware defaults):" };
-  if (document.facts["is_default_study"])
-    differences.text = "Everything has its default value (stemware defaults).";
-  else
-    differences.tables = { document.tables["study_differences"] };
-  ReportSection everything = { "All parameters", "" };
-  everything.tables = { document.tables["study_entries"] };
-  everything.folded = true;
-  report.sections.insert(report.sections.end(), { differences, everything, file_section(files) });
+  Budget steps = budget;
+  steps.rows = named_steps(budget.rows);
+  const double rounding = 1e-9 * spin_scale(study);
+  document.tables["chain"] = shown_budget_table(study, budget);
+  document.tables["named_steps"] = shown_budget_table(study, steps);
+  document.plots["waterfall"] = [&budget, rounding] { return waterfall_plot(budget, rounding); };
+  document.plots["effects"] = [&budget, rounding] { return effects_plot(budget, rounding); };
+  document.plots["harmonic_torque"] = [&budget] { return harmonic_torque_plot(budget); };
 }
 
-std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
+void add_load(const Study &study, const LoadReport &load, const std::vector<BandedQuantity> &bands,
+              Document &document)
 {
-  return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
+  const ring::OrbitSense sense = study.motion.orbit.orbit_sense;
+  const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
+  const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
+  document.plots["load"] = [=, &load] { return load_plot(load.rings, pointwise, sense); };
+  document.plots["line_load"] = [=, &load] { return line_load_plot(load.rings, sense); };
+  document.plots["higher_harmonics"] = [=, &load]
+  { return higher_harmonics_plot(load.rings, !pointwise.empty()); };
+  document.plots["spectrum"] = [=, &load] { return spectrum_plot(load.rings, band); };
+  document.tables["harmonics"] = harmonics_table(load.rings, band);
+  document.tables["load"] = load_table(load.rings);
+  document.tables["rings"] = ring_table(load.rings);
+  document.tables["load_lines"] = pointwise_table(load.pointwise);
+  document.texts["harmonics"] = load_file_text(load.rings);
 }
 
-ConsoleBlock chain_block(const Study &study, const Budget &budget)
+void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
 {
-  return { "From the paper's model to this study's:",
-           shown_budget_table(study, budget)
-             .with("", "console_title omega_terminal difference relative_difference band remark") };
+  std::vector<BandedQuantity> listed;
+  std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
+               [](const BandedQuantity &each) { return !each.is_zero(); });
+  document.tables["bands"] = band_table(listed);
+  document.tables["band_parts"] = part_table(listed);
+  document.facts["has_band_parts"] = document.tables["band_parts"].columns.size() > 1;
 }
 
-ReportSection chain_section(const Study &study, const Budget &budget)
+void say_one_way(Document &document)
 {
-  return { "From the paper's model to this study's",
-           "Each row adds one thing to the model of the row above; its difference is what that thing does. A "
-           "load is called formal where it is negative somewhere: the table would have to pull.",
-           { waterfall_plot(budget, 1e-9 * spin_scale(study)) },
-           { shown_budget_table(study, budget)
-               .with("Terminal spin in models of increasing detail",
-                     "step title omega_terminal difference relative_difference band remark") } };
-}
-
-void say_one_way(Report &report)
-{
-  const std::string at_rest[] = { "load", "line_load", "higher_harmonics", "spectrum", "footprint" };
-  for (ReportSection &section : report.sections)
-    for (Plot &plot : section.plots)
-      if (std::find(std::begin(at_rest), std::end(at_rest), plot.name) == std::end(at_rest))
-        plot = one_way(plot);
+  for (auto &each : document.plots)
+    each.second = [plot = each.second] { return one_way(plot()); };
 }
 
 std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
@@ -231,25 +237,6 @@ Json band_summary(const std::vector<BandedQuantity> &bands)
                                    { "unit", each.quantity.unit } };
   }
   return summary;
-}
-
-ReportSection error_band_section(const std::vector<BandedQuantity> &bands)
-{
-  std::vector<BandedQuantity> listed;
-  std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
-               [](const BandedQuantity &each) { return !each.is_zero(); });
-  ReportSection section = {
-    "Error bands",
-    "The exact solution of the same model lies within value ± band: what the discretisation leaves open. The "
-    "band says nothing about what the model itself leaves out, which the list \"without\" of the budget "
-    "measures, nor about uncertain parameters such as μ, E or the mass; stemware sweep --random does.",
-    {},
-    { band_table(listed).with("The study as it is; harmonics not listed are zero",
-                              "quantity shown_value band shown_richardson shown_unit") }
-  };
-  if (const Table parts = part_table(listed); parts.columns.size() > 1)
-    section.tables.push_back(parts);
-  return section;
 }
 
 } // namespace stemware::pipeline

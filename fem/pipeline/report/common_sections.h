@@ -17,21 +17,18 @@ namespace stemware::pipeline
 /// What the template "study" shows: the entries of the study that differ from the defaults, and all of them.
 void add_study(const Study &study, Document &document);
 
-/// The end of a report: the entries of the study that differ from the defaults, all of them in a folded
-/// section, and the files.
-void add_closing_sections(Report &report, const Study &study, const std::vector<ResultFile> &files);
+/// The load at rest: its plots, its tables and its files.
+void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
 
-/// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
-std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load);
+/// What the templates "chain" and "chain_on_console" show: the chain of models, row by row and with its rows
+/// of harmonics as one, and its plots.
+void add_chain(const Study &study, const Budget &budget, Document &document);
 
-/// The chain of models of a budget on the console.
-ConsoleBlock chain_block(const Study &study, const Budget &budget);
+/// What the template "error_bands" shows.
+void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 
-/// The chain of models of a budget that has nothing else, in a report; it must have a row.
-ReportSection chain_section(const Study &study, const Budget &budget);
-
-/// Says in the plots of a report that the load of rest is kept at every spin; those of the load itself stay.
-void say_one_way(Report &report);
+/// Says in all plots that @p document has so far that the load of rest is kept at every spin.
+void say_one_way(Document &document);
 
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonics_table() and
 /// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
@@ -54,8 +51,5 @@ Table band_table(const std::vector<BandedQuantity> &bands);
 /// "error_bands" of summary.json: value, half-width, what it is made of (null where a part was not estimated)
 /// and unit of each quantity.
 nlohmann::ordered_json band_summary(const std::vector<BandedQuantity> &bands);
-
-/// What the discretisation leaves open, as a section of a report.
-ReportSection error_band_section(const std::vector<BandedQuantity> &bands);
 
 } // namespace stemware::pipeline

@@ -1,8 +1,8 @@
 #include "fem/pipeline/report/comparison_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -157,89 +157,86 @@ std::string reference_note(const Study &study)
          (study.tilts() ? ", with tilt for a foot, without for the rims" : "");
 }
 
-ReportSection overview_section(const Study &study, const Comparison &comparison)
+/// "-3.12056 rad/s", or why there is none.
+std::string spin_with_unit(const SpinRow &row)
 {
-  return {
-    "Harmonics beside moment balances",
-    "Closure paper balances the centripetal part of the hand's force alone, hand the whole force of the "
-    "hand, full also the moment of the friction about the centre of mass. In all rows but those of the "
-    "elastic foot at rest (one-way: that load is kept at every spin), the load is computed anew at each "
-    "spin, "
-    "in balance with friction. With n = 1 the rigid rims coincide with the first row, whatever they stand "
-    "on. "
-    "Formal: the load, or what is left of it, would have to pull on the table. What the harmonics do is "
-    "counted " +
-      reference_note(study) + ".",
-    { comparison_plot(comparison), harmonic_effect_plot(comparison) },
-    { overview_table(comparison) }
-  };
+  if (!row.omega_terminal())
+    return "nothing (" + to_string(row.standing) + ")";
+  return with_band(*row.omega_terminal(), row.band) + " rad/s" +
+         (row.standing == Standing::formal ? ", formally" : "");
 }
 
-ReportSection table_section(const Comparison &comparison)
+/// spin_with_unit() of all harmonics of the study's own load, the last one, and what those beyond the first
+/// do.
+std::string own_spin(const Comparison &comparison, Closure closure)
 {
-  ReportSection section = {
-    "All rows",
-    "m is the moment ratio |M_N| / (N R / 2). The least load is that of the harmonics kept, the rim that "
-    "carries that of the contact itself, both at the terminal spin."
-  };
-  for (const Closure closure : closures)
-    section.tables.push_back(closure_table(comparison, closure));
-  for (const SpinRow &row : comparison.rows)
+  const std::string &load = comparison.rows.back().load;
+  const HarmonicEffect effect = comparison.harmonic_effect(closure, load);
+  std::string text = spin_with_unit(*comparison.find(closure, load));
+  if (!effect.absolute)
+    return text;
+  if (std::abs(*effect.absolute) < 1e-9 * comparison.spin_scale)
+    return text + " (harmonics: 0)";
+  return text + " (harmonics: " + format::signed_significant<3>(*effect.absolute) + " rad/s" +
+         (effect.relative ? ", " + format::change(*effect.relative) : "") + ")";
+}
+
+Json facts_of(const Study &study, const Comparison &comparison)
+{
+  const auto &rows = comparison.rows;
+  const SpinRow &paper = *comparison.find(Closure::paper, compared_load::first_harmonic),
+                &full = *comparison.find(Closure::full, compared_load::first_harmonic);
+  const auto before = paper.omega_terminal(), after = full.omega_terminal();
+  const auto change =
+    before && after ? relative_to(before, *after - *before, comparison.spin_scale) : std::optional<double>();
+  Json reasons = Json::array();
+  for (const SpinRow &row : rows)
     if (!row.reason.empty())
-      section.text += fmt::format(FMT_STRING("\n\n{}, closure {}, harmonics {}: {}."), name_of_load(row.load),
-                                  ring::to_string(row.closure), harmonics_name(row), row.reason);
-  return section;
-}
-
-std::vector<ConsoleBlock> console_of(const std::string &answer, const Study &study,
-                                     const Comparison &comparison)
-{
-  Budget steps = chain_alone(comparison.budget);
-  steps.rows = named_steps(steps.rows);
-  std::vector<ConsoleBlock> blocks = { { answer },
-                                       chain_block(study, steps),
-                                       { "Terminal spin by load, all its harmonics kept, and by moment "
-                                         "balance, and what the harmonics beyond the first do to it, " +
-                                           reference_note(study) + ":",
-                                         console_overview(comparison, study.motion.closure) } };
-  if (std::any_of(comparison.rows.begin(), comparison.rows.end(),
-                  [](const SpinRow &row)
-                  { return row.omega_terminal() && row.standing == Standing::formal; }))
-    blocks.push_back({ "f  formal: the load, or what is left of it, would have to pull on the table" });
-  std::string reasons;
-  for (const SpinRow &row : comparison.rows)
-    if (row.all_harmonics && !row.reason.empty())
-      reasons += fmt::format(FMT_STRING("closure {}, {}: {}. {}\n"), ring::to_string(row.closure),
-                             name_of_load(row.load), to_string(row.standing), row.reason);
-  if (!reasons.empty())
-    blocks.push_back({ reasons });
-  return blocks;
+      reasons.push_back({ { "load", name_of_load(row.load) },
+                          { "closure", ring::to_string(row.closure) },
+                          { "harmonics", harmonics_name(row) },
+                          { "all_harmonics", row.all_harmonics },
+                          { "standing", to_string(row.standing) },
+                          { "reason", row.reason } });
+  const auto spins = [&](const SpinRow &row)
+  { return std::abs(row.omega_terminal().value_or(0)) >= 1e-9 * comparison.spin_scale; };
+  const auto is_formal = [](const SpinRow &row)
+  { return row.omega_terminal() && row.standing == Standing::formal; };
+  return { { "spins", std::any_of(rows.begin(), rows.end(), spins) },
+           { "paper_first", spin_with_unit(paper) },
+           { "full_first", spin_with_unit(full) },
+           { "change", change ? format::change(*change) : "" },
+           { "own_load", name_of_load(rows.back().load) },
+           { "paper_all", own_spin(comparison, Closure::paper) },
+           { "full_all", own_spin(comparison, Closure::full) },
+           { "counted_from", reference_note(study) },
+           { "has_formal", std::any_of(rows.begin(), rows.end(), is_formal) },
+           { "reasons", reasons } };
 }
 
 } // namespace
 
 Results tabulate(const Study &study, const Comparison &comparison)
 {
-  Table csv = row_table(comparison)
-                .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "
-                          "omega_terminal difference_to_paper load_minimum_at_terminal "
-                          "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state "
-                          "message");
-  csv["harmonics"].unit = "";
-  csv["load_minimum_at_terminal"].name = "least load at terminal omega";
-  Results results;
-  results.files = { { "compare.csv", "all rows", csv },
-                    { "summary.json", "all numbers, for programs" },
-                    { "parameters.prm", "the study, to be run again" },
-                    { "timings.json", "how long it took" } };
-  results.report = { "What changes the spin of a wine glass",
-                     comparison_answer(comparison),
-                     { chain_section(study, chain_alone(comparison.budget)),
-                       overview_section(study, comparison), table_section(comparison) } };
-  add_closing_sections(results.report, study, results.files);
-  results.console = console_of(results.report.answer, study, comparison);
-  results.findings = findings_of(study, comparison);
-  return results;
+  const Budget budget = chain_alone(comparison.budget);
+  Document document = { findings_of(study, comparison), facts_of(study, comparison) };
+  add_chain(study, budget, document);
+  document.plots["comparison"] = [&] { return comparison_plot(comparison); };
+  document.plots["harmonic_effect"] = [&] { return harmonic_effect_plot(comparison); };
+  document.tables["overview"] = overview_table(comparison);
+  document.tables["console_overview"] = console_overview(comparison, study.motion.closure);
+  for (const Closure closure : closures)
+    document.tables["closure_" + ring::to_string(closure)] = closure_table(comparison, closure);
+  Table rows = row_table(comparison)
+                 .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "
+                           "omega_terminal difference_to_paper load_minimum_at_terminal "
+                           "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state "
+                           "message");
+  rows["harmonics"].unit = "";
+  rows["load_minimum_at_terminal"].name = "least load at terminal omega";
+  document.tables["rows"] = rows;
+  add_study(study, document);
+  return shown(document, "compare");
 }
 
 } // namespace stemware::pipeline

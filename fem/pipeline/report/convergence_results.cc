@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/convergence_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -172,7 +172,8 @@ ErrorCurve slope_triangle(const ErrorCurve &errors, double order)
   return { { fine, coarse, coarse, fine }, { low, high, low, low }, {} };
 }
 
-ReportSection axis_section(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+/// The errors of the drawn quantities by level; nothing where all levels agree.
+std::optional<Plot> axis_plot(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   const std::string label =
     is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0" : result.axis.size;
@@ -198,12 +199,8 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
     slope = { triangle.front(),
               { numbers(label, "1", sides.size), numbers("relative error", "1", sides.error) } };
   }
-  ReportSection section = { "Refinement: " + result.axis.name, "" };
   if (titles.empty())
-  {
-    section.text = "All levels agree to within the tolerances of the contact solver.";
-    return section;
-  }
+    return std::nullopt;
   if (!triangle.empty())
     blocks.push_back(slope);
   const bool is_logarithmic = result.axis.decay == Decay::algebraic || result.axis.sizes_double;
@@ -217,8 +214,7 @@ ReportSection axis_section(const AxisResult &result, const std::vector<BandedQua
   plot.name = "converge_" + result.axis.key;
   if (!triangle.empty())
     plot.caption += " The triangle has the slope of the first quantity's observed order.";
-  section.plots = { plot };
-  return section;
+  return plot;
 }
 
 /// What each axis leaves open of the terminal spin.
@@ -313,42 +309,37 @@ Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &q
 
 Results tabulate(const StudyOptions &options, const RefinementResult &result)
 {
-  Results results;
-  results.files = { { "summary.json", "everything, for programs" },
-                    { "error_bands.dat", "values, bands, Richardson values", band_data(result.quantities) },
-                    { "parameters.prm", "the study as it was refined" } };
-  ReportSection levels = { "All levels", "" };
-  std::vector<ReportSection> axes;
+  const std::size_t index = index_of(result.quantities, "omega_terminal");
+  const BandedQuantity &spin = result.quantities[index];
+  const AxisResult &first = result.axes.front();
+  Document document = { findings_of(result) };
+  document.facts = { { "study_name", options.study_name() },
+                     { "with_band", with_band(spin.quantity.value, spin.band) },
+                     { "order", json_number(first.quantities[index].judged.order) },
+                     { "first_axis", first.axis.name },
+                     { "richardson", format::to_spread(spin.richardson, spin.band) },
+                     { "axes", Json::array() } };
   for (const AxisResult &axis : result.axes)
   {
-    results.files.push_back({ "converge_" + axis.axis.key + ".dat",
-                              "the values on every level of the " + axis.axis.name,
-                              axis_data(axis, result.quantities) });
-    axes.push_back(axis_section(axis, result.quantities));
-    levels.tables.push_back(without_zeros(level_table(axis, result.quantities), result.quantities));
+    const std::string &key = axis.axis.key;
+    const std::optional<Table> effectivities = effectivity_table(axis, result.quantities);
+    const std::optional<Plot> plot = axis_plot(axis, result.quantities);
+    document.facts["axes"].push_back({ { "key", key },
+                                       { "name", axis.axis.name },
+                                       { "has_curves", plot.has_value() },
+                                       { "has_effectivities", effectivities.has_value() } });
+    document.tables["data_" + key] = axis_data(axis, result.quantities);
+    document.tables["levels_" + key] = without_zeros(level_table(axis, result.quantities), result.quantities);
+    if (effectivities)
+      document.tables["effectivity_" + key] = *effectivities;
+    if (plot)
+      document.plots["converge_" + key] = [plot] { return *plot; };
   }
-  levels.folded = true;
-  ReportSection bands = error_band_section(result.quantities);
-  bands.folded = true;
-  const Table budget = spin_budget_table(result);
-  results.report = { "Refinement study of " + options.study_name(),
-                     refinement_answer(result),
-                     { { "What the discretisation leaves open", "", {}, { budget } } } };
-  results.report.sections.insert(results.report.sections.end(), axes.begin(), axes.end());
-  results.report.sections.insert(results.report.sections.end(),
-                                 { bands, levels, file_section(results.files) });
-  results.console = { { results.report.answer }, { "", budget } };
-  for (const AxisResult &axis : result.axes)
-    if (const auto table = effectivity_table(axis, result.quantities))
-    {
-      results.console.push_back({ "", *table });
-      results.report.sections.front().tables.push_back(*table);
-    }
-  results.console.push_back({ "", band_table(main_quantities(result.quantities))
-                                    .with("Error bands of the main quantities; the report has all of them",
-                                          "quantity shown_value shown_richardson band shown_unit") });
-  results.findings = findings_of(result);
-  return results;
+  document.tables["axes"] = spin_budget_table(result);
+  document.tables["error_bands"] = band_data(result.quantities);
+  document.tables["main_bands"] = band_table(main_quantities(result.quantities));
+  add_bands(result.quantities, document);
+  return shown(document, "converge");
 }
 
 } // namespace stemware::pipeline

@@ -106,9 +106,7 @@ private:
   void add_table(const std::string &what)
   {
     const auto [columns, title] = parted(what, '|');
-    const auto [name, keys] = parted(columns, ':');
-    const Table &whole = named(document.tables, name);
-    const Table table = keys.empty() ? whole : whole.with(title, keys);
+    const Table table = view(columns, title);
     if (!on_console)
       section().tables.push_back(table);
     else
@@ -123,14 +121,20 @@ private:
     const auto [names, words] = parted(what, '|');
     const auto [file, content] = parted(names, '=');
     results.files.push_back({ file, words });
-    if (content.empty())
-      ;
-    else if (const auto text = document.texts.find(content); text != document.texts.end())
+    if (const auto text = document.texts.find(content); text != document.texts.end())
       results.files.back().content = text->second;
-    else
-      results.files.back().content = named(document.tables, content);
+    else if (!content.empty())
+      results.files.back().content = view(content, "");
     if (!words.empty())
       section().files.push_back({ file, words });
+  }
+
+  /// "NAME", or "NAME: KEY KEY" under a title.
+  Table view(const std::string &columns, const std::string &title) const
+  {
+    const auto [name, keys] = parted(columns, ':');
+    const Table &whole = named(document.tables, name);
+    return keys.empty() ? whole : whole.with(title, keys);
   }
 
   const Document &document;
@@ -150,7 +154,8 @@ Results shown(const Document &document, const std::string &name)
       reading.add(line);
   Results results = reading.results;
   results.console.erase(std::remove_if(results.console.begin(), results.console.end(),
-                                       [](const ConsoleBlock &block) { return block.text.empty() && !block.table; }),
+                                       [](const ConsoleBlock &block)
+                                       { return block.text.empty() && !block.table; }),
                         results.console.end());
   return results;
 }

@@ -17,8 +17,8 @@ struct Document
   /// What sentences need beside the findings, which they see too: words, flags, derived numbers.
   nlohmann::ordered_json facts = nlohmann::ordered_json::object();
   std::map<std::string, Table> tables = {};
-  std::map<std::string, std::string> texts = {};            ///< files that are no table
-  std::map<std::string, std::function<Plot()>> plots = {};  ///< pictures, made where they are shown
+  std::map<std::string, std::string> texts = {};           ///< files that are no table
+  std::map<std::string, std::function<Plot()>> plots = {}; ///< pictures, made where they are shown
   std::vector<fem::FieldFile> fields = {};
 };
 
@@ -32,13 +32,14 @@ struct Document
 ///   @plot NAME
 ///   @table NAME                      all columns under the table's own title
 ///   @table NAME: KEY KEY | TITLE     these columns under this title (Table::with())
-///   @file FILE = NAME | WORDS        a file of the table or text NAME, listed with WORDS unless they are empty;
-///                                    without "= NAME" one that is written elsewhere
+///   @file FILE = NAME | WORDS        a file of the text, table or columns NAME, listed with WORDS unless
+///   they are
+///                                    empty; without "= NAME" one that is written elsewhere
 ///   @console                         what follows is the console's; "@block" begins a new part of it, and so
 ///                                    does what follows a table
 ///
-/// Empty lines mean nothing. Throws std::logic_error for another line, and for a name that the document does not
-/// have.
+/// Empty lines mean nothing. Throws std::logic_error for another line, and for a name that the document does
+/// not have.
 Results shown(const Document &document, const std::string &name);
 
 } // namespace stemware::pipeline

@@ -1,14 +1,11 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/report/results.h"
+#include "fem/pipeline/report/render/table.h"
 
 /// The spin-up under a hand that is no motor, beside that at constant speed.
 namespace stemware::pipeline
 {
-
-/// @p band: half-width of the error band of the terminal spin at constant speed, where it is known [rad/s].
-ReportSection driven_spin_section(const SpinUpCurves &curves, const std::optional<double> &band);
 
 /// driven_spin_up.dat.
 Table driven_spin_table(const DrivenSpinUp &driven);

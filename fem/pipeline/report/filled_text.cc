@@ -4,9 +4,9 @@
 #include "fem/pipeline/support/shared_files.h"
 
 #include <boost/algorithm/string/split.hpp>
-#include <kainjow/mustache.hpp>
 
 #include <deque>
+#include <kainjow/mustache.hpp>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -80,7 +80,8 @@ private:
         if (value->is_null())
           return nothing;
         if (!value->is_object() || !value->contains(key))
-          throw std::logic_error("A text of the report asks for " + path + ", of which there is no " + key + ".");
+          throw std::logic_error("A text of the report asks for " + path + ", of which there is no " + key +
+                                 ".");
         value = &(*value)[key];
       }
       return *value;
@@ -109,7 +110,8 @@ private:
     else if (value.is_number_integer())
       made.emplace_back(std::to_string(value.get<long>()));
     else
-      made.emplace_back(value.is_string() ? value.get<std::string>() : shown_number(value.get<double>(), format));
+      made.emplace_back(value.is_string() ? value.get<std::string>()
+                                          : shown_number(value.get<double>(), format));
     values[&made.back()] = &value;
     return &made.back();
   }

@@ -3,16 +3,9 @@
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
 
-#include <fmt/format.h>
-#include <optional>
-
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-/// The part of the band of the study's goal that is the mesh's.
 std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
 {
   const auto banded = find_quantity(bands, key_of(study.contact.goal));
@@ -20,8 +13,6 @@ std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
     return std::nullopt;
   return banded->parts.at("mesh");
 }
-
-} // namespace
 
 nlohmann::ordered_json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport &foot,
                                     const ErrorBands &bands)
@@ -35,18 +26,6 @@ nlohmann::ordered_json goal_summary(const Study &study, const GoalOutcome &goal,
            { "meshes", goal.n_meshes },
            { "cells", goal.n_cells },
            { "unknowns", foot.foot.n_unknowns } };
-}
-
-std::string goal_sentence(const Study &study, const GoalOutcome &goal, const ErrorBands &bands)
-{
-  const std::optional<double> part = band_of_mesh(study, bands);
-  if (!part)
-    return "";
-  return fmt::format(
-    FMT_STRING(" The mesh was made for the {}: {:.1e} is estimated to be missing to its value, and the band "
-               "has {:.1e} for the mesh, from what another mesh changes."),
-    study_as_json(study)["Contact"]["Goal"].get<std::string>(), format::Number{ goal.estimated_error },
-    format::Number{ *part });
 }
 
 } // namespace stemware::pipeline

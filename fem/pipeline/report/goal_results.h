@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
+#include <optional>
 
 /// What results say of a study whose foot has a mesh for its goal.
 namespace stemware::pipeline
@@ -17,7 +17,7 @@ namespace stemware::pipeline
 nlohmann::ordered_json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport &foot,
                                     const ErrorBands &bands);
 
-/// How that estimate and that part of the band relate, as a sentence after a blank; empty without the part.
-std::string goal_sentence(const Study &study, const GoalOutcome &goal, const ErrorBands &bands);
+/// The part of the band of the study's goal that is the mesh's; nothing where there is none.
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

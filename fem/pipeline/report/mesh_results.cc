@@ -1,6 +1,6 @@
 #include "fem/pipeline/report/mesh_results.h"
 
-#include "fem/pipeline/report/answer.h"
+#include "fem/pipeline/report/document.h"
 #include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
@@ -105,47 +105,31 @@ nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
-/// The section, where the axis goes through the mesh, the contact zone and the quality of the cells.
-std::vector<Plot> pictures_of(const fem::MeshCheck &check, const MeshPictures &pictures)
-{
-  std::vector<Plot> plots = { contact_zone_plot(pictures.contact_faces),
-                              quality_plot(pictures.scaled_jacobians) };
-  if (!pictures.section.empty())
-  {
-    const double middle = (check.inner_radius + check.outer_radius) / 2;
-    plots.insert(plots.begin(), section_plot(pictures.section, measured(pictures.section, middle)));
-    plots.front().caption += " R is the middle radius of the contact zone.";
-  }
-  return plots;
-}
-
 } // namespace
 
 Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
                  const std::vector<std::string> &written)
 {
   const fem::MeshCheck &check = findings.check;
-  std::vector<std::string> answer = { fmt::format(
-    FMT_STRING(
-      "The mesh can be used: {} hexahedra whose scaled Jacobian is {:.3g} at least, a contact zone of "
-      "{:.4g} mm² between radii of {:.4g} and {:.4g} mm."),
-    check.n_cells, check.least_jacobian, 1e6 * check.contact_area, 1e3 * check.inner_radius,
-    1e3 * check.outer_radius) };
-  const std::vector<std::string> remarks = mesh_remarks(findings);
-  answer.insert(answer.end(), remarks.begin(), remarks.end());
-  Results results;
-  results.files = { { "summary.json", "all numbers, for programs" } };
-  results.report = {
-    "Mesh of a foot",
-    joined(answer),
-    { { "What it is like", "", pictures_of(check, pictures), { words("", { "", "" }, lines_of(findings)) } },
-      file_section(results.files) }
-  };
   const nlohmann::ordered_json summary = mesh_summary(findings);
-  results.findings.summary = { { "mesh", summary } };
-  results.findings.key_figures = { { "written", written } };
-  results.findings.key_figures.update(summary);
-  return results;
+  Document document;
+  document.findings.summary = { { "mesh", summary } };
+  document.findings.key_figures = { { "written", written } };
+  document.findings.key_figures.update(summary);
+  document.facts = { { "inner_radius", check.inner_radius },
+                     { "outer_radius", check.outer_radius },
+                     { "has_section", !pictures.section.empty() } };
+  document.plots["section"] = [&]
+  {
+    const double middle = (check.inner_radius + check.outer_radius) / 2;
+    Plot plot = section_plot(pictures.section, measured(pictures.section, middle));
+    plot.caption += " R is the middle radius of the contact zone.";
+    return plot;
+  };
+  document.plots["contact_zone"] = [&] { return contact_zone_plot(pictures.contact_faces); };
+  document.plots["quality"] = [&] { return quality_plot(pictures.scaled_jacobians); };
+  document.tables["lines"] = words("", { "", "" }, lines_of(findings));
+  return shown(document, "mesh");
 }
 
 std::string mesh_text(const MeshFindings &findings)

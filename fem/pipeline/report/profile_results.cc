@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/profile_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -16,12 +15,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// "8 µm".
-std::string micrometres(double length)
-{
-  return format::significant<2>(1e6 * length) + " µm";
-}
-
 /// The circle whose scatter leaves something open; null where there is none.
 const fem::RimCircle *scattered_circle(const Study &study)
 {
@@ -34,30 +27,6 @@ bool crown_is_below_scatter(const Study &study, const fem::RimCircle &circle, co
 {
   const double sag = sag_over_contact(study, load);
   return circle.crown_radius_error() > 0 && sag > 0 && sag < circle.scatter;
-}
-
-std::string crown_sentence(const Study &study, const fem::RimCircle &circle, const LoadReport &load)
-{
-  if (crown_is_below_scatter(study, circle, load))
-    return fmt::format(
-      FMT_STRING(
-        "The crown is not determined where it matters: over the contact, {} mm wide, it rises by {}, "
-        "less than the points scatter ({} rms); it is taken to be as round there as over the land, "
-        "{} mm wide."),
-      format::significant<2>(2e3 * load.half_width()), micrometres(sag_over_contact(study, load)),
-      micrometres(circle.scatter), format::significant<3>(1e3 * study.glass.profile.land_width));
-  if (crown_is_open(circle))
-    return "The crown is not determined: its standard error is half of it or more.";
-  return "";
-}
-
-std::string spin_sentence(const ProfileScatter &scatter, const std::optional<double> &band)
-{
-  if (!scatter.spin)
-    return "What that does to the spin could not be computed: " + scatter.reason;
-  return "That leaves the spin open by ± " + format::to_spread(*scatter.spin, *scatter.spin) +
-         " rad/s (scatter of the profile, one standard error)" +
-         (band ? ", beside a band of the discretisation of ± " + format::band(*band) + "." : ".");
 }
 
 } // namespace
@@ -78,15 +47,24 @@ double sag_over_contact(const Study &study, const LoadReport &load)
   return crown > 0 ? load.half_width() * load.half_width() / (2 * crown) : 0;
 }
 
-std::string profile_remark(const Study &study, const LoadReport &load,
-                           const std::optional<ProfileScatter> &scatter, const std::optional<double> &band)
+Json profile_facts(const Study &study, const LoadReport &load, const std::optional<ProfileScatter> &scatter,
+                   const std::optional<double> &band)
 {
   const fem::RimCircle *circle = scattered_circle(study);
   if (!circle)
-    return "";
-  return joined({ "The rim follows from the points of its profile: " + fitted_rim(study) + ".",
-                  scatter && (spin_error(scatter) || !scatter->spin) ? spin_sentence(*scatter, band) : "",
-                  crown_sentence(study, *circle, load) });
+    return nullptr;
+  const std::optional<double> error = spin_error(scatter);
+  const bool is_below_scatter = crown_is_below_scatter(study, *circle, load);
+  return { { "rim", fitted_rim(study) },
+           { "spin_error", error ? format::to_spread(*error, *error) : "" },
+           { "band", band ? format::band(*band) : "" },
+           { "trouble", scatter && !scatter->spin ? scatter->reason : "" },
+           { "crown_below_scatter", is_below_scatter },
+           { "crown_open", !is_below_scatter && crown_is_open(*circle) },
+           { "contact_width", 2 * load.half_width() },
+           { "sag", sag_over_contact(study, load) },
+           { "scatter", circle->scatter },
+           { "land_width", study.glass.profile.land_width } };
 }
 
 void add_scatter_row(const std::optional<ProfileScatter> &scatter, const std::string &title, Table &table)

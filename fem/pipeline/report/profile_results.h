@@ -24,11 +24,13 @@ std::string with_error(double value, double error);
 /// How far the crown rises over half of the contact @p load [m].
 double sag_over_contact(const Study &study, const LoadReport &load);
 
-/// Says how well the points fix the rim, what that leaves open of the spin beside @p band [rad/s], and where
-/// the crown is not determined: it rises over the contact @p load by less than the points scatter, or its
-/// error is half of it. Empty where the points have no scatter.
-std::string profile_remark(const Study &study, const LoadReport &load,
-                           const std::optional<ProfileScatter> &scatter, const std::optional<double> &band);
+/// What the template "profile" says: how well the points fix the rim, what that leaves open of the spin
+/// beside
+/// @p band [rad/s], and where the crown is not determined: it rises over the contact @p load by less than the
+/// points scatter, or its error is half of it. Null where the points have no scatter.
+nlohmann::ordered_json profile_facts(const Study &study, const LoadReport &load,
+                                     const std::optional<ProfileScatter> &scatter,
+                                     const std::optional<double> &band);
 
 /// Puts "scatter of the profile" under the rows of a table of the budget: its title into the column @p title,
 /// the standard error of the spin beside the bands.

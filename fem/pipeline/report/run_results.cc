@@ -1,9 +1,9 @@
 #include "fem/pipeline/report/run_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/driven_spin.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/goal_results.h"
 #include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
@@ -13,8 +13,6 @@
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/report/terminal_spins.h"
-
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -197,281 +195,291 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   return findings;
 }
 
-// ---- report
+// ---- what templates show
 
-/// How much of the rim carries load in the state that the spin is about; empty for the whole rim, and for a
-/// load that the answer has described.
-std::string lift_off_remarks(const Study &study, const ContactReport &report, const SpinStudy &spin)
+/// The row whose step is the largest, those of the harmonics left out; null where none of them is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
+{
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+Json largest_step_facts(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
+    return nullptr;
+  const std::optional<double> relative =
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
+  return { { "name", row->name },
+           { "difference", *row->difference },
+           { "change", relative ? faster_or_slower(*relative) : "" },
+           { "formal", row->standing == Standing::formal } };
+}
+
+/// The paper's answer, to stand beside the study's; null where the study is the paper's model.
+Json paper_facts(const Study &study, const Budget &budget)
+{
+  if (budget.rows.size() < 2 || !budget.rows.front().omega_terminal)
+    return nullptr;
+  const double omega = *budget.rows.front().omega_terminal;
+  Json facts = spin_facts(study, omega);
+  facts["spins"] = is_spin(study, omega);
+  return facts;
+}
+
+/// "tilt +0.16, grip 0": what the terminal spin changes by without one thing at a time [rad/s].
+std::string left_out(const Study &study, const Budget &budget)
+{
+  std::vector<std::string> parts;
+  for (const WithoutRow &row : budget.without)
+    if (row.difference)
+      parts.push_back(row.name + " " +
+                      format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
+  return parts.empty() ? "" : listed(parts, "and");
+}
+
+/// How the glass ends: falling, held, stays or spinning, one of which is there.
+void add_end(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands, Json &facts)
+{
+  const SpinRow &all = spin.all();
+  const double omega = all.fall ? all.fall->omega : all.omega_terminal().value();
+  const bool is_spinning = !all.fall && is_spin(study, omega);
+  const std::string held = all.fall || is_spinning ? "" : held_by_the_grip(study, all);
+  const std::optional<double> band = band_of(bands, "omega_terminal"),
+                              error = spin_error(spin.profile_scatter);
+  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
+  facts.update(
+    { { "falling", all.fall ? spin_facts(study, omega) : Json(nullptr) },
+      { "spinning", is_spinning ? spin_facts(study, omega) : Json(nullptr) },
+      { "held", held },
+      { "stays", !all.fall && !is_spinning && held.empty() },
+      { "moves", is_spin(study, all.last_spin().value()) },
+      { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },
+      { "moment_ratio_at_rest", all.at_rest.value().moment_ratio },
+      { "with_band", with_band(omega, band) },
+      { "profile_is_wider", error && *error > band.value_or(0) },
+      { "with_error", error ? with_error(omega, *error) : "" },
+      { "has_band", band.has_value() },
+      { "lacks_band", !band && !spin.is_quick() && study.load.is_from_contact() },
+      { "may_be_narrow", study.table.is_hard() && !abilities(study.contact.body).is_of_revolution },
+      { "time_constant", json_number(all.time_constant()) },
+      { "others", leans && grips ? ", the lean torque and that of the fingers"
+                  : leans        ? "and the lean torque"
+                  : grips        ? "and that of the fingers"
+                                 : "" } });
+}
+
+/// The state that the spin is about, and that of rest where nothing is to say of it.
+Json lift_offs(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   if (spin.all().fall)
-    return joined({ lift_off_remark(report.load, "At rest"),
-                    lift_off_remark(report.load_at_end, "Where it falls over") });
-  if (!is_spin(study, *spin.all().omega_terminal()))
-    return lift_off_remark(report.load, "At rest");
-  if (is_one_way(study))
-    return lift_off_remark(report.load, "At every spin");
-  const std::string at_end = lift_off_remark(
-    report.load_at_end,
-    spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin");
-  return at_end.empty() ? lift_off_remark(report.load, "At rest") : at_end;
+    return lift_off_facts({ { "At rest", &report.load }, { "Where it falls over", &report.load_at_end } });
+  if (is_spin(study, *spin.all().omega_terminal()))
+  {
+    if (is_one_way(study))
+      return lift_off_facts({ { "At every spin", &report.load } });
+    const char *at_end =
+      spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin";
+    if (const Json facts = lift_off_facts({ { at_end, &report.load_at_end } }); !facts.empty())
+      return facts;
+  }
+  return lift_off_facts({ { "At rest", &report.load } });
 }
 
-std::string title(const Study &study)
+Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
 {
-  switch (study.load.source)
+  const double friction = study.motion.orbit.friction_at_rest();
+  const double moment = load.normal_force * load.rings.radius();
+  const auto without_rounding = [](double value, double rounding)
+  { return std::abs(value) < rounding ? 0 : value; };
+  const std::size_t n_rings = load.rings.rings().size();
+  return { { "moment_x", without_rounding(load.moment.x(), 1e-12 * moment) },
+           { "moment_y", without_rounding(load.moment.y(), 1e-12 * moment) },
+           { "torque_at_rest",
+             without_rounding(all.at_rest.value().friction.torque, 1e-9 * friction * moment) },
+           { "closed_form", without_rounding(friction * load.moment.x(), 1e-9 * friction * moment) },
+           { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
+           { "has_higher_harmonics", load.rings.n_harmonics() > 1 } };
+}
+
+Json thin_layer_facts(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return nullptr;
+  return { { "width", 2 * half_width }, { "thickness", layer } };
+}
+
+Json narrow_contact_facts(const Study &study, const std::optional<FootReport> &foot)
+{
+  if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return nullptr;
+  return { { "nodes", foot->at_rest.solution.n_nodes_across }, { "hard", study.table.is_hard() } };
+}
+
+Json driven_facts(const SpinUpCurves &curves, const std::optional<double> &band)
+{
+  if (!curves.driven)
+    return nullptr;
+  const auto [slowest, fastest] =
+    std::minmax_element(curves.driven->speed.begin(), curves.driven->speed.end());
+  return { { "slowest", *slowest },
+           { "fastest", *fastest },
+           { "omega_at_constant_speed", curves.adaptive.back() },
+           { "band", band ? format::band(*band) : "" },
+           { "file_matters_more", band && curves.driven->interpolation_change > *band } };
+}
+
+Json several_spins_facts(const SpinStudy &spin)
+{
+  const auto &spins = spin.terminal_spins;
+  if (spins.size() < 2)
+    return nullptr;
+  return { { "n", spins.size() },
+           { "n_stable", std::count_if(spins.begin(), spins.end(),
+                                       [](const ring::TerminalSpin &one) { return one.stable; }) } };
+}
+
+const char *kind_of_load(LoadSource source)
+{
+  switch (source)
   {
   case LoadSource::contact:
-    return "Spin of a wine glass on the load of its elastic foot";
+    return "the load of its elastic foot";
   case LoadSource::first_harmonic:
-    return "Spin of a wine glass on a first-harmonic load";
+    return "a first-harmonic load";
   case LoadSource::file:
-    return "Spin of a wine glass on a given load";
+    return "a given load";
   }
-  throw std::logic_error("a load source without a title");
+  throw std::logic_error("a load source without a name");
 }
 
-ReportSection budget_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
+Json facts_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
+              const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
+  const std::optional<double> band = band_of(bands, "omega_terminal");
   const Budget &budget = spin.budget;
-  const Table rows = shown_budget_table(study, budget);
-  const double rounding = 1e-9 * spin_scale(study);
-  ReportSection section = {
-    "From the paper's model to this study's",
-    joined({ lift_off_remarks(study, report, spin), layer_remark(study, report.load.half_width()),
-             waviness_remark(study, spin.phases) }) +
-      "\n\nEach row adds one thing to the model of the row above; its difference is what that thing does. "
-      "The "
-      "harmonics come last: in the rows n ≤ 1, 2, 3 ... the contact has its whole pressure, and friction and "
-      "torque are those of the harmonics that are kept. A load is called formal where it is negative "
-      "somewhere: the "
-      "table would have to pull.",
-    {},
-    { rows.with("Terminal spin in models of increasing detail",
-                "step title omega_terminal difference relative_difference band remark") }
-  };
-  add_scatter_row(spin.profile_scatter, "title", section.tables.back());
-  if (is_spin(study, spin.all().omega_terminal().value_or(0))) // else all bars are rounding
-    section.plots = { waterfall_plot(budget, rounding), effects_plot(budget, rounding) };
-  if (budget.rows.back().name == "harmonics" && !budget.omega.empty() && !spin.all().fall)
-    section.plots.push_back(harmonic_torque_plot(budget));
-  if (!budget.without.empty())
-    section.tables.push_back(without_table(study, budget)
-                               .with("The complete model without one thing at a time",
-                                     "name omega_terminal difference relative_difference remark"));
-  section.tables.push_back(rows.with("Torque τ_z at rest, at half and at all of this study's terminal spin",
-                                     "step title torques[]"));
-  return section;
+  Json facts = study_facts(study);
+  add_end(study, spin, bands, facts);
+  facts.update(load_facts(study, report.load, spin.all()));
+  Json fields = Json::array();
+  if (report.foot)
+    for (const fem::FieldFile &file : report.foot->fields)
+      if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+        fields.push_back(file.name);
+  const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
+  facts.update(
+    { { "quick", spin.is_quick() },
+      { "kind_of_load", kind_of_load(study.load.source) },
+      { "paper", paper_facts(study, budget) },
+      { "effect", spin.rows.size() > 1 ? effect_facts(study, budget.harmonics) : Json(nullptr) },
+      { "largest_step", largest_step_facts(study, budget) },
+      { "left_out", left_out(study, budget) },
+      { "scattered_profile", profile_facts(study, report.load, spin.profile_scatter, band) },
+      { "lift_off", lift_offs(study, report, spin) },
+      { "thin_layer", thin_layer_facts(study, report.load.half_width()) },
+      { "narrow_contact", narrow_contact_facts(study, report.foot) },
+      { "what_is_wavy", rim && table ? "Rim and table are" : (table ? "The table is" : "The rim is") },
+      { "several_spins", several_spins_facts(spin) },
+      { "driven", driven_facts(spin.spin_up, band) },
+      { "has_harmonic_torque", !spin.is_quick() && budget.rows.back().name == "harmonics" &&
+                                 !budget.omega.empty() && !spin.all().fall },
+      { "has_without", !budget.without.empty() },
+      { "has_truncations", report.load.rings.n_harmonics() > 1 && spin.spins_up() },
+      { "has_section", report.foot && !report.foot->section.empty() },
+      { "has_bands", !bands.empty() },
+      { "mesh_for_goal", goal && band_of_mesh(study, bands) },
+      { "fields", fields } });
+  return facts;
 }
 
-ReportSection load_section(const Study &study, const LoadReport &load,
-                           const std::vector<BandedQuantity> &bands)
-{
-  const ring::RingStack &rings = load.rings;
-  const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
-  const double rounding = 1e-12 * load.normal_force * rings.radius();
-  const auto moment = [=](double value)
-  { return format::significant<6>(std::abs(value) < rounding ? 0 : value); };
-  ReportSection section = {
-    "The load on the table",
-    fmt::format(
-      FMT_STRING(
-        "Before the glass spins it presses on the table with N = {:.6g} N and the moment M_N = ({}, "
-        "{}) N m, a moment ratio m = |M_N| / (N R / 2) of {:.4g}. Above 1 a first-harmonic load would "
-        "have to pull, at 2 the glass tips. {:.1f} % of the rim carries load; the least load is "
-        "{:.4g} N/rad. {} with the same N, M_N and first harmonic has a radius of {:.6g} m."),
-      format::Number{ load.normal_force }, moment(load.moment.x()), moment(load.moment.y()),
-      format::Number{ load.moment_ratio }, format::Number{ 100 * load.contact_fraction },
-      format::Number{ load.minimum },
-      rings.rings().size() > 1
-        ? fmt::format(FMT_STRING("The pressure acts on {} rings; one ring"), rings.rings().size())
-        : "The ring",
-      format::Number{ rings.radius() }),
-    { load_plot(rings, pointwise, study.motion.orbit.orbit_sense),
-      line_load_plot(rings, study.motion.orbit.orbit_sense) },
-    { harmonics_table(rings, spectrum_band(bands, rings.n_harmonics())) }
-  };
-  if (rings.n_harmonics() > 1)
-    section.plots.push_back(higher_harmonics_plot(rings, !pointwise.empty()));
-  section.plots.push_back(spectrum_plot(rings, spectrum_band(bands, rings.n_harmonics())));
-  return section;
-}
-
-/// "Friction's torque and the lean torque add up to zero": what makes a spin the terminal one.
-std::string torques_of_balance(const Study &study)
-{
-  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
-  if (!leans && !grips)
-    return "Friction's torque vanishes";
-  const char *others = leans && grips ? ", the lean torque and that of the fingers"
-                       : leans        ? " and the lean torque"
-                                      : " and that of the fingers";
-  return std::string("Friction's torque") + others + " add up to zero";
-}
-
-/// Where the spin-up ends, and why.
-std::string terminal_spin_clause(const Study &study, const SpinStudy &spin)
-{
-  const SpinRow &all = spin.all();
-  if (all.fall)
-    return fmt::format(FMT_STRING("The spin-up ends at {:.3g} rad/s, where the glass falls over."),
-                       all.fall->omega);
-  const double omega = *all.omega_terminal();
-  std::string text =
-    fmt::format(FMT_STRING("{}{} at the terminal spin ω = {:.6g} rad/s, which is {:.3g} turns per second"),
-                torques_of_balance(study), spin.phases ? ", in the mean over a long time," : "", omega,
-                std::abs(omega) / boost::math::double_constants::two_pi);
-  if (const auto time_constant = all.time_constant())
-    text +=
-      "; the glass approaches it with a time constant of " + format::significant<4>(*time_constant) + " s";
-  return text + ".";
-}
-
-ReportSection spin_section(const Study &study, const ContactReport &report, const SpinStudy &spin)
-{
-  const SpinRow &all = spin.all();
-  const double friction = study.motion.orbit.friction_at_rest();
-  const double rounding = 1e-9 * friction * report.load.normal_force * report.load.rings.radius();
-  const auto torque = [=](double value)
-  { return format::significant<6>(std::abs(value) < rounding ? 0 : value) + " N m"; };
-  ReportSection section = { "Torque and spin",
-                            "Friction turns the glass at rest with τ_z = " +
-                              torque(all.at_rest.value().friction.torque) +
-                              "; μ M_Nx, which no harmonic beyond the first can change, is " +
-                              torque(friction * report.load.moment.x()) + ".",
-                            { torque_plot(spin.torque, spin.rows) },
-                            { friction_table(study, all) } };
-  if (spin.phases)
-    section.plots.push_back(phase_plot(*spin.phases));
-  if (!is_spin(study, all.last_spin().value()))
-    return section;
-  section.text += " " + terminal_spin_clause(study, spin);
-  const SpinUpCurves &curves = spin.spin_up;
-  std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
-  if (!curves.first_harmonic.empty())
-    spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
-  spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
-  section.plots.push_back(spin_up_plot(curves.time, spin_ups, all));
-  return section;
-}
-
-ReportSection truncation_section(const SpinStudy &spin)
-{
-  return {
-    "Fewer harmonics",
-    "No harmonic beyond the first changes the torque at rest. The bound on the change of τ_z follows from "
-    "the harmonics left out alone, at the terminal spin of all harmonics. Where the least load is "
-    "negative, the table would have to pull. Rows that change the spin by less than 1e-9 stand in "
-    "truncation.dat only.",
-    { truncation_plot(truncation_table(spin)) },
-    { shown_truncation_table(spin) }
-  };
-}
-
-/// The foot in pictures: its section, its rim, and where it presses on the table.
-ReportSection foot_section(const Study &study, const FootReport &foot)
-{
-  FootLengths lengths = measured(foot.section, study.glass.profile.contact_radius);
-  if (study.contact.mesh_file.empty())
-    lengths.crown_radius = study.glass.profile.crown_radius;
-  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
-  lengths.load_inner_radius = band.inner;
-  lengths.load_outer_radius = band.outer;
-  ReportSection section = { "The foot",
-                            "",
-                            { section_plot(foot.section, lengths), rim_plot(lengths),
-                              view_from_below_plot(foot.footprint, lengths, study.motion.orbit) } };
-  if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
-  {
-    section.plots.push_back(rim_circle_plot(*circle));
-    section.plots.push_back(rim_residual_plot(*circle));
-    section.tables = { rim_table(study) };
-  }
-  return section;
-}
-
-ReportSection contact_section(const Study &study, const FootReport &foot)
+/// The contact at rest for people.
+Table contact_list(const FootReport &foot)
 {
   Table numbers = contact_table(foot).with(
     "", "body unknowns contact_nodes loaded_nodes nodes_across outcome iterations force_residual "
         "moment_residual equilibrium_residual table_motion[]");
   if (foot.foot.n_cells)
     numbers.columns.insert(numbers.columns.begin() + 1, single(quantity::cells, *foot.foot.n_cells));
-  return { "The contact at rest",
-           narrow_contact_remark(study, foot),
-           { footprint_plot(foot.footprint, study.glass.profile.contact_radius) },
-           { as_list(numbers) } };
+  return as_list(numbers);
 }
 
-std::vector<ResultFile> files_of(const Study &study, const ContactReport &report, const SpinStudy &spin)
+void add_foot(const Study &study, const FootReport &foot, Document &document)
 {
-  Table truncations = truncation_table(spin);
-  truncations["relative_change"].name += ", nan where that is 0";
-  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
-                                    { "parameters.prm", "the study, to be run again" },
-                                    { "load.dat", "λ(θ) at rest", load_table(report.load.rings) },
-                                    { "harmonics.dat", "its Fourier coefficients; Load/File reads them",
-                                      load_file_text(report.load.rings) },
-                                    { "rings.dat", "the same ring by ring", ring_table(report.load.rings) } };
-  if (!spin.is_quick())
-    files.push_back(
-      { "budget.dat",
-        "the terminal spin from the paper's model to this study's, and without one thing at a time",
-        budget_file_text(study, spin.budget) });
-  files.insert(files.end(),
-               { { "torque.dat", "τ_z, T_x, T_y against the spin", torque_table(spin.torque) },
-                 { "spin_up.dat", "the spin against time", spin_up_table(spin.spin_up, report.coupling) },
-                 { "truncation.dat", "the answer after 1, 2, 3, 4, 6, 8 ... harmonics", truncations } });
-  if (spin.spin_up.driven)
-    files.push_back({ "driven_spin_up.dat", "the spin against time with the hand's own speeds",
-                      driven_spin_table(*spin.spin_up.driven) });
-  if (spin.phases)
-    files.push_back({ "phases.dat", "τ_z by the orientation of glass and table", phase_table(*spin.phases) });
-  if (const auto &foot = report.foot)
+  document.tables["contact"] = contact_list(foot);
+  document.tables["contact_history"] = history_table(foot.at_rest.history);
+  document.texts["footprint"] = footprint_text(foot.footprint);
+  const double radius = study.glass.profile.contact_radius;
+  document.plots["footprint"] = [&foot, radius] { return footprint_plot(foot.footprint, radius); };
+  if (foot.section.empty())
+    return;
+  FootLengths lengths = measured(foot.section, radius);
+  if (study.contact.mesh_file.empty())
+    lengths.crown_radius = study.glass.profile.crown_radius;
+  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
+  lengths.load_inner_radius = band.inner;
+  lengths.load_outer_radius = band.outer;
+  document.plots["section"] = [&foot, lengths] { return section_plot(foot.section, lengths); };
+  document.plots["rim"] = [lengths] { return rim_plot(lengths); };
+  document.plots["foot_from_below"] = [&foot, &study, lengths]
+  { return view_from_below_plot(foot.footprint, lengths, study.motion.orbit); };
+  if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
   {
-    files.push_back({ "load_lines.dat", "λ(θ) at rest where the contact was solved",
-                      pointwise_table(report.load.pointwise) });
-    files.push_back({ "footprint.dat", "pressure p(r, θ) of the foot on the table at rest",
-                      footprint_text(foot->footprint) });
-    files.push_back(
-      { "contact_history.dat", "Newton steps of the contact", history_table(foot->at_rest.history) });
-    for (const fem::FieldFile &file : foot->fields)
-      if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
-        files.push_back({ "fields/" + file.name, "displacement, stress and contact pressure for ParaView" });
+    document.plots["rim_circle"] = [&] { return rim_circle_plot(*circle); };
+    document.plots["rim_residuals"] = [&] { return rim_residual_plot(*circle); };
+    document.tables["rim"] = rim_table(study);
   }
-  files.push_back({ "timings.json", "how long it took" });
-  return files;
 }
 
-Report report_of(const Study &study, const ContactReport &contact, const SpinStudy &spin,
-                 const std::vector<BandedQuantity> &bands, const std::vector<ResultFile> &files,
-                 const std::optional<GoalOutcome> &goal)
+/// omega(t) as the report draws it.
+Plot spin_up_of(const SpinStudy &spin)
 {
-  Report report = {
-    title(study),
-    joined({ run_answer(study, spin, bands),
-             profile_remark(study, contact.load, spin.profile_scatter, band_of(bands, "omega_terminal")) }),
-    { load_section(study, contact.load, bands), spin_section(study, contact, spin) }
-  };
-  if (!spin.is_quick())
-    report.sections.insert(report.sections.begin(), budget_section(study, contact, spin));
-  if (const auto section = terminal_spins_section(spin))
-    report.sections.push_back(*section);
+  const SpinUpCurves &curves = spin.spin_up;
+  std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
+  if (!curves.first_harmonic.empty())
+    spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
+  spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
+  return spin_up_plot(curves.time, spin_ups, spin.all());
+}
+
+void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
+{
+  auto &plots = document.plots;
+  plots["torque"] = [&] { return torque_plot(spin.torque, spin.rows); };
+  plots["phases"] = [&] { return phase_plot(spin.phases.value()); };
+  plots["spin_up"] = [&] { return spin_up_of(spin); };
+  plots["driven_spin_up"] = [] { return plot_from("driven_spin_up"); };
+  plots["orbit_speed"] = [] { return plot_from("orbit_speed"); };
+  plots["truncation"] = [&] { return truncation_plot(truncation_table(spin)); };
+  auto &tables = document.tables;
+  tables["friction"] = friction_table(study, spin.all());
+  tables["torque"] = torque_table(spin.torque);
+  tables["spin_up"] = spin_up_table(spin.spin_up, report.coupling);
+  tables["terminal_spins"] = terminal_spins_table(spin);
+  tables["shown_truncations"] = shown_truncation_table(spin);
+  tables["truncations"] = truncation_table(spin);
+  tables["truncations"]["relative_change"].name += ", nan where that is 0";
   if (spin.spin_up.driven)
-    report.sections.push_back(driven_spin_section(spin.spin_up, band_of(bands, "omega_terminal")));
-  if (contact.load.rings.n_harmonics() > 1 && spin.spins_up())
-    report.sections.push_back(truncation_section(spin));
-  if (is_one_way(study))
-    say_one_way(report);
-  if (contact.foot && !contact.foot->section.empty())
-    report.sections.push_back(foot_section(study, *contact.foot));
-  if (contact.foot)
-    report.sections.push_back(contact_section(study, *contact.foot));
-  if (!bands.empty())
-    report.sections.push_back(error_band_section(bands));
-  if (!bands.empty() && goal)
-    report.sections.back().text += goal_sentence(study, *goal, bands);
-  add_closing_sections(report, study, files);
-  return report;
+    tables["driven"] = driven_spin_table(*spin.spin_up.driven);
+  if (spin.phases)
+    tables["phases"] = phase_table(*spin.phases);
+}
+
+void add_budget(const Study &study, const SpinStudy &spin, Document &document)
+{
+  add_chain(study, spin.budget, document);
+  document.tables["scattered_chain"] = document.tables["chain"];
+  add_scatter_row(spin.profile_scatter, "title", document.tables["scattered_chain"]);
+  document.tables["scattered_steps"] = document.tables["named_steps"];
+  add_scatter_row(spin.profile_scatter, "console_title", document.tables["scattered_steps"]);
+  document.tables["without"] = without_table(study, spin.budget);
+  document.texts["budget"] = budget_file_text(study, spin.budget);
 }
 
 } // namespace
@@ -479,25 +487,20 @@ Report report_of(const Study &study, const ContactReport &contact, const SpinStu
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
-  Results results;
-  results.files = files_of(study, report, spin);
-  results.report = report_of(study, report, spin, bands, results.files, goal);
-  const std::vector<std::string> remarks = { lift_off_remarks(study, report, spin),
-                                             narrow_contact_remark(study, report.foot),
-                                             layer_remark(study, report.load.half_width()),
-                                             waviness_remark(study, spin.phases),
-                                             terminal_spins_remark(spin) };
-  results.console = { { joined({ results.report.answer, joined(remarks) }) } };
+  Document document = { findings_of(study, report, spin, bands, goal),
+                        facts_of(study, report, spin, bands, goal) };
+  add_spin(study, report, spin, document);
   if (!spin.is_quick())
-  {
-    Budget steps = spin.budget;
-    steps.rows = named_steps(spin.budget.rows);
-    results.console.push_back(chain_block(study, steps));
-    add_scatter_row(spin.profile_scatter, "console_title", *results.console.back().table);
-  }
-  results.findings = findings_of(study, report, spin, bands, goal);
-  results.fields = own_fields(report).fields;
-  return results;
+    add_budget(study, spin, document);
+  if (is_one_way(study))
+    say_one_way(document);
+  add_load(study, report.load, bands, document);
+  if (report.foot)
+    add_foot(study, *report.foot, document);
+  add_bands(bands, document);
+  add_study(study, document);
+  document.fields = own_fields(report).fields;
+  return shown(document, "run");
 }
 
 Results own_fields(const ContactReport &report)

@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/slide_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 
@@ -173,8 +172,14 @@ Results tabulate(const Study &study, const SlideStudy &slide)
   document.tables = { { "path", path_table(slide) }, { "body", body_table(slide) } };
   document.plots = { { "path", [&] { return path_plot(slide); } },
                      { "drift", [] { return plot_from("drift"); } },
-                     { "speeds", [=] { return plot_from("speeds", { { "radius", radius } }); } },
-                     { "slip_ratio", [=] { return plot_from("slip_ratio", { { "at_stop", eps } }); } },
+                     { "speeds",
+                       [=] {
+                         return plot_from("speeds", { { "radius", radius } });
+                       } },
+                     { "slip_ratio",
+                       [=] {
+                         return plot_from("slip_ratio", { { "at_stop", eps } });
+                       } },
                      { "energy", [] { return plot_from("energy"); } } };
   add_study(study, document);
   return shown(document, "slide");

@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/sweep_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
@@ -103,7 +102,8 @@ Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
 
 // ---- report
 
-ReportSection plan_section(const SweepPlan &plan)
+/// What is varied.
+Table plan_table(const SweepPlan &plan)
 {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < plan.entries.size(); ++i)
@@ -120,10 +120,7 @@ ReportSection plan_section(const SweepPlan &plan)
         values += (values.empty() ? "" : ", ") + value;
     rows.push_back({ entry.path, entry.unit == "1" ? "–" : entry.unit, values });
   }
-  return { "The sweep",
-           "",
-           {},
-           { words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows) } };
+  return words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows);
 }
 
 /// What a quantity depends on, entry by entry.
@@ -143,46 +140,7 @@ Table sensitivity_table(const SweepPlan &plan, const std::string &quantity,
   return table;
 }
 
-ReportSection sample_section(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
-{
-  ReportSection section = {
-    "Bands and sensitivities",
-    fmt::format(
-      FMT_STRING("Independent samples of all entries (seed {}). The regression coefficients say by how many "
-                 "standard deviations the quantity changes with one of the entry, in the best linear fit; "
-                 "entries that spread by factors count in the logarithm. "),
-      plan.seed) +
-      (findings.n_cases - findings.n_failed >= least_samples_of_shares
-         ? fmt::format(
-             FMT_STRING(
-               "The first-order share is the part of the variance that would vanish if the entry were known "
-               "(Sobol's index), estimated from neighbours in the order of the entry (Gamboa, Gremaud, Klein "
-               "and Lagnoux, Bernoulli 28, 2022); with {} samples it is uncertain by about {:.2f}."),
-             plan.cases.size(), 1 / std::sqrt(static_cast<double>(plan.cases.size())))
-         : fmt::format(FMT_STRING("Shares of the variance (Sobol's indices) need {} samples or more; give "
-                                  "--samples."),
-                       least_samples_of_shares)),
-    sample_plots(plan, cases, findings)
-  };
-  for (const char *quantity : { "terminal spin", "harmonic effect" })
-    if (const QuantityFindings *about = findings.about(quantity); about != nullptr && about->sensitivity)
-      section.tables.push_back(sensitivity_table(plan, quantity, *about->sensitivity));
-  section.tables.push_back(
-    statistics_table(plan, with_bands(for_people(findings)))
-      .with("Bands of all samples", "title values mean standard_deviation percentile_2.5 percentile_97.5"));
-  return section;
-}
-
-ReportSection grid_section(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
-{
-  return { "What comes out",
-           "",
-           grid_plots(plan, cases),
-           { statistics_table(plan, for_people(findings))
-               .with("Least and largest values", "title least at_least most at_most") } };
-}
-
-ReportSection failure_section(const SweepPlan &plan, const FinishedCases &cases)
+Table failure_table(const SweepPlan &plan, const FinishedCases &cases)
 {
   // Many cases fail for one reason: each is listed once, with the first case that met it.
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
@@ -193,27 +151,7 @@ ReportSection failure_section(const SweepPlan &plan, const FinishedCases &cases)
   for (const auto &[message, place] : reasons)
     if (rows.size() < 20)
       rows.push_back({ std::to_string(place.second), values_of_case(plan, place.first), message });
-  return { "Cases that failed",
-           "sweep.csv lists all of them.",
-           {},
-           { words("", { "cases", "first of them", "message" }, rows) } };
-}
-
-std::vector<ResultFile> files_of(const SweepPlan &plan, const FinishedCases &cases,
-                                 const SweepFindings &findings)
-{
-  std::vector<ResultFile> files = { { "sweep.csv", "a row for every case, units in the header",
-                                      case_table(plan, cases) } };
-  if (plan.is_random())
-    files.push_back({ "statistics.csv", "bands and sensitivities of every quantity",
-                      statistics_table(plan, with_bands(findings.quantities))
-                        .with("", "quantity unit values mean standard_deviation percentile_2.5 "
-                                  "percentile_97.5 r_squared sensitivity") });
-  files.push_back({ "sweep.json", "how the cases came about", plan_as_json(plan).dump(2) + "\n" });
-  files.push_back({ "summary.json", "all findings, for programs" });
-  files.push_back({ "parameters.prm", "the base study" });
-  files.push_back({ "timings.json", "how long it took" });
-  return files;
+  return words("", { "cases", "first of them", "message" }, rows);
 }
 
 } // namespace
@@ -302,26 +240,45 @@ Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings
 
 Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
 {
-  Results results;
-  results.files = files_of(plan, cases, findings);
-  results.report = { "Spin of a wine glass in " + std::to_string(plan.cases.size()) +
-                       (plan.is_random() ? " random samples" : " cases"),
-                     sweep_answer(plan, findings),
-                     { plan_section(plan), plan.is_random() ? sample_section(plan, cases, findings)
-                                                            : grid_section(plan, cases, findings) } };
-  if (findings.n_failed > 0)
-    results.report.sections.push_back(failure_section(plan, cases));
+  const std::vector<QuantityFindings> main = main_quantities(findings), people = for_people(findings);
+  const std::size_t n = plan.cases.size();
+  const bool has_shares = findings.n_cases - findings.n_failed >= least_samples_of_shares;
+  Document document = { findings_of(plan, findings), sweep_facts(plan, findings) };
+  document.facts.update(
+    { { "sweep_size", std::to_string(n) + (plan.is_random() ? " random samples" : " cases") },
+      { "random", plan.is_random() },
+      { "seed", plan.seed },
+      { "n_samples", n },
+      { "share_error", has_shares ? Json(1 / std::sqrt(static_cast<double>(n))) : Json(nullptr) },
+      { "samples_of_shares", least_samples_of_shares },
+      { "has_bands", std::any_of(main.begin(), main.end(), has_band) },
+      { "pictures", Json::array() },
+      { "sensitivities", Json::array() } });
+  for (const Plot &plot : plan.is_random() ? sample_plots(plan, cases, findings) : grid_plots(plan, cases))
+  {
+    document.plots[plot.name] = [plot] { return plot; };
+    document.facts["pictures"].push_back(plot.name);
+  }
   if (is_one_way(plan.base))
-    say_one_way(results.report);
-  add_closing_sections(results.report, plan.base, results.files);
-  const std::vector<QuantityFindings> main = main_quantities(findings);
-  const bool has_bands = std::any_of(main.begin(), main.end(), has_band);
-  results.console = { { results.report.answer,
-                        statistics_table(plan, main)
-                          .with("", has_bands ? "title mean standard_deviation percentile_2.5 percentile_97.5"
-                                              : "title least most") } };
-  results.findings = findings_of(plan, findings);
-  return results;
+    say_one_way(document);
+  for (const char *quantity : { "terminal spin", "harmonic effect" })
+    if (const QuantityFindings *about = findings.about(quantity);
+        plan.is_random() && about != nullptr && about->sensitivity)
+    {
+      document.tables["sensitivity_" + std::string(quantity)] =
+        sensitivity_table(plan, quantity, *about->sensitivity);
+      document.facts["sensitivities"].push_back(quantity);
+    }
+  document.tables["plan"] = plan_table(plan);
+  document.tables["shown_statistics"] =
+    statistics_table(plan, plan.is_random() ? with_bands(people) : people);
+  document.tables["main_statistics"] = statistics_table(plan, main);
+  document.tables["statistics"] = statistics_table(plan, with_bands(findings.quantities));
+  document.tables["failures"] = failure_table(plan, cases);
+  document.tables["cases"] = case_table(plan, cases);
+  document.texts["plan_json"] = plan_as_json(plan).dump(2) + "\n";
+  add_study(plan.base, document);
+  return shown(document, "sweep");
 }
 
 } // namespace stemware::pipeline

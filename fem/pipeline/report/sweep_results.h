@@ -10,6 +10,9 @@ namespace stemware::pipeline
 /// random samples and what it comes from.
 Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings);
 
+/// What the template "sweep_answer" says.
+nlohmann::ordered_json sweep_facts(const SweepPlan &plan, const SweepFindings &findings);
+
 /// sweep.csv: a row for every case of the plan in its order: case (from 1), the varied entries as they were
 /// given, sweep_quantities(), contact outcome, status ("ok" or "failed") and message. What a case does not
 /// have is missing.

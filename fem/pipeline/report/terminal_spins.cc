@@ -3,7 +3,6 @@
 #include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline
@@ -29,35 +28,14 @@ std::optional<double> if_finite(double value)
 
 } // namespace
 
-std::string terminal_spins_remark(const SpinStudy &spin)
+Table terminal_spins_table(const SpinStudy &spin)
 {
-  if (spin.terminal_spins.size() < 2)
-    return "";
-  const auto n_stable = std::count_if(spin.terminal_spins.begin(), spin.terminal_spins.end(),
-                                      [](const ring::TerminalSpin &one) { return one.stable; });
-  return fmt::format(
-    FMT_STRING("The torques add up to zero at {} spins, {} of them stable: which one the glass "
-               "ends at depends on how it starts."),
-    spin.terminal_spins.size(), n_stable);
-}
-
-std::optional<ReportSection> terminal_spins_section(const SpinStudy &spin)
-{
-  if (spin.terminal_spins.size() < 2)
-    return std::nullopt;
   std::vector<std::vector<std::string>> rows;
   for (const ring::TerminalSpin &one : spin.terminal_spins)
     rows.push_back({ format::significant<7>(one.omega), stability_of(one),
                      std::isfinite(one.time_constant) ? format::significant<4>(one.time_constant) : "–",
                      is_reached(one, spin) ? "reached from rest" : "" });
-  return ReportSection{
-    "All terminal spins",
-    terminal_spins_remark(spin) +
-      " Searched within 1.5 v/R of rest. Near a stable one the spin settles with its time constant; from an "
-      "unstable one it departs with it.",
-    {},
-    { words("", { "spin ω (rad/s)", "", "time constant (s)", "" }, rows) }
-  };
+  return words("", { "spin ω (rad/s)", "", "time constant (s)", "" }, rows);
 }
 
 nlohmann::ordered_json terminal_spins_summary(const SpinStudy &spin)

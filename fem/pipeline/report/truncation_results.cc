@@ -1,8 +1,8 @@
 #include "fem/pipeline/report/truncation_results.h"
 
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -29,13 +29,6 @@ constexpr char data_columns[] =
   "spin_up_deviation spin_up_deviation_at_end bound ring_radius_at_terminal "
   "moment_ratio_at_terminal load_minimum load_minimum_at_terminal pulling_share "
   "pulling_share_at_terminal pulls torque[]";
-constexpr char console_columns[] =
-  "harmonics amplitude omega_terminal relative_change spin_up_deviation bound least_load";
-constexpr char spin_columns[] = "harmonics amplitude omega_terminal relative_change spin_up_deviation "
-                                "spin_up_deviation_at_end bound";
-constexpr char load_columns[] =
-  "harmonics tau_at_rest torque[] least_load pulls_with moment_ratio_at_terminal";
-
 /// All numbers of @p rows by the number of harmonics.
 Table truncation_table(const TruncationStudy &study, const std::vector<SpinRow> &rows)
 {
@@ -115,105 +108,71 @@ Table truncation_file(const TruncationStudy &study)
     .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns);
 }
 
-/// Sentences about rows that lack something.
-std::string reasons(const TruncationStudy &study)
+Json facts_of(const Study &study, const TruncationStudy &truncations)
 {
-  std::string text;
-  for (const SpinRow &row : study.rows)
+  const SpinRow &all = truncations.all();
+  const double omega = all.omega_terminal().value();
+  const bool is_spinning = is_spin(study, omega);
+  const std::string held = is_spinning ? "" : held_by_the_grip(study, all);
+  Json reasons = Json::array();
+  for (const SpinRow &row : truncations.rows)
     if (!row.reason.empty())
-      text += fmt::format(FMT_STRING("\n\nWith {} harmonics: {}."), row.harmonics, row.reason);
-  return text;
-}
-
-/// What happens to the load where harmonics are left out.
-std::string how_truncated(const Study &study)
-{
-  if (is_one_way(study))
-    return "One-way: the load of rest, kept at every spin, loses some of its harmonics; neither contact nor "
-           "friction is solved again.";
-  return "In balance at every spin: the friction of the harmonics that are kept enters the moment that the "
-         "table has to provide, and that moment the contact, which has its whole pressure.";
-}
-
-ReportSection table_section(const Study &study, const TruncationStudy &truncations)
-{
-  const Table table = truncation_table(truncations, truncations.rows);
-  ReportSection section = {
-    "Fewer harmonics",
-    how_truncated(study) +
-      " The torque at rest, μ M_Nx, stays: it lies in the first harmonic. The bound is known before anything "
-      "is solved: μ Σ r |K_n(ε)| √(a_n² + b_n²) over the rings and what is left out, at the terminal spin of "
-      "all harmonics. A load that is negative somewhere would have to pull on the table; all harmonics of a "
-      "foot that lifts off still leave a little of that, where their series overshoots." +
-      reasons(truncations),
-    { torque_plot(truncations.torque, truncations.rows),
-      spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(),
-                   "Spin-up from rest, n harmonics kept, beside the paper's result.") },
-    { table.with("The spin", spin_columns),
-      table.with("Torque and load, the worse of rest and terminal spin", load_columns) }
-  };
-  if (truncations.rows.size() > 1)
-    section.plots.push_back(deviation_plot(truncations.rows));
-  return section;
-}
-
-ReportSection load_section(const LoadReport &load, ring::OrbitSense sense, const ErrorBands &bands)
-{
-  const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
-  return { "The load at rest",
-           fmt::format(
-             FMT_STRING("Moment ratio {:.5g}; the equivalent ring has a radius of {:.6g} m. {:.1f} % of the "
-                        "rim carries load."),
-             format::Number{ load.moment_ratio }, format::Number{ load.rings.radius() },
-             format::Number{ 100 * load.contact_fraction }),
-           { load_plot(load.rings, drawn_pointwise(load), sense), spectrum_plot(load.rings, band) },
-           { harmonics_table(load.rings, band) } };
-}
-
-std::vector<ResultFile> files_of(const LoadReport &load, const TruncationStudy &study)
-{
-  return { { "summary.json", "all numbers, for programs" },
-           { "parameters.prm", "the study, to be run again" },
-           { "harmonics.dat", "Fourier coefficients of the load at rest; Load/File reads them",
-             load_file_text(load.rings) },
-           { "rings.dat", "the same ring by ring", ring_table(load.rings) },
-           { "truncation.dat", "the answer by the number of harmonics", truncation_file(study) },
-           { "torque.dat", "τ_z, T_x, T_y against the spin, of 1, 2, 3 and all harmonics",
-             torque_table(study.torque) },
-           { "spin_up.dat", "the spin against time by the number of harmonics", spin_up_table(study) },
-           { "timings.json", "how long it took" } };
+      reasons.push_back({ { "harmonics", row.harmonics }, { "reason", row.reason } });
+  Json facts = study_facts(study);
+  facts.update({ { "held", held },
+                 { "stays", !is_spinning && held.empty() },
+                 { "one_harmonic", is_spinning && all.harmonics == 1 },
+                 { "several_harmonics", is_spinning && all.harmonics > 1 },
+                 { "with_band", with_band(omega, all.band) },
+                 { "n_harmonics", all.harmonics },
+                 { "first", json_number(truncations.rows.front().omega_terminal()) },
+                 { "effect", effect_facts(study, truncations.harmonics) },
+                 { "n_enough", harmonics_enough(truncations.rows, 1e-4) },
+                 { "has_changes", all.relative_change && truncations.rows.size() > 1 },
+                 { "has_deviations", truncations.rows.size() > 1 },
+                 { "reasons", reasons } });
+  return facts;
 }
 
 } // namespace
 
+unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
+{
+  unsigned int enough = rows.back().harmonics;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+  {
+    if (!row->relative_change || std::abs(*row->relative_change) > share)
+      break;
+    enough = row->harmonics;
+  }
+  return enough;
+}
+
 Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations,
                  const ErrorBands &bands)
 {
-  Results results;
-  results.files = files_of(load, truncations);
-  Report &report = results.report;
   const Budget budget = chain_alone(truncations.budget);
-  report = { "How many harmonics of the load matter", truncation_answer(study, truncations), {} };
-  if (truncations.all().relative_change && truncations.rows.size() > 1)
-    report.sections.push_back({ "The terminal spin by the number of harmonics",
-                                "",
-                                { truncation_plot(truncations, truncation_file(truncations)) } });
-  report.sections.insert(report.sections.end(), { chain_section(study, budget),
-                                                  load_section(load, study.motion.orbit.orbit_sense, bands),
-                                                  table_section(study, truncations) });
-  if (is_one_way(study))
-    say_one_way(report);
-  add_closing_sections(report, study, results.files);
-  Budget steps = budget;
-  steps.rows = named_steps(budget.rows);
-  results.console = {
-    { report.answer },
-    { is_one_way(study) ? "One-way, the load of rest cut off:" : "In balance at every spin:",
-      truncation_table(truncations, rows_that_differ(truncations)).with("", console_columns) },
-    chain_block(study, steps)
+  Document document = { findings_of(load, truncations, budget_summary(study, budget)),
+                        facts_of(study, truncations) };
+  add_chain(study, budget, document);
+  document.plots["truncation"] = [&] { return truncation_plot(truncations, truncation_file(truncations)); };
+  document.plots["torque"] = [&] { return torque_plot(truncations.torque, truncations.rows); };
+  document.plots["spin_up"] = [&]
+  {
+    return spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(),
+                        "Spin-up from rest, n harmonics kept, beside the paper's result.");
   };
-  results.findings = findings_of(load, truncations, budget_summary(study, budget));
-  return results;
+  document.plots["deviation"] = [&] { return deviation_plot(truncations.rows); };
+  if (is_one_way(study))
+    say_one_way(document);
+  add_load(study, load, bands, document);
+  document.tables["truncations"] = truncation_table(truncations, truncations.rows);
+  document.tables["differing"] = truncation_table(truncations, rows_that_differ(truncations));
+  document.tables["truncation_file"] = truncation_file(truncations);
+  document.tables["torque"] = torque_table(truncations.torque);
+  document.tables["spin_up"] = spin_up_table(truncations);
+  add_study(study, document);
+  return shown(document, "truncate");
 }
 
 } // namespace stemware::pipeline

@@ -13,4 +13,8 @@ namespace stemware::pipeline
 Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations,
                  const ErrorBands &bands);
 
+/// The least number of harmonics from which on the terminal spin stays within @p share of that of all, which
+/// is the last of @p rows.
+unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share);
+
 } // namespace stemware::pipeline

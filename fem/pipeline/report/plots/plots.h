@@ -6,8 +6,8 @@
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/truncation.h"
-#include "fem/pipeline/report/render/table.h"
 #include "fem/pipeline/report/plot.h"
+#include "fem/pipeline/report/render/table.h"
 #include "ring_model/load/ring_stack.h"
 
 #include <string>
@@ -86,6 +86,9 @@ Plot truncation_plot(const TruncationStudy &study, const Table &truncations);
 
 /// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows; from spin_up.dat.
 Plot deviation_plot(const std::vector<SpinRow> &rows);
+
+/// A load of `compare` by the name that it is shown with, which says what is one-way.
+std::string name_of_load(const std::string &load);
 
 /// Terminal spins as points, a line of its own for each load, the first on top.
 Plot comparison_plot(const Comparison &comparison);

@@ -1,4 +1,3 @@
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -31,6 +30,11 @@ double place_in(const Table &table, const std::string &key)
 }
 
 } // namespace
+
+std::string name_of_load(const std::string &load)
+{
+  return load == compared_load::foot_at_rest ? load + " (one-way)" : load;
+}
 
 std::string truncation_title(unsigned int n, unsigned int n_all)
 {

@@ -1,8 +1,8 @@
 #include "fem/pipeline/report/render/html_page.h"
 
+#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/report/render/html_style.h"
 #include "fem/pipeline/report/render/table_renderers.h"
-#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/support/program.h"
 
 #include <boost/algorithm/string/replace.hpp>

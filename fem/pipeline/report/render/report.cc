@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/render/report.h"
 
-#include "fem/pipeline/report/render/html_page.h"
 #include "fem/pipeline/report/gnuplot.h"
+#include "fem/pipeline/report/render/html_page.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <fstream>
