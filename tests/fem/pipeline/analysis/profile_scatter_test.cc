@@ -1,6 +1,7 @@
 // What the scatter of a scanned rim does to the spin, against the spin of the rim that the points were
 // scattered from, which is given by its two lengths and needs no points.
 #include "fem/pipeline/analysis/profile_scatter.h"
+#include "fem/pipeline/report/document.h"
 #include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
@@ -115,7 +116,7 @@ TEST(ProfileScatter, ThereIsNoneOfARimThatIsGiven)
   const std::string file = scratch.write("scan.csv", scanned_foot(0.02, 1));
   test::SolvedStudy given(quick_study(file, { "Glass/Contact radius=30 mm", "Glass/Crown radius=3 mm" }));
   EXPECT_FALSE(profile_scatter(given.study, given.row, given.cache));
-  EXPECT_EQ(profile_remark(given.study, given.load.report(), {}, 1e-5), "");
+  EXPECT_TRUE(profile_facts(given.study, given.load.report(), {}, 1e-5).is_null());
 
   // Of one that is given, only the other counts.
   test::SolvedStudy half(quick_study(file, { "Glass/Contact radius=30 mm" }));
@@ -137,7 +138,9 @@ TEST(ProfileScatter, CrownIsNotDeterminedWhereItRisesLessThanThePointsScatter)
     load.inner_radius = study.glass.profile.contact_radius - 0.2e-3;
     load.outer_radius = study.glass.profile.contact_radius + 0.2e-3;
     EXPECT_NEAR(sag_over_contact(study, load), 0.02e-6 / study.glass.profile.crown_radius, 1e-15);
-    const std::string remark = profile_remark(study, load, ProfileScatter{ 0.035 }, 1.2e-5);
+    const nlohmann::ordered_json facts = { { "scattered_profile",
+                                             profile_facts(study, load, ProfileScatter{ 0.035 }, 1.2e-5) } };
+    const std::string remark = shown({ {}, facts }, "profile").report.answer;
     EXPECT_NE(remark.find(fitted_rim(study)), std::string::npos) << remark;
     EXPECT_NE(remark.find("± 0.035 rad/s (scatter of the profile, one standard error), beside a band of the "
                           "discretisation of ± 1.2e-05."),

@@ -3,8 +3,8 @@
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/run_results.h"
-#include "tests/fem/pipeline/report/hand_made_studies.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/report/hand_made_studies.h"
 
 #include <gtest/gtest.h>
 

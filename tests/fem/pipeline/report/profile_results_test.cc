@@ -3,8 +3,8 @@
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
-#include "tests/fem/pipeline/report/hand_made_studies.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/report/hand_made_studies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // The sentences of `run`: its answer and its remarks.
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/report/answer.h"
 #include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/report/document.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
@@ -15,12 +16,20 @@ namespace
 
 using namespace test;
 
+/// The text of a template.
+std::string said(const std::string &name, const nlohmann::ordered_json &facts)
+{
+  return shown({ {}, facts }, name).report.answer;
+}
+
 /// A study of two rows with a budget and bands.
-struct SpunStudy
+struct SpunStudy : RunByHand
 {
   SpunStudy()
   {
     Numbers next;
+    study = Study();
+    spin.budget = Budget();
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.rows.back().terminal->omega = -3.25;
     spin.budget.rows = { { { 1 }, "paper", 1, -3. },
@@ -31,14 +40,10 @@ struct SpunStudy
     spin.budget.without = { { "tilt", -3.24, 0.01, "" },
                             { "grip", -3.3, -0.05, "" },
                             { "compliance of the interface", {}, {}, "not defined" } };
-    bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
+    bands.back() = { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 };
   }
 
-  std::string answer() const { return run_answer(study, spin, bands); }
-
-  Study study;
-  SpinStudy spin;
-  std::vector<BandedQuantity> bands;
+  std::string answer() const { return tabulate(study, report, spin, bands).report.answer; }
 };
 
 TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
@@ -68,14 +73,16 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     const HarmonicEffect effect = { value("absolute harmonic effect"), value("harmonic effect") / 100 };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));
     usual = effect.relative;
-    const std::string sentence = harmonic_effect_sentence(study, effect);
+    const std::string sentence =
+      said("harmonic_effect", { { "effect", effect_facts(study, effect) }, { "one_way", false } });
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
     EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
     EXPECT_TRUE(is_spin(study, value("terminal spin")));
   }
   // Below rounding there is no per cent, and the sentence says how little.
+  const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));
   const std::string nothing =
-    harmonic_effect_sentence(study, harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study)));
+    said("harmonic_effect", { { "effect", effect_facts(study, none) }, { "one_way", false } });
   EXPECT_NE(nothing.find("change that by less than 3.3e-18 rad/s."), std::string::npos) << nothing;
 }
 
@@ -206,16 +213,24 @@ TEST(RunAnswer, PrintedBandsContainTheWholeBand)
 
 TEST(Remarks, ALayerThickerThanTheContactIsNoWinklerInterface)
 {
-  Study study;
-  EXPECT_EQ(layer_remark(study, 2e-4), ""); // no layer is named
-  study.table.layer_thickness = 5e-3;
-  EXPECT_EQ(wrapped(layer_remark(study, 2e-4)),
+  RunByHand run;
+  const auto remark = [&](double half_width)
+  {
+    run.report.load.inner_radius = 0.03 - half_width;
+    run.report.load.outer_radius = 0.03 + half_width;
+    const std::string text = tabulate(run.study, run.report, run.spin, run.bands).console.front().text;
+    const auto begin = text.find("Note: the contact is 0.4 mm wide");
+    return begin == std::string::npos ? "" : text.substr(begin, text.find("elastic).") + 9 - begin);
+  };
+  EXPECT_EQ(remark(2e-4), ""); // no layer is named
+  run.study.table.layer_thickness = 5e-3;
+  EXPECT_EQ(wrapped(remark(2e-4)),
             R"(Note: the contact is 0.4 mm wide, its half-width less than the 5 mm of the layer (Table/Layer
 thickness). A Winkler interface stands for a layer only where the contact is much wider than it;
 take an elastic disc instead (Table/Substrate = elastic).)");
-  EXPECT_EQ(layer_remark(study, 6e-3), "");
-  study.table.interface = TableInterface::hard;
-  EXPECT_EQ(layer_remark(study, 2e-4), "");
+  EXPECT_EQ(remark(6e-3), "");
+  run.study.table.interface = TableInterface::hard;
+  EXPECT_EQ(remark(2e-4), "");
 }
 
 TEST(Remarks, LiftOffAndLoadsThatPull)
@@ -224,14 +239,14 @@ TEST(Remarks, LiftOffAndLoadsThatPull)
   load.contact_fraction = 1;
   load.minimum = 0.1;
   load.moment_ratio = 0.9;
-  EXPECT_EQ(lift_off_remark(load, "At rest"), "");
+  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At rest", &load } }) } }), "");
   load.contact_fraction = 0.75;
   load.minimum = 0;
-  EXPECT_EQ(lift_off_remark(load, "At rest"),
+  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At rest", &load } }) } }),
             "At rest the foot has left the table in part: 75.0 % of the rim carries load, at a "
             "moment ratio of 0.9.");
   load.minimum = -999999;
-  EXPECT_EQ(lift_off_remark(load, "At the terminal spin"),
+  EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At the terminal spin", &load } }) } }),
             "At the terminal spin the load is negative somewhere, down to -1e+06 N/rad: the table would have "
             "to pull. 75.0 % of the rim carries load.");
 }

@@ -1,5 +1,5 @@
 // What is said about cases whose results are known; sweep_results_test.cc has the tables.
-#include "fem/pipeline/report/answer.h"
+#include "fem/pipeline/report/document.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/support/work_progress.h"
 
@@ -49,6 +49,12 @@ FinishedCases four_cases()
            { 3, with_spin(-4, 0.25) } };
 }
 
+/// What the report says first.
+std::string answer_of(const SweepPlan &plan, const SweepFindings &findings)
+{
+  return shown({ {}, sweep_facts(plan, findings) }, "sweep_answer").report.answer;
+}
+
 TEST(SweepFindings, RangesNameTheirCases)
 {
   const SweepFindings findings = find_out(grid_of_four(), four_cases());
@@ -67,7 +73,7 @@ TEST(SweepFindings, RangesNameTheirCases)
   EXPECT_EQ(summary["quantities"]["terminal spin"]["least_case"], 2);
   EXPECT_EQ(summary["sweep"]["failed"], 1);
   EXPECT_EQ(
-    sweep_answer(grid_of_four(), findings),
+    answer_of(grid_of_four(), findings),
     "In 3 cases the glass spins up to between -5 rad/s (Load/Moment ratio = 1, Motion/Closure = full) and -3 "
     "rad/s "
     "(Load/Moment ratio = 1, Motion/Closure = paper). The harmonics of the load beyond the first make it up "
@@ -87,7 +93,7 @@ TEST(SweepFindings, CasesThatFallOverAreNoFailures)
   const SweepFindings findings = find_out(plan, cases);
   EXPECT_EQ(findings.n_failed, 0u);
   EXPECT_EQ(findings.about("terminal spin")->n_values, 3u);
-  EXPECT_EQ(sweep_answer(plan, findings).substr(0, 133),
+  EXPECT_EQ(answer_of(plan, findings).substr(0, 133),
             "In 1 of 4 cases the glass stands at rest and falls over on the way (Load/Moment ratio = 1.5, "
             "Motion/Closure = full); it has no termin");
   EXPECT_NE(case_table(plan, cases).columns.size(), 0u);
@@ -181,13 +187,13 @@ TEST(SweepFindings, SpinsThatChangeSignAreComparedInRadiansPerSecond)
   const SweepFindings findings = find_out(plan, cases);
   EXPECT_TRUE(findings.spin_changes_sign());
   EXPECT_EQ(
-    sweep_answer(plan, findings),
+    answer_of(plan, findings),
     "In 2 cases the glass spins up to between -3 rad/s (Motion/Force offset = -1 m) and 2 rad/s "
     "(Motion/Force offset = 1 m). The harmonics of the load beyond the first change it by between -0.125 "
     "rad/s (Motion/Force offset = 1 m) and +0.25 rad/s (Motion/Force offset = -1 m). For scale: what the "
     "paper's moment balance leaves out changes the spin of a first-harmonic load by +0.5 rad/s.");
   plan.base.load.moment_ratio = 0.5; // no balance acts
-  EXPECT_EQ(sweep_answer(plan, findings).find("paper's moment balance"), std::string::npos);
+  EXPECT_EQ(answer_of(plan, findings).find("paper's moment balance"), std::string::npos);
   EXPECT_FALSE(find_out(grid_of_four(), four_cases()).spin_changes_sign());
 }
 
@@ -234,7 +240,7 @@ TEST(SweepFindings, SpreadsByFactorsCountInTheLogarithm)
   EXPECT_NEAR(spin->sensitivity->regression[1], 0, 1e-12);
   EXPECT_NEAR(spin->band->deviation, 0.1 * std::log(2.), 0.1 * std::log(2.) * 4 / std::sqrt(800.));
   EXPECT_FALSE(findings.about("harmonic effect")->sensitivity);
-  EXPECT_NE(sweep_answer(plan, findings).find("due to Table/Foundation modulus alone"), std::string::npos);
+  EXPECT_NE(answer_of(plan, findings).find("due to Table/Foundation modulus alone"), std::string::npos);
 }
 
 TEST(WorkProgress, DurationsAreRoundedUpwards)
