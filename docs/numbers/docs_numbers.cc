@@ -316,6 +316,40 @@ std::vector<fs::path> pages_of(const fs::path &source)
   return pages;
 }
 
+/// The rows "| `key` | unit | meaning |" of the properties of a schema, those of objects and lists in it
+/// below them;
+/// @p path stands before their keys.
+std::string key_rows(const nlohmann::ordered_json &schema, const std::string &path)
+{
+  std::string rows;
+  if (!schema.contains("properties"))
+    return rows;
+  for (const auto &[key, value] : schema["properties"].items())
+  {
+    const std::string name = path + key;
+    const nlohmann::ordered_json nothing = nlohmann::ordered_json::object();
+    rows += "| `" + name + "` | " + value.value("unit", "") + " | " +
+            std::regex_replace(value.value("description", ""), std::regex("[|]"), "\\|") + " |\n";
+    rows += key_rows(value, name + ".") + key_rows(value.value("items", nothing), name + "[].");
+    if (value.contains("additionalProperties") && value["additionalProperties"].is_object())
+      rows += key_rows(value["additionalProperties"], name + ".*.");
+  }
+  return rows;
+}
+
+/// The page docs/summary.md: the keys of summary.json as its schema declares them.
+std::string page_of_keys(const nlohmann::ordered_json &schema)
+{
+  return "# The keys of summary.json\n\n" + schema["description"].get<std::string>() +
+         " The schema is `fem/pipeline/report/summary.schema.json`, installed as "
+         "`share/stemware/summary.schema.json`; "
+         "this page is made from it by `cmake --build build/release --target docs_results`. A verb has those "
+         "of the keys that it speaks of; `[]` stands for each of a list, `*` for any name.\n\n"
+         "| key | unit | meaning |\n|---|---|---|\n" +
+         key_rows(schema, "") + "\n`load`, `load_at_terminal` and `load_at_fall` have these:\n\n" +
+         "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
+}
+
 int work_on(const std::vector<std::string> &arguments)
 {
   const fs::path source = arguments[1], work = arguments[2];
@@ -332,6 +366,13 @@ int work_on(const std::vector<std::string> &arguments)
     if (!only_check && after != before)
       std::ofstream(page, std::ios::binary) << after;
   }
+  const fs::path key_page = source / "docs/summary.md";
+  const std::string keys = page_of_keys(
+    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/report/summary.schema.json")));
+  if (!only_check)
+    std::ofstream(key_page, std::ios::binary) << keys;
+  else if (read_file(key_page) != keys)
+    throw std::runtime_error("docs/summary.md is not what the schema says; make the pages again.");
   if (!only_check)
     for (const Picture &picture : list.pictures)
     {

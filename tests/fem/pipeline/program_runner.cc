@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/app/program.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -9,6 +11,8 @@
 #include <fcntl.h>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <numeric>
 #include <spawn.h>
 #include <sstream>
 #include <stdexcept>
@@ -16,6 +20,11 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
 
 extern char **environ;
 
@@ -244,9 +253,31 @@ std::string read_text(const fs::path &file)
   return text.str();
 }
 
+std::vector<std::string> departures_from_schema(const nlohmann::json &summary)
+{
+  using valijson::adapters::NlohmannJsonAdapter;
+  static const nlohmann::json text = nlohmann::json::parse(read_text(STEMWARE_SCHEMA));
+  static const auto schema = []
+  {
+    auto parsed = std::make_unique<valijson::Schema>();
+    valijson::SchemaParser().populateSchema(NlohmannJsonAdapter(text), *parsed);
+    return parsed;
+  }();
+  valijson::ValidationResults found;
+  valijson::Validator().validate(*schema, NlohmannJsonAdapter(summary), &found);
+  std::vector<std::string> departures;
+  for (valijson::ValidationResults::Error error; found.popError(error);)
+    departures.push_back(std::accumulate(error.context.begin(), error.context.end(), std::string()) + ": " +
+                         error.description);
+  return departures;
+}
+
 nlohmann::json read_summary(const fs::path &results)
 {
-  return nlohmann::json::parse(read_text(results / "summary.json"));
+  const nlohmann::json summary = nlohmann::json::parse(read_text(results / "summary.json"));
+  for (const std::string &trouble : departures_from_schema(summary))
+    ADD_FAILURE() << "summary.json in " << results << ": " << trouble;
+  return summary;
 }
 
 std::vector<std::vector<double>> read_columns(const fs::path &table)
