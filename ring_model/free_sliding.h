@@ -27,7 +27,7 @@ struct FreeSlider
 /// [rad/s], one of them not 0. It depends on their ratio only, as Coulomb's does.
 using SlidingFriction = std::function<Wrench(double speed, double omega)>;
 
-/// What friction has to stop; SI units.
+/// Inertia of a sliding body, which friction has to stop; SI units.
 struct SlidingInertia
 {
   double mass;         ///< m [kg]
@@ -48,7 +48,7 @@ struct SlidingState
   double speed;   ///< |v| [m/s]
   double heading; ///< direction of v from x [rad]; NaN where there is none, see slide_to_stop()
   double omega;   ///< spin [rad/s]
-  /// What friction has taken so far, the integral of its power -(T.v + tau_z omega) over time [J].
+  /// Work that friction has taken so far [J], the integral of its power -(T.v + tau_z omega) over time.
   double friction_loss;
   double distance; ///< along the path [m]
 };
@@ -83,7 +83,7 @@ Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
 SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &friction, double speed,
                           double omega, double accuracy = 1e-12);
 
-/// The same for a body of rings under sliding_friction().
+/// Path to the stop of a body of rings under its sliding_friction().
 SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
 
 /**
@@ -95,8 +95,8 @@ SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, 
 double final_slip_ratio(const FreeSlider &slider, double slip_ratio);
 
 /**
- * The same for any friction: the first root after @p slip_ratio on a grid of @p n_intervals in each of 0 <
- * |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots within one interval are not seen.
+ * Final slip ratio under any friction: the first root after @p slip_ratio on a grid of @p n_intervals in each
+ * of 0 < |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots in one interval are not seen.
  */
 double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
                         unsigned int n_intervals = 200);

@@ -82,7 +82,7 @@ StribeckLaw friction_law_of(const Motion &motion);
 FrictionFunctionals friction_functionals(const FrictionLaw &law, const std::vector<double> &radii,
                                          unsigned int n_max, double omega, double speed);
 
-/// The same under the law of @p motion, at its orbit speed.
+/// friction_functionals() under the law of @p motion, at its orbit speed.
 FrictionFunctionals friction_functionals(const Motion &motion, const std::vector<double> &radii,
                                          unsigned int n_max, double omega);
 

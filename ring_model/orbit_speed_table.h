@@ -22,8 +22,8 @@ public:
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
-  /// The same entries joined by straight lines: another reading of what lies between them. Its acceleration
-  /// jumps at the entries, where it is that of the line before.
+  /// A table of these entries joined by straight lines: another reading of what lies between them. Its
+  /// acceleration jumps at the entries, where it is that of the line before.
   OrbitSpeedTable joined_by_lines() const;
 
   /// v(t) [m/s]. @throws std::out_of_range outside the table: it is not extrapolated.

@@ -17,7 +17,7 @@ constexpr double scan_step = 1. / 16.;      ///< [spin scales]
 constexpr double steepness_ratio = 16.;     ///< of the torque near the zero to the mean that needs no scan
 constexpr unsigned int most_evaluations = 200; ///< of one search
 
-/// What drives the glass on at a spin, both in the direction in which it is driven at rest.
+/// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
 struct Sample
 {
   double spin; ///< > 0 [rad/s]

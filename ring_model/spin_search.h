@@ -16,8 +16,8 @@ struct SpinSearch
   double spin_scale;                   ///< spin at which the torque varies, v / R [rad/s]
   std::optional<double> expected = {}; ///< where the zero is believed to be [rad/s]
   double grip_torque = 0.;             ///< tau_g >= 0 of the fingers [N m], which the table has to overcome
-  /// Of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; not smaller than what the noise of the
-  /// torque allows.
+  /// Tolerance of omega, relative to |omega| or, if larger, to 1e-3 spin_scale; not smaller than what the
+  /// noise of the torque allows.
   double tolerance = 1e-12;
   /// Noise of the torque at rest [N m]: one no larger moves nothing, so that rest, stable or not, is the
   /// answer.

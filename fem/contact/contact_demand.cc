@@ -12,8 +12,8 @@ namespace stemware::fem
 namespace
 {
 
-/// What a unit force at azimuth theta adds to a load function, by the ring that it goes to. Nodes that follow
-/// each other on one azimuth are asked for once.
+/// Value of a load function under a unit force at azimuth theta, for each ring that may carry the force.
+/// Nodes that follow each other on one azimuth share one evaluation.
 class RingValues
 {
 public:

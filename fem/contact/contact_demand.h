@@ -8,7 +8,7 @@
 namespace stemware::fem
 {
 
-/// What the contact has to carry: a normal force N, and the moment
+/// Resultants that the contact has to carry: a normal force N, and the moment
 ///
 ///   M_N = moment + (friction_x, friction_y)(load) + tilt_moment (-q2, +q1),
 ///
@@ -38,12 +38,12 @@ struct ContactDemand : Resultants
 
   bool has_friction() const { return !friction_x.a.empty(); }
 
-  /// The same demand on a load whose azimuths count from @p angle, counter-clockwise: in axes turned by it.
+  /// This demand in axes turned counter-clockwise by @p angle [rad]: the load's azimuths count from there.
   ContactDemand in_axes_turned_by(double angle) const;
 };
 
-/// What a unit force on each contact node of @p surface adds to @p function of the load on rings of @p
-/// ring_radii. Shape [n_nodes].
+/// Value of @p function under a unit force on each contact node of @p surface, gathered on rings of radii @p
+/// ring_radii [m]. Shape [n_nodes].
 Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<double> &ring_radii,
                             const ring::LoadFunctional &function);
 

@@ -26,7 +26,7 @@ struct MarkedCells
   std::vector<unsigned int> disc; ///< of an elastic table
 };
 
-/// What the mesh of a solved contact does to a number that is asked of it, to first order.
+/// Error of a number asked of a solved contact that is due to the mesh, to first order.
 struct MeshError
 {
   double correction = 0; ///< added to the number it gives that of the exact displacement, as estimated

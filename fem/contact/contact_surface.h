@@ -54,7 +54,7 @@ struct ContactSurface
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(node_gap.size()); }
   unsigned int n_own_nodes() const { return n_nodes() - n_foreign_nodes; }
-  /// Of all parts.
+  /// Number of contact nodes of all parts together.
   unsigned int n_nodes_of_whole() const { return parts.sum(std::size_t(n_own_nodes())); }
   /// Projected area of the whole contact zone [m^2].
   double area() const { return parts.sum(node_area.head(n_own_nodes()).sum()); }

@@ -16,9 +16,9 @@ struct NewtonIncrement
   double energy_slope = 0;
   double energy_curvature = 0; ///< du . K du [J]
   unsigned int linear_iterations = 0;
-  /// What body, table and conditions set against table motions, L'T(Q - B(K + B'TB)^-1 B'TQ) - H: its
-  /// determinant over that without H. Beyond the balance in which a leaning glass stays it is negative; 1
-  /// where nothing leans, and of bodies that do not say.
+  /// Steadiness of the balance: det(R - H) / det R, R = L'T(Q - B(K + B'TB)^-1 B'TQ) the resistance of body
+  /// and table to table motions, H the weight's part of the conditions. Beyond the balance in which a leaning
+  /// glass stays it is negative; 1 where nothing leans, and of bodies that do not say.
   double steadiness = 1;
 };
 

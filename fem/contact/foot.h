@@ -41,11 +41,11 @@ struct ContactState
 struct ContactGuess
 {
   const ContactState *before = nullptr; ///< a contact of the same foot that is near; nothing: none is known
-  /// What is to be expected, in the slip frame, at the nodes of `before`'s zone, or of the first.
+  /// Contact that is expected, in the slip frame, at the nodes of `before`'s zone, or of the first zone.
   std::optional<ContactStart> expected = {};
 };
 
-/// What a foot is made of, for people and for summary.json.
+/// Description of a foot for people and for summary.json.
 struct FootDescription
 {
   std::string body;                    ///< "revolution", "solid"
@@ -56,7 +56,7 @@ struct FootDescription
   double contact_cell_size = 0; ///< of a three-dimensional mesh: smallest extent of a contact cell [m]
 };
 
-/// What a foot can do, to be asked instead of its kind.
+/// Abilities of a foot, to be asked instead of its kind.
 struct FootCapabilities
 {
   /// Friction tractions act back on the pressure: the load depends on the spin.
@@ -98,8 +98,8 @@ public:
                              const ContactGuess &guess = {},
                              const std::function<void(const ContactIteration &)> &progress = {}) const = 0;
 
-  /// What @p start, of a contact of @p similar in its zone @p zone, lets expect of this foot, which differs
-  /// little; nothing where it tells nothing.
+  /// Contact that is expected of this foot after @p start, a contact in zone @p zone of @p similar, a foot
+  /// that differs little; nothing where @p start does not tell.
   virtual std::optional<ContactStart> expected_from(const ContactStart & /*start*/, unsigned int /*zone*/,
                                                     const Foot & /*similar*/) const
   {
@@ -125,8 +125,8 @@ public:
   /// write.
   virtual std::vector<FieldFile> fields(const ContactState &state) const = 0;
 
-  /// What the mesh does to @p goal in @p state, a contact of this foot, solved again on no mesh; nothing
-  /// where this foot cannot tell. @p with_cells: with the cells' shares.
+  /// Error of @p goal in @p state, a contact of this foot, that is due to the mesh alone; nothing where this
+  /// foot cannot tell. @p with_cells: with the cells' shares.
   virtual std::optional<MeshError> mesh_error(const ContactState & /*state*/, const ContactGoal & /*goal*/,
                                               bool /*with_cells*/) const
   {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// What pictures and their captions say about a pressure map that has cuts, each with a point at least.
+/// Measures of a pressure map for pictures and captions. The map has cuts, each with a point at least.
 namespace stemware::fem
 {
 

@@ -35,7 +35,7 @@ private:
 
   const ContactSurface &surface;
   Eigen::SparseMatrix<double> empty;
-  /// Of a line's node pairs (row-major) in the values of the sparse matrix.
+  /// Places of each line's node pairs (row-major) among the values of the sparse matrix.
   std::vector<std::vector<int>> places;
 };
 

@@ -37,7 +37,7 @@ void sort_by_azimuth(PressureMap &pressure_map)
 class LoadedLine
 {
 public:
-  /// What tells lines apart, as it travels between ranks: azimuth, positions and penetrations at the samples.
+  /// Numbers of a line as they travel between ranks: azimuth, positions and penetrations at the samples.
   using Packed = Eigen::Matrix<double, 10, 1>;
 
   static Packed pack(const ContactLine &line, const Eigen::VectorXd &normal_displacement)

@@ -24,8 +24,8 @@ public:
   virtual std::vector<double> gather(const std::vector<double> &values, bool everywhere) const = 0;
 };
 
-/// What numbers of a whole contact surface are made of where each rank has a part of it. By default the
-/// surface is in one piece, and all functions give back what they are given.
+/// Sums, extremes and lists of numbers on a whole contact surface of which each rank may have a part. By
+/// default the surface is in one piece, and all functions give back what they are given.
 class SurfaceParts
 {
 public:

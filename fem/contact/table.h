@@ -17,7 +17,7 @@ struct Substrate
   ElasticMaterial material = { 10e9, 0.3 }; ///< hardwood
 };
 
-/// What a foot stands on: an interface on a substrate.
+/// Table that a foot stands on: an interface on a substrate.
 struct Table
 {
   std::shared_ptr<const InterfaceLaw> interface;

@@ -35,7 +35,7 @@ struct ContactForces
   }
 };
 
-/// What a table carries, point by point on a part of the surface and along the azimuth of the whole.
+/// Load on a table, point by point on a part of the surface and along the azimuth of the whole.
 struct TableLoad
 {
   SurfaceParts parts; ///< of the surface
@@ -62,8 +62,8 @@ public:
   /// filled by this law before: its memory is used again.
   virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
-  /// What the table carries in a solution on this surface, whichever it was: forces and normal displacement
-  /// say all. @p n_parts >= 1: of a line, each with quadrature points of its own, where the law has such.
+  /// Load on the table in any solution on this surface: forces and normal displacement decide it. @p n_parts
+  /// >= 1: parts of a line, each with quadrature points of its own, where the law has such.
   virtual TableLoad load(const ContactSolution &solution, unsigned int n_parts) const = 0;
 
   /// Where the foot presses in a solution, for plots: on the whole surface, on the rank of the first part;

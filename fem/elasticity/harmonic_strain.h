@@ -17,7 +17,7 @@ struct ShapeStrain
   HarmonicStrain linear{};
 };
 
-/// Of value N and gradient (N_r, N_z) at @p radius, in the @p component 0, 1, 2 of (r, theta, z).
+/// Strain of a shape function, value N, gradient (N_r, N_z), at @p radius; @p component 0, 1, 2: r, theta, z.
 inline ShapeStrain strain_of(unsigned int component, double value, const std::array<double, 2> &gradient,
                              double radius)
 {

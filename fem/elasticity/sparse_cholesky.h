@@ -17,7 +17,7 @@ namespace stemware::fem
 /// Lower triangle of a symmetric matrix, column by column.
 using LowerTriangle = Eigen::SparseMatrix<double>;
 
-/// That of @p matrix, which is symmetric.
+/// The lower triangle of @p matrix, which is symmetric.
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 
 /// Factors L L' of a sparse symmetric positive definite matrix (CHOLMOD, ordered by approximate minimum
@@ -47,7 +47,7 @@ private:
 class BlockInverse
 {
 public:
-  /// Of matrices whose lower triangles have the pattern of @p pattern, in the rows and columns @p kept.
+  /// Prepares inverses of matrices with the lower triangle @p pattern, in the rows and columns @p kept.
   BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept);
   ~BlockInverse();
 

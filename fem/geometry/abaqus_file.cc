@@ -13,7 +13,7 @@ namespace stemware::fem
 namespace
 {
 
-/// What begins with a star: "*ELEMENT, TYPE=C3D8, ELSET=EALL" in capital letters, without blanks.
+/// Keyword line: "*ELEMENT, TYPE=C3D8, ELSET=EALL" in capital letters, without blanks.
 struct Keyword
 {
   std::string name;
@@ -132,7 +132,7 @@ public:
   }
 
 private:
-  /// What a set or surface names: elements from first to last in steps, or another set.
+  /// Entry of a set or surface: elements from first to last in steps, or the name of another set.
   struct Member
   {
     std::string set; ///< empty for elements

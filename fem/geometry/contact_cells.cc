@@ -35,8 +35,8 @@ ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution 
   return cells;
 }
 
-/// Of about equal cells: halvings of one such cell give the size in the focus, and a border lies on the
-/// focus's radius.
+/// Adds coarse cells of about equal size: halvings of one of them give the size in the focus, and a border
+/// lies on the focus's radius.
 void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &resolution, double focus_radius,
                       ContactCells &cells)
 {

@@ -22,7 +22,7 @@ using namespace dealii;
 namespace
 {
 
-/// Of what runs round the axis, and of what lies about it (attached in a GlassShape::foot only).
+/// Manifolds of cells and faces round the axis, and of the core (attached in a GlassShape::foot only).
 constexpr types::manifold_id ring_id = 1;
 constexpr types::manifold_id core_id = 2;
 

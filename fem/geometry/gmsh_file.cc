@@ -13,7 +13,7 @@ namespace
 constexpr char advice[] =
   "export hexahedra (Mesh.RecombineAll) of first or second order in format 2 or 4, ASCII.";
 
-/// What the elements of one of Gmsh's types are here.
+/// Number of nodes and corners of an element type of Gmsh.
 struct GmshType
 {
   unsigned int n_nodes;
@@ -33,7 +33,7 @@ GmshType type_of(long number)
   return type->second;
 }
 
-/// What stands between "$Name" and "$EndName", by name.
+/// Texts between "$Name" and "$EndName", by name.
 std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
 {
   std::map<std::string, std::string_view> sections;

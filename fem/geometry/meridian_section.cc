@@ -50,8 +50,8 @@ bool is_lower(const SectionVertex &one, const SectionVertex &other)
   return one.height < other.height;
 }
 
-/// Both ends on the axis, the lower one first, no point twice in a row, heights from the lowest point, and
-/// the last two points at one height.
+/// Profile with both ends on the axis, the lower one first, no point twice in a row, heights from the lowest
+/// point, and the last two points at one height.
 Polyline ordered(Polyline polyline)
 {
   if (polyline.size() < 6)

@@ -12,7 +12,7 @@
 namespace stemware::fem
 {
 
-/// What a mesh file is unreadable for: the end of a sentence that begins with the file.
+/// Reason why a mesh file is unreadable: the end of a sentence that begins with the file.
 class UnreadableMesh : public std::runtime_error
 {
 public:
@@ -54,7 +54,7 @@ public:
 
   /// Throws UnreadableMesh where the next word is missing or no number.
   double number();
-  /// Likewise for a whole number.
+  /// Throws UnreadableMesh where the next word is missing or no whole number.
   long whole_number();
 
 private:

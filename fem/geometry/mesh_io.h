@@ -14,7 +14,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// What was found in a mesh file.
+/// Report on a mesh file that has been read.
 struct MeshReport
 {
   unsigned int n_cells = 0;
@@ -27,7 +27,7 @@ struct MeshReport
   double land_area_deficit = 0;
 };
 
-/// What says which faces of a mesh file are which.
+/// Marks that tell the faces of a mesh file apart.
 struct MeshMarks
 {
   unsigned int contact_id = 2; ///< of the faces that may touch the table

@@ -13,7 +13,7 @@ class Triangulation;
 namespace stemware::fem
 {
 
-/// What a foot mesh is like, to be looked at before it is used. Lengths in m.
+/// Size, contact zone and quality of a foot mesh, to be looked at before it is used. Lengths in m.
 struct MeshCheck
 {
   unsigned int n_cells = 0;

@@ -30,8 +30,8 @@ struct RimCircle
 
   double scatter = 0; ///< of the points about the circle: rms distance over the degrees of freedom
   double freedom = 0; ///< effective degrees of freedom of the scatter; 0: the points tell nothing about it
-  /// Of contact radius and crown radius [m^2]. A standard error, the root of a diagonal entry, is wider by
-  /// Student's factor for these degrees of freedom: it holds the truth in 68 % of all cases.
+  /// Covariance of contact radius and crown radius [m^2]. A standard error, the root of a diagonal entry, is
+  /// wider by Student's factor for these degrees of freedom: it holds the truth in 68 % of all cases.
   std::array<std::array<double, 2>, 2> covariance = {};
 
   double contact_radius_error() const; ///< standard error [m]

@@ -18,7 +18,7 @@ using SectionPolygon = std::vector<std::array<double, 2>>;
 /// The cells of a meridional mesh, edges straight.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
 
-/// What the half-plane at @p azimuth [rad] through the axis cuts out of the cells of a foot, edges straight.
+/// Section of the cells of a foot, edges straight, with the half-plane at @p azimuth [rad] through the axis.
 /// A mesh that is spread over ranks is cut whole on each of them.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<3, 3> &triangulation, double azimuth);
 

@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /// What compute_compliance() returns; throws as that.
+  /// The compliance by compute_compliance(), kept for equal arguments; throws like that function.
   std::shared_ptr<const ContactCompliance> get(const dealii::Triangulation<2, 2> &triangulation,
                                                const ElasticMaterial &material,
                                                const MeridianOptions &options);

@@ -20,8 +20,8 @@ struct ForceModes
   Eigen::MatrixXd azimuthal; ///< against the conjugates of the modes
 };
 
-/// What the contact circles of foot and table do under normal forces on the azimuth lines, and under the
-/// friction that these bring along (docs/method/revolution.md, "Harmonics and lines").
+/// Displacement of the contact circles of foot and table under normal forces on the azimuth lines, and under
+/// the friction that these bring along (docs/method/revolution.md, "Harmonics and lines").
 ///
 /// The compliance C_n of harmonic n acts up to n_harmonics(). All harmonics beyond, which only the lines
 /// resolve, have one compliance, that of ContactCompliance::beyond: at wave lengths that are short beside the

@@ -24,7 +24,7 @@ struct SolvedContact
   std::optional<SlidingTraction> sliding = {};
 };
 
-/// What the meridional meshes of @p contact do to @p goal: the dual-weighted residual
+/// Error of @p goal that is due to the meridional meshes of @p contact, by the dual-weighted residual
 /// (docs/method/error_bands.md, "The error of one number").
 ///
 /// The body is solved once more on elements of one degree more, halved under the load and thrice at

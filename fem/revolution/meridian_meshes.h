@@ -15,7 +15,7 @@ namespace stemware::fem
 /// the same contact cells. Includes deal.II; not for headers of the library's users.
 struct MeridianMeshes
 {
-  /// Those of @p setup.
+  /// Makes the meshes that @p setup asks for.
   explicit MeridianMeshes(const RevolutionSetup &setup);
 
   /// Refines the cells that carry refine flags, and in either body the contact cells that are cut in the

@@ -34,11 +34,11 @@ public:
 
   unsigned int n_dofs() const { return dofs.n_dofs(); }
   unsigned int n_contact_nodes() const { return static_cast<unsigned int>(contact_nodes.size()); }
-  /// Of contact node @p i, ascending [m].
+  /// Radius of contact node @p i [m]; the nodes ascend.
   double contact_radius(unsigned int i) const;
   const NodeDofs &contact_dofs(unsigned int i) const { return contact_nodes[i]; }
   const dealii::DoFHandler<2> &dof_handler() const { return dofs; }
-  /// Of the elements' degree: curved cells follow the profile.
+  /// Mapping of the elements' degree: curved cells follow the profile.
   const dealii::Mapping<2> &mapping() const { return curves; }
 
   /// K_n of one harmonic, factorised under the clamp and its own conditions on the axis.
@@ -62,7 +62,7 @@ public:
   class Compliances
   {
   public:
-    /// Of @p harmonic and those like it. Keeps a reference to @p space.
+    /// Serves all harmonics with the axis conditions of @p harmonic. Keeps a reference to @p space.
     Compliances(const MeridianSpace &space, unsigned int harmonic);
     /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
     /// reciprocity also the vertical displacements under radial and azimuthal ones.

@@ -38,7 +38,7 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
-  /// Of a foot and table that are flat; throws as estimate_mesh_error().
+  /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
 
@@ -83,7 +83,7 @@ private:
   /// between lines at one phase and on a line at the next, would not depend smoothly on the phase. Whole
   /// lines are no change.
   long crest_line(const ring::Orientation &marks) const;
-  /// What is left: the azimuth of the first line, at most half a line from that of travel [rad].
+  /// Azimuth of the first line [rad]: crest() less whole lines, at most half a line from that of travel.
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;

@@ -39,7 +39,7 @@ public:
   virtual bool has_coarser_meshes() const { return false; }
   /// Whether its own is the coarsest of them.
   virtual bool is_coarsest() const { return true; }
-  /// That of the same body on the next coarser mesh; nothing on the coarsest.
+  /// The stiffness of this body on the next coarser mesh; nothing on the coarsest.
   virtual std::unique_ptr<BodyStiffness> coarser() const { return nullptr; }
   /// @p fine becomes the function that @p coarse is on the mesh of coarser(), to single precision.
   virtual void prolongate(Vector & /*fine*/, const Vector & /*coarse*/) const {}

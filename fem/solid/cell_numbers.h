@@ -17,8 +17,8 @@ public:
   explicit CellNumbers(const dealii::Triangulation<3> &mesh);
 
   std::size_t size() const { return cells.size(); }
-  /// Of the cell @p id, or of that of its ancestors which is one of the cells. Throws std::logic_error where
-  /// there is none.
+  /// Number of the cell @p id, or of that of its ancestors which is one of the cells. Throws std::logic_error
+  /// where there is none.
   std::size_t operator()(const dealii::CellId &id) const;
 
   /// The cells in groups that lie at the same radius and height round the z axis: rings of cells on a foot of

@@ -8,9 +8,9 @@
 namespace stemware::fem
 {
 
-/// What a folder of a checkpoint says of itself, in a text file of its own: whose it is, and which of its two
-/// files of each rank, state_0.<rank> and state_1.<rank>, holds the last state. Nothing else in the folder is
-/// ever written or removed.
+/// Manifest of a checkpoint's folder, a text file of its own: whose the folder is, and which of the two files
+/// of each rank, state_0.<rank> and state_1.<rank>, holds the last state. Nothing else in the folder is ever
+/// written or removed.
 struct CheckpointManifest
 {
   struct File

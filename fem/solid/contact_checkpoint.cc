@@ -54,7 +54,7 @@ fs::path unfinished(const fs::path &path)
   return path.string() + ".unfinished";
 }
 
-/// What a step of Newton's method says of itself, as numbers.
+/// Number of values that a step of Newton's method has in the file.
 constexpr std::size_t n_numbers_of_step = 6;
 
 void write_history(std::ostream &stream, const std::vector<ContactIteration> &history)

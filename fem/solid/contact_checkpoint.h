@@ -19,7 +19,7 @@ namespace stemware::fem
 class ContactCheckpoint
 {
 public:
-  /// What was saved.
+  /// State that was saved, for a solve to go on from.
   struct Kept
   {
     ContactStart start;

@@ -102,7 +102,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Those of the cells @p asked for, by any rank for itself, that there are.
+  /// The cells of the directory among those that this rank @p asked for. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;

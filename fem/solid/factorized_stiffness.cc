@@ -34,7 +34,7 @@ std::shared_ptr<const ContactNodes> contact_nodes_of(const SolidLevel &level)
 class FactorizedStiffness::Factors
 {
 public:
-  /// Of @p stiffness + B' @p contact B.
+  /// Factorises @p stiffness + B' @p contact B.
   Factors(const TrilinosWrappers::SparseMatrix &stiffness, const std::vector<ContactNodes::Entry> &contact)
       : solver(control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"))
   {

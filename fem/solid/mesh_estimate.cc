@@ -70,7 +70,7 @@ public:
     return coarse;
   }
 
-  /// What the own elements interpolate of @p vector, on the finest level again.
+  /// Interpolant of @p vector by the elements of the own level, as a vector of the finest level.
   DofVector interpolated(const DofVector &vector) const
   {
     const unsigned int finest = hierarchy.n_levels() - 1;

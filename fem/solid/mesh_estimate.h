@@ -23,8 +23,8 @@ struct SolvedSolidContact
   bool straight_edges = false; ///< SolidOptions::straight_edges
 };
 
-/// What the mesh of @p contact does to @p goal, in the same axes (docs/method/error_bands.md, "The error of
-/// one number").
+/// Error of @p goal, in the axes of @p contact, that is due to the contact's mesh
+/// (docs/method/error_bands.md, "The error of one number").
 ///
 /// The contact is found again from the mesh's own displacement, on elements of one degree more that are
 /// halved under the load and at re-entrant edges, friction and conditions included: the correction is what

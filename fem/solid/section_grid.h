@@ -20,7 +20,7 @@ struct MeridianPlace
   double height = 0;
 };
 
-/// That of @p point, whatever its azimuth.
+/// Radius and height of @p point, whatever its azimuth.
 MeridianPlace place_of(const dealii::Point<3> &point);
 
 /// Squares of the half plane (r, z) over all that a mesh sweeps round its axis, halved until they are about

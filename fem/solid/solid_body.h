@@ -78,7 +78,7 @@ public:
   bool has_hierarchy() const;
   /// Whether coarser() gives nothing.
   bool is_coarsest() const;
-  /// The same foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
+  /// This foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
   /// cheap to find. Nothing for the coarsest mesh, and for bodies without a hierarchy.
   std::unique_ptr<SolidBody> coarser() const;
   /// Takes over the displacement of coarser().

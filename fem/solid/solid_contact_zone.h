@@ -25,7 +25,7 @@ struct HorizontalPlaces
   unsigned int x, y;
 };
 
-/// Of the own @p nodes.
+/// Places of the horizontal displacements of the own contact @p nodes.
 std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof_handler,
                                                 const ContactNodes &nodes);
 

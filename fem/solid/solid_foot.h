@@ -72,7 +72,7 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
-  /// As estimate_mesh_error(). Nothing for a hard table under a mesh without a hierarchy, whose nodal
+  /// Error by estimate_mesh_error(). Nothing for a hard table under a mesh without a hierarchy, whose nodal
   /// multipliers have no counterpart on other elements, nor where its contact is narrower than two cells, of
   /// which the finer elements see too little; they see enough at the right angle beside a step's flat land.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,

@@ -114,8 +114,8 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// What this rank has to write of a picture that several ranks have parts of. A rank without cells writes no
-/// piece, which ParaView could not read.
+/// Files that this rank has to write of a picture that several ranks have parts of. A rank without cells
+/// writes no piece, which ParaView could not read.
 std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, bool has_cells,
                                        const MPI_Comm &communicator)
 {

@@ -28,8 +28,8 @@ constexpr unsigned int most_iterations = 200;
 /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
 constexpr double unbalanced_share = 2e-10;
 
-/// Of the residual, by each linear solve: with less, Newton's method takes more steps and no fewer
-/// iterations.
+/// Largest share of the residual that a linear solve may leave: with a larger one, Newton's method takes more
+/// steps and no fewer iterations.
 constexpr double least_reduction = 1e-3;
 
 /// A Newton step that would come this close to the last target is solved as far as that: a few iterations
@@ -58,7 +58,7 @@ struct TangentOperator
   }
 };
 
-/// Its approximate inverse.
+/// Approximate inverse of a TangentOperator.
 struct TangentPreconditioner
 {
   const BodyStiffness &body;
@@ -77,7 +77,7 @@ double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &l
 
 } // namespace
 
-/// What the table's motions add to the system of one Newton step.
+/// Border of the system of one Newton step: the columns and the corner of the table's motions.
 struct SolidSystem::Border
 {
   Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it

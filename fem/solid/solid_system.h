@@ -60,7 +60,7 @@ public:
 
   bool has_coarser_meshes() const { return body->has_coarser_meshes(); }
   bool is_coarsest() const { return body->is_coarsest(); }
-  /// The same foot on the next coarser of the meshes that its own was refined from; nothing on the coarsest.
+  /// The system on the next coarser of the meshes that its own was refined from; nothing on the coarsest.
   std::unique_ptr<SolidSystem> coarser(const SolidBody::Gap &gap) const;
   /// Takes over the displacement of coarser().
   void start_from(const SolidSystem &coarse);

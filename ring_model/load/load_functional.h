@@ -21,7 +21,7 @@ struct LoadFunctional
    */
   double operator()(const RingStack &load) const;
 
-  /// What this is of the load rotated counter-clockwise by @p angle [rad], as a function of the load itself.
+  /// The functional whose value is that of this one for the load rotated counter-clockwise by @p angle [rad].
   LoadFunctional of_rotated(double angle) const;
 };
 

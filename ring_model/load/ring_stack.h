@@ -50,7 +50,7 @@ public:
 
   /// The rings by themselves.
   const std::vector<Ring> &rings() const { return stack; }
-  /// Their radii r_j [m].
+  /// Radii r_j of the rings [m].
   std::vector<double> radii() const;
 
   /// Highest harmonic n_max.
@@ -90,7 +90,7 @@ public:
   double minimum() const;
 
   /**
-   * What the table would have to pull with, int max(0, -lambda) dtheta [N]: 0 unless minimum() is negative.
+   * Pull that the table would have to exert, int max(0, -lambda) dtheta [N]: 0 unless minimum() is negative.
    * Between the changes of sign, found as the minimum is, the integral is exact.
    */
   double pulling_force() const;

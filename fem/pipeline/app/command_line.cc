@@ -62,7 +62,7 @@ std::string not_known(const std::string &word, const std::vector<std::string> &k
          (meant ? "; did you mean " + *meant + "? See" : "; see");
 }
 
-/// What is wrong with the command line, up to the word "see".
+/// Description of the error in the command line, up to the word "see".
 std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
 {
   const auto chosen = program.get_subcommands();

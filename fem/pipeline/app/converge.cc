@@ -19,7 +19,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What `stemware converge` was told.
+/// Options of `stemware converge`.
 struct ConvergeOptions : StudyOptions
 {
   unsigned int n_levels = 3;

@@ -66,7 +66,7 @@ Words sections_of(const std::vector<StudyEntry> &entries)
   return sections;
 }
 
-/// What may follow some options, as "--one | --other" and the words.
+/// Words that may follow some options, which are named as "--one | --other".
 std::vector<std::pair<std::string, Words>> option_values()
 {
   Study study;
@@ -79,7 +79,7 @@ std::vector<std::pair<std::string, Words>> option_values()
            { "--cookbook", cookbook_names() } };
 }
 
-/// What may follow some verbs, but for options and files.
+/// Words that may follow some verbs, but for options and files.
 std::vector<std::pair<std::string, Words>> verb_values(const CLI::App &program)
 {
   Study study;

@@ -31,7 +31,7 @@ using Triangulation = dealii::Triangulation<3, 3>;
 namespace
 {
 
-/// What `mesh` is told.
+/// Options of `stemware mesh`.
 struct MeshOptions
 {
   StudyOptions study;              ///< output may be empty: no folder
@@ -46,7 +46,7 @@ bool has_study(const MeshOptions &options)
   return !options.study.study_file.empty() || options.check.empty();
 }
 
-/// What can be refused before any mesh is made.
+/// Refuses what can be refused before any mesh is made.
 void check_options(const MeshOptions &options)
 {
   if (!has_study(options) && !options.study.overrides.empty())

@@ -21,7 +21,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What `stemware new` was told.
+/// Options of `stemware new`.
 struct NewOptions
 {
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;

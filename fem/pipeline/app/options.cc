@@ -41,7 +41,7 @@ std::string why_no_study(const std::string &text)
                       : "";
 }
 
-/// Likewise of an empty name of a folder, and of blanks, which no listing would show.
+/// An empty name of a folder is a mistake too, and so are blanks, which no listing would show.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos

@@ -34,9 +34,9 @@ void add_override_option(CLI::App &verb, StudyOptions &options);
 /// Declares --quiet and --json alone.
 void add_console_options(CLI::App &verb, StudyOptions &options);
 
-/// What every verb begins with: directs the console, reads and checks the study, starts MPI where @p
-/// needs_mpi or a contact asks for it, and watches for interruptions. Refuses everything that can be refused
-/// before the work; throws BadInput.
+/// Begins a verb: directs the console, reads and checks the study, starts MPI where @p needs_mpi or a contact
+/// asks for it, and watches for interruptions. Refuses everything that can be refused before the work; throws
+/// BadInput.
 Study begin_study(const StudyOptions &options, bool needs_mpi = false);
 
 } // namespace stemware::pipeline

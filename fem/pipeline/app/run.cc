@@ -20,7 +20,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What `run` is told.
+/// Options of `stemware run`.
 struct RunOptions
 {
   StudyOptions study;

@@ -23,7 +23,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What `stemware slide` was told.
+/// Options of `stemware slide`.
 struct SlideOptions : StudyOptions
 {
   SlideQuestion question;

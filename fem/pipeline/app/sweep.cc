@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-/// What `stemware sweep` was told.
+/// Options of `stemware sweep`.
 struct SweepOptions : StudyOptions
 {
   SweepRequest request;
@@ -41,7 +41,7 @@ struct SweepOptions : StudyOptions
   bool restart = false; ///< throws away the finished cases of an earlier sweep into the same place
 };
 
-/// What an interrupted sweep says: how many cases are kept, and how to go on.
+/// Message of an interrupted sweep: how many cases are kept, and how to go on.
 std::string interruption_message(const fs::path &folder, std::size_t n_cases)
 {
   const std::size_t n_kept = SweepFolder::logs_in(folder, 0).count().n_finished;

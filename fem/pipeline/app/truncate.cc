@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What `stemware truncate` was told.
+/// Options of `stemware truncate`.
 struct TruncateOptions : StudyOptions
 {
   std::vector<double> omega; ///< spins at which the torque is shown [rad/s]; empty: chosen by the study

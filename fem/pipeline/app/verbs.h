@@ -18,7 +18,7 @@ namespace stemware::pipeline
 /// The work of the verb that was chosen on the command line, its options included.
 using Verb = std::function<void()>;
 
-/// What all verbs share: version, exit codes, first examples.
+/// Adds to the program the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program);
 
 /// `stemware new`: a study file of a glass on a table to start from.

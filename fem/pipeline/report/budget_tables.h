@@ -16,7 +16,7 @@ namespace stemware::pipeline
 /// The label of a place in the chain: "1", "1a", "2", "2a", "3", "3a", "4", ...
 std::string label_of(const ChainStep &step);
 
-/// What a row of the budget is called by people: "the paper's model", "moment balance", "harmonics, n ≤ 2",
+/// Title of a row of the budget for people: "the paper's model", "moment balance", "harmonics, n ≤ 2",
 /// "harmonics, all"; @p at_most stands for the sign "≤".
 std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 

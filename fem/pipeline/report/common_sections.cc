@@ -52,7 +52,7 @@ std::optional<double> part_of(const BandedQuantity &quantity, const std::string 
   return part == quantity.parts.end() ? std::nullopt : std::optional(part->second);
 }
 
-/// What the bands are made of: a column for each part that one of them has.
+/// Parts of error bands: a row for each band, a column for each part that one of them has.
 Table part_table(const std::vector<BandedQuantity> &bands)
 {
   Table table = band_table(bands).with("What the bands are made of", "quantity");

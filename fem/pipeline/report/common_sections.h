@@ -14,17 +14,17 @@
 namespace stemware::pipeline
 {
 
-/// What the template "study" shows: the entries of the study that differ from the defaults, and all of them.
+/// Adds the entries of the study for the template "study": those that are not the defaults, and all of them.
 void add_study(const Study &study, Document &document);
 
 /// The load at rest: its plots, its tables and its files.
 void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
 
-/// What the templates "chain" and "chain_on_console" show: the chain of models, row by row and with its rows
-/// of harmonics as one, and its plots.
+/// Adds the chain of models for the templates "chain" and "chain_on_console": row by row and with its rows of
+/// harmonics as one, and its plots.
 void add_chain(const Study &study, const Budget &budget, Document &document);
 
-/// What the template "error_bands" shows.
+/// Adds the tables for the template "error_bands".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 
 /// Says in all plots that @p document has so far that the load of rest is kept at every spin.

@@ -150,7 +150,7 @@ Table closure_table(const Comparison &comparison, Closure closure)
   return table;
 }
 
-/// What the effect of harmonics is counted from: a foot leans on its table, a rim in closed form does not.
+/// Note on the reference of the harmonics' effect: a foot leans on its table, a rim in closed form does not.
 std::string reference_note(const Study &study)
 {
   return std::string("each load against its own first harmonic") +

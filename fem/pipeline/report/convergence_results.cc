@@ -79,7 +79,7 @@ Findings findings_of(const RefinementResult &result)
   return findings;
 }
 
-/// What a level costs: unknowns of its largest linear system, estimated.
+/// Cost of a level: unknowns of its largest linear system, estimated.
 double cost_of(const RefinementLevel &level)
 {
   return size_of(level.study).unknowns;
@@ -217,7 +217,7 @@ std::optional<Plot> axis_plot(const AxisResult &result, const std::vector<Banded
   return plot;
 }
 
-/// What each axis leaves open of the terminal spin.
+/// Error bands of the terminal spin, axis by axis, with observed orders and costs.
 Table spin_budget_table(const RefinementResult &result)
 {
   const std::size_t spin = index_of(result.quantities, "omega_terminal");

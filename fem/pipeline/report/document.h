@@ -10,11 +10,11 @@
 namespace stemware::pipeline
 {
 
-/// What a verb has found out, and all that a template may show of it. SI units, or those of the study.
+/// Findings of a verb, and all that a template may show of them. SI units, or those of the study.
 struct Document
 {
   Findings findings; ///< for summary.json and --json
-  /// What sentences need beside the findings, which they see too: words, flags, derived numbers.
+  /// Words, flags and derived numbers for sentences, which see the findings too.
   nlohmann::ordered_json facts = nlohmann::ordered_json::object();
   std::map<std::string, Table> tables = {};
   std::map<std::string, std::string> texts = {};           ///< files that are no table

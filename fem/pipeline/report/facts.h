@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// What sentences of several verbs need beside the findings: flags, words and derived numbers, by the names
+/// Facts for sentences of several verbs, beside the findings: flags, words and derived numbers, by the names
 /// that the templates give them.
 namespace stemware::pipeline
 {

@@ -9,8 +9,8 @@
 namespace stemware::pipeline
 {
 
-/// What to say before long work where no gnuplot can be found: the report will then have no pictures, but
-/// their scripts and data. Empty where there is one.
+/// Warning before long work where no gnuplot can be found: the report will then have no pictures, but their
+/// scripts and data. Empty where there is one.
 std::string missing_plotter();
 
 /// The text of a file of plots/: of the folder share/stemware that comes with the program, where it has one,

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-/// What results say of a study whose foot has a mesh for its goal.
+/// Results about a study whose foot has a mesh for its goal.
 namespace stemware::pipeline
 {
 

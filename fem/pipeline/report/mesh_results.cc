@@ -36,7 +36,7 @@ std::string mesh_range(const std::string &name, double least, double most)
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-/// What a mesh is like, line by line: a word, and what there is to say.
+/// Description of a mesh, line by line: a word, and what there is to say.
 std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;

@@ -20,7 +20,7 @@ struct MeshFindings
   std::optional<fem::MeshReport> report; ///< of a file
 };
 
-/// What plots show of a mesh.
+/// Data for the plots of a mesh.
 struct MeshPictures
 {
   std::vector<fem::Quadrilateral> contact_faces;
@@ -33,10 +33,10 @@ struct MeshPictures
 Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
                  const std::vector<std::string> &written);
 
-/// What was found, in lines for the console.
+/// Description of a mesh, in lines for the console.
 std::string mesh_text(const MeshFindings &findings);
 
-/// What may make results worse, one sentence each.
+/// Warnings of properties of a mesh that may make results worse, one sentence each.
 std::vector<std::string> mesh_remarks(const MeshFindings &findings);
 
 } // namespace stemware::pipeline

@@ -21,11 +21,11 @@ struct Plot
   Plot as(const std::string &name, const std::string &caption) const;
 };
 
-/// What fills a template: a truth (1 or 0), a number, a text, or a list of numbers or texts. A list x comes
+/// A value in a template: a truth (1 or 0), a number, a text, or a list of numbers or texts. A list x comes
 /// with its length n_x.
 using PlotValue = std::variant<bool, double, std::string, std::vector<double>, std::vector<std::string>>;
 
-/// What fills a template, by the name of gnuplot's variable.
+/// Values in a template, by the name of gnuplot's variable.
 using PlotValues = std::vector<std::pair<std::string, PlotValue>>;
 
 /// The picture of the template plots/<name>.gp: that of the folder share/stemware that comes with the

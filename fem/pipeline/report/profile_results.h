@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-/// What the points of a drawn profile say, and leave open, in the results of `run` and `mesh`.
+/// Results of `run` and `mesh` about the points of a drawn profile, and what these leave open.
 namespace stemware::pipeline
 {
 
@@ -24,10 +24,9 @@ std::string with_error(double value, double error);
 /// How far the crown rises over half of the contact @p load [m].
 double sag_over_contact(const Study &study, const LoadReport &load);
 
-/// What the template "profile" says: how well the points fix the rim, what that leaves open of the spin
-/// beside
-/// @p band [rad/s], and where the crown is not determined: it rises over the contact @p load by less than the
-/// points scatter, or its error is half of it. Null where the points have no scatter.
+/// Facts for the template "profile": how well the points fix the rim, what that leaves open of the spin
+/// beside @p band [rad/s], and where the crown is not determined: it rises over the contact @p load by less
+/// than the points scatter, or its error is half of it. Null where the points have no scatter.
 nlohmann::ordered_json profile_facts(const Study &study, const LoadReport &load,
                                      const std::optional<ProfileScatter> &scatter,
                                      const std::optional<double> &band);

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/report/render/table.h"
 
-/// What the results call their numbers: key in summary.json, name in data files, unit, heading in reports,
+/// Names of the numbers in the results: key in summary.json, name in data files, unit, heading in reports,
 /// label on the console, digits for people. What is empty is not shown there.
 namespace stemware::pipeline::quantity
 {

@@ -16,7 +16,7 @@
 namespace stemware::pipeline
 {
 
-/// What a verb has found out, as programs read it. SI units, or those of the study.
+/// Findings of a verb as programs read them. SI units, or those of the study.
 struct Findings
 {
   /// The verb's own parts of summary.json, which stand between "parameters" and "files".

@@ -81,7 +81,7 @@ Standing standing_of(const ContactReport &report, const SpinStudy &spin)
   return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
 }
 
-/// What ring_state() of the row's terminal spin has; null where it has none.
+/// A value of ring_state() at the row's terminal spin; null where it has none.
 template <typename Value>
 Json at_terminal(const SpinRow &row, Value value)
 {
@@ -130,7 +130,7 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
 }
 
-/// What an out-of-flat rim or table adds; null for flat ones.
+/// Summary of the effects of an out-of-flat rim or table; null for flat ones.
 Json waviness_summary(const std::optional<PhaseStudy> &phases)
 {
   if (!phases)

@@ -16,7 +16,7 @@ namespace stemware::pipeline
 Results tabulate(const Study &study, const ContactReport &report, const SpinStudy &spin,
                  const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal = {});
 
-/// What a rank that is not the first adds to them: the fields of its own cells.
+/// Results that a rank other than the first adds: the fields of its own cells.
 Results own_fields(const ContactReport &report);
 
 } // namespace stemware::pipeline

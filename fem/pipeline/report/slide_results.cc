@@ -17,7 +17,7 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr double turn = boost::math::double_constants::two_pi;
 
-/// Of the points of a slide, by a function of each.
+/// Values of a function at the points of a slide.
 template <typename Value>
 std::vector<double> of_points(const SlideStudy &slide, const Value &value)
 {

@@ -87,7 +87,7 @@ std::string absolute_range(const SweepPlan &plan, const QuantityFindings *about)
          at_case(plan, about->most_case);
 }
 
-/// What the harmonics beyond the first do: "make it up to 2 % faster (...)"; empty where nobody knows.
+/// Clause on the harmonics beyond the first: "make it up to 2 % faster (...)"; empty where nobody knows.
 std::string harmonics_clause(const SweepPlan &plan, const SweepFindings &findings)
 {
   if (findings.spin_changes_sign())
@@ -124,8 +124,8 @@ bool has_given_moment(const SweepPlan &plan)
   return is_given;
 }
 
-/// What the paper's moment balance leaves out does to the spin of a first-harmonic load: "by 4 % to 5 %";
-/// empty where no balance asks for the moment.
+/// Clause on the effect of what the paper's moment balance leaves out, on the spin of a first-harmonic load:
+/// "by 4 % to 5 %"; empty where no balance asks for the moment.
 std::string closure_clause(const SweepPlan &plan, const SweepFindings &findings)
 {
   if (has_given_moment(plan))

@@ -29,8 +29,8 @@ std::vector<QuantityFindings> with_bands(std::vector<QuantityFindings> list)
   return list;
 }
 
-/// Those that the tables of the report show: the harmonics one by one are for sweep.csv, and so are per cent
-/// of a spin that changes its sign.
+/// Quantities in the tables of the report: the harmonics one by one are for sweep.csv, and so are per cent of
+/// a spin that changes its sign.
 std::vector<QuantityFindings> for_people(const SweepFindings &findings)
 {
   const bool has_relative = !findings.spin_changes_sign();
@@ -48,7 +48,7 @@ std::optional<double> share_of(const SampleSensitivity &sensitivity, std::size_t
   return sensitivity.first_order.empty() ? std::nullopt : std::optional(sensitivity.first_order.at(entry));
 }
 
-/// Those that the console shows.
+/// Quantities on the console.
 std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 {
   std::vector<QuantityFindings> list;
@@ -102,7 +102,7 @@ Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
 
 // ---- report
 
-/// What is varied.
+/// Varied entries with their units and values.
 Table plan_table(const SweepPlan &plan)
 {
   std::vector<std::vector<std::string>> rows;
@@ -123,7 +123,7 @@ Table plan_table(const SweepPlan &plan)
   return words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows);
 }
 
-/// What a quantity depends on, entry by entry.
+/// Sensitivity of a quantity to each entry.
 Table sensitivity_table(const SweepPlan &plan, const std::string &quantity,
                         const SampleSensitivity &sensitivity)
 {

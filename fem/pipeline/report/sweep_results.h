@@ -10,7 +10,7 @@ namespace stemware::pipeline
 /// random samples and what it comes from.
 Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings);
 
-/// What the template "sweep_answer" says.
+/// Facts for the template "sweep_answer".
 nlohmann::ordered_json sweep_facts(const SweepPlan &plan, const SweepFindings &findings);
 
 /// sweep.csv: a row for every case of the plan in its order: case (from 1), the varied entries as they were

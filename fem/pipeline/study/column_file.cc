@@ -21,7 +21,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What parts the columns of a line: semicolons or tabs, or else commas, or else blanks ("r (mm), z (mm)").
+/// Separators of a line's columns: semicolons or tabs, or else commas, or else blanks ("r (mm), z (mm)").
 std::string separators_of(const std::string &line)
 {
   for (const char *marks : { ";\t", "," })

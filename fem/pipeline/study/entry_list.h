@@ -40,7 +40,7 @@ inline Range between(double lower, double upper)
 inline const Range not_tipping = { "a number less than 2, where the foot tips",
                                    [](double value) { return value < 2; } };
 
-/// What else an entry is known for; sets a member of it.
+/// A further fact about an entry: sets the entry's member for it.
 using Fact = std::function<void(StudyEntry &)>;
 using Facts = std::vector<Fact>;
 

@@ -27,8 +27,8 @@ void attach_profile(Study &study);
 /// with standard errors; empty where it is not drawn.
 std::string profile_note(const Study &study);
 
-/// What the points of the land say about contact and crown radius: "R = 29.76 ± 0.12 mm, crown 4.4 ± 0.9 mm
-/// (rms 19 µm, 10 points)"; only what follows from them. Empty where the points have no scatter.
+/// Contact and crown radius by the points of the land: "R = 29.76 ± 0.12 mm, crown 4.4 ± 0.9 mm (rms 19 µm,
+/// 10 points)"; only what follows from them. Empty where the points have no scatter.
 std::string fitted_rim(const Study &study);
 
 /// Whether the points leave the crown open: its standard error is half of it or more.

@@ -47,7 +47,7 @@ constexpr Dimension mass = { 1 }, length = { 0, 1 }, time = { 0, 0, 1 }, angle =
                     memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
 }
 
-/// Those that take prefixes, and those that do not.
+/// Units that take prefixes, and units that do not.
 const Units metric_units = { { "g", { dimension::mass, -3 } },  { "m", { dimension::length } },
                              { "s", { dimension::time } },      { "N", { dimension::force } },
                              { "Pa", { dimension::pressure } }, { "rad", { dimension::angle } },
@@ -152,7 +152,7 @@ std::optional<double> shifted(const std::string &number, int decimal)
   return parse_number(fmt::format(FMT_STRING("{}e{}"), number.substr(0, mark), exponent + decimal));
 }
 
-/// What people know of quantities of one SI unit.
+/// Words for quantities of one SI unit, and the units that people use.
 struct Kind
 {
   std::string unit;

@@ -59,7 +59,7 @@ enum class TableInterface
   rough    ///< pressure exponential in the distance
 };
 
-/// What lies under the interface.
+/// Body under the table's interface.
 enum class TableSubstrate
 {
   rigid,
@@ -90,7 +90,7 @@ enum class BodyKind
   revolution ///< displacement harmonics on a meridional mesh
 };
 
-/// What only one of the two bodies can do.
+/// Abilities that only one of the two bodies has.
 struct BodyAbilities
 {
   bool reads_meshes = false;     ///< takes its shape from Contact/Mesh file
@@ -217,9 +217,9 @@ struct Study
   /// the closure full, on a contact whose moment is not given.
   bool tilts() const;
 
-  /// What the table's pressure has to balance at omega = 0, where the friction is exactly (-mu N, 0): N = m g
-  /// with the closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin,
-  /// -cos)(direction of the load's maximum) [N, N m]. Throws BadInput when the foot would tip, m >= 2.
+  /// Resultants asked of the table at omega = 0, where the friction is exactly (-mu N, 0): N = m g with the
+  /// closure's moment, or with the given moment of a static study, M_N = m N R/2 (sin, -cos)(direction of the
+  /// load's maximum) [N, N m]. Throws BadInput when the foot would tip, m >= 2.
   fem::Resultants required_resultants() const;
 };
 

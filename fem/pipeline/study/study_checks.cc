@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What only one of the two bodies can do.
+/// Refuses studies that ask their body for what only the other of the two bodies can do.
 void require_able_body(const Study &study)
 {
   const ContactSection &contact = study.contact;

@@ -37,7 +37,7 @@ struct StudyEntry
   /// shows them as a table.
   std::optional<Interval> plausible;
   std::string plausible_reason; ///< from what to what
-  /// Of a length: with others, most likely given in another unit, a study is refused.
+  /// Range of a length over the contact radius: a study outside it, most likely in another unit, is refused.
   std::optional<Interval> times_contact_radius;
   std::function<std::string()> text;            ///< the present value as a study file writes it
   std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string

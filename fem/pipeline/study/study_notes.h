@@ -21,11 +21,11 @@ std::string idle_note(const std::vector<std::string> &entries);
 /// otherwise, and for the 0 of what may be left out.
 std::string implausible_note(const std::string &path, double value);
 
-/// Such a sentence for each entry that the study was given and that has an effect.
+/// An implausible_note() for each entry that the study was given and that has an effect.
 std::vector<std::string> implausible_notes(const Study &study);
 
-/// The same entries in one line, with what glasses have: "Motion/Mass = 300 kg (0.02 to 2 kg), Motion/Orbit
-/// speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
+/// Entries of implausible_notes() in one line, with what glasses have: "Motion/Mass = 300 kg (0.02 to 2 kg),
+/// Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
 std::string implausible_list(const Study &study);
 
 /// Throws BadInput with one sentence where a value that the study was given is more than a billion times

@@ -7,7 +7,7 @@
 namespace stemware::pipeline
 {
 
-/// What every verb that works on a study is told.
+/// Options of every verb that works on a study.
 struct StudyOptions
 {
   std::string verb;                   ///< its name, "run"

@@ -5,8 +5,8 @@
 namespace stemware::pipeline
 {
 
-/// What a study will take, estimated from its entries and from the number of vertices that its mesh file
-/// states, before anything is made. Measured factors, good to two or three.
+/// Size of a study's computation, estimated from the entries and from the number of vertices that the mesh
+/// file states, before anything is made. Measured factors, good to two or three.
 struct StudySize
 {
   double cells = 0;    ///< of the mesh, of a file at most; 0 without a contact

@@ -38,8 +38,8 @@ void require(bool condition, const std::string &sentence);
 /// other libraries on one line.
 std::string on_one_line(const std::string &text);
 
-/// What somebody gave, as a message repeats it: on one line, and at most @p longest characters of it, "..."
-/// after that.
+/// A text that somebody gave, as a message repeats it: on one line, and at most @p longest characters of it,
+/// "..." after that.
 std::string shortened(const std::string &text, std::size_t longest = 80);
 
 /// A path that somebody gave, as a message repeats it: on one line, and the last 80 characters of it at most,

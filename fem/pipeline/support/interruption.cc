@@ -16,7 +16,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What the watching thread shares with the others. Never destroyed: the thread may outlive main().
+/// State that the watching thread shares with the others. Never destroyed: the thread may outlive main().
 struct Watch
 {
   std::mutex mutex;

@@ -23,12 +23,12 @@ void watch_for_interruption();
 /// folders.
 std::unique_lock<std::mutex> postpone_interruption();
 
-/// What to do before the program ends; replaces the earlier one. The clean-up must not wait for the thread
-/// that works. The caller holds the lock of postpone_interruption().
+/// Sets the clean-up before the program ends; replaces the earlier one. The clean-up must not wait for the
+/// thread that works. The caller holds the lock of postpone_interruption().
 void clean_up_on_interruption(std::function<void()> clean_up);
 
-/// What the program says when it is interrupted, instead of "interrupted; no results were written". Asked by
-/// the thread that does the clean-up. The caller holds the lock.
+/// Sets the sentence of the interrupted program, said instead of "interrupted; no results were written". The
+/// thread that does the clean-up asks for it. The caller holds the lock of postpone_interruption().
 void say_on_interruption(std::function<std::string()> sentence);
 
 /// How far the work is, for that sentence: "interrupted after 35 s; contact, 3 of 20 error bands done; no
@@ -39,7 +39,7 @@ void note_work_done(const std::string &work);
 /// the lock.
 void kill_on_interruption(pid_t child);
 
-/// That child process has been waited for. The caller holds the lock.
+/// Undoes kill_on_interruption(): @p child has been waited for. The caller holds the lock.
 void spare_on_interruption(pid_t child);
 
 } // namespace stemware::pipeline

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 /// values of one name.
 nlohmann::ordered_json parse_json(const std::string &origin, const std::string &text);
 
-/// The same for files that the program itself has written: nothing where they are broken.
+/// The JSON of a text that the program itself has written: nothing where it is broken.
 std::optional<nlohmann::ordered_json> json_in(const std::string &text);
 
 } // namespace stemware::pipeline

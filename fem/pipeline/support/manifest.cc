@@ -39,7 +39,7 @@ Json description_of(const std::string &content)
   return { { "bytes", content.size() }, { "crc64", check_sum(content) } };
 }
 
-/// What is in a folder of results, by relative path: files by their description, folders as "folder", all
+/// Content of a folder of results, by relative path: files by their description, folders as "folder", all
 /// else as null. A folder comes before what is in it.
 using Content = std::map<std::string, Json>;
 
@@ -54,8 +54,8 @@ Content content_of(const fs::path &folder)
   return content;
 }
 
-/// What the manifest of @p folder lists, the folders of that, and itself; nothing where there is no manifest
-/// of ours.
+/// Content of @p folder by its manifest: the files listed, their folders, and the manifest itself; nothing
+/// where there is no manifest of ours.
 std::optional<Content> listed_in(const fs::path &folder)
 {
   const fs::path file = folder / manifest_name;

@@ -19,9 +19,9 @@ extern const char *const manifest_name;
 /// std::filesystem::filesystem_error.
 void write_manifest(const std::filesystem::path &folder);
 
-/// What stands in the way of replacing @p folder, as the end of a sentence that begins with the folder:
-/// "holds figures/note.txt, which is not a result of Stemware". Nothing where the folder is empty, or holds
-/// only files that its manifest lists, each as it was written. Links are not followed. Throws
+/// Obstacle to replacing @p folder, as the end of a sentence that begins with the folder: "holds
+/// figures/note.txt, which is not a result of Stemware". Nothing where the folder is empty, or holds only
+/// files that its manifest lists, each as it was written. Links are not followed. Throws
 /// std::filesystem::filesystem_error.
 std::optional<std::string> why_not_replaceable(const std::filesystem::path &folder);
 

@@ -17,8 +17,8 @@ struct SolverIteration
   unsigned int linear_iterations = 0;
 };
 
-/// What long work says about itself while it goes on. Nobody listens unless a function is overridden; the
-/// console's progress is made in app/. Not called from several threads at a time.
+/// Listener to the progress of long work. Nobody listens unless a function is overridden; the console's
+/// progress is made in app/. Not called from several threads at a time.
 class Progress
 {
 public:

@@ -79,7 +79,7 @@ unsigned int n_ranks()
 namespace
 {
 
-/// What became of some work: the exit code that belongs to it, and the message of its failure.
+/// Outcome of some work: the exit code that belongs to it, and the message of its failure.
 std::pair<int, std::string> outcome_of(const std::function<void()> &work)
 try
 {

@@ -18,7 +18,7 @@ struct CompiledText
   std::string text;
 };
 
-/// Such files, in the order in which CMake was given them.
+/// Compiled-in files, in the order in which CMake was given them.
 using CompiledTexts = std::vector<CompiledText>;
 
 /// The text of the file @p name. Throws std::logic_error where there is none: the program names its own.

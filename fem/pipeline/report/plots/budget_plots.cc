@@ -12,7 +12,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// What stands beside a row, with a true minus: a total or, with its sign, a difference.
+/// Text beside a row, with a true minus: a total or, with its sign, a difference.
 std::string value_text(const std::optional<double> &value, bool is_total, double rounding)
 {
   if (!value)

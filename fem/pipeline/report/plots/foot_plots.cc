@@ -65,7 +65,7 @@ std::string measures_sentence(const fem::PressureMap &footprint, const PressureU
     footprint.has_edge ? "" : ", where 99 % of the load lie");
 }
 
-/// What both pictures of the pressure are filled with.
+/// Values in the templates of both pictures of the pressure.
 PlotValues pressure_values(const fem::PressureMap &footprint)
 {
   const PressureUnit unit = unit_of(footprint);

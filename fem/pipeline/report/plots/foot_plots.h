@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// What the pictures of a foot show beside its cells, lengths in m.
+/// Lengths in the pictures of a foot, beside its cells [m].
 struct FootLengths
 {
   double contact_radius = 0;

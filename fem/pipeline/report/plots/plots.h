@@ -17,7 +17,7 @@
 namespace stemware::pipeline
 {
 
-/// What a load truncated after @p n of @p n_all harmonics is called in keys.
+/// Title in keys of a load truncated after @p n of @p n_all harmonics.
 std::string truncation_title(unsigned int n, unsigned int n_all);
 
 /// From the paper's terminal spin to the study's: a bar for each named difference, faster and slower in
@@ -48,8 +48,8 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
 /// orbit's centre is marked.
 Plot line_load_plot(const ring::RingStack &load, ring::OrbitSense sense);
 
-/// What the harmonics beyond the first add to the load of load_plot(), over a_0; @p is_pointwise: whether
-/// that is drawn as it was solved.
+/// The load of load_plot() less its mean and first harmonic, over a_0; @p is_pointwise: whether the load is
+/// drawn as it was solved.
 Plot higher_harmonics_plot(const ring::RingStack &load, bool is_pointwise);
 
 /// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, 0 where they
@@ -81,7 +81,7 @@ Plot phase_plot(const PhaseStudy &phases);
 /// itself; from truncation.dat, which holds @p truncations.
 Plot truncation_plot(const Table &truncations, double rounding = 1e-12);
 
-/// As above, beside the a-priori bound on the torque as a bound on the spin, to first order.
+/// truncation_plot() beside the a-priori bound on the torque as a bound on the spin, to first order.
 Plot truncation_plot(const TruncationStudy &study, const Table &truncations);
 
 /// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows; from spin_up.dat.
@@ -93,7 +93,7 @@ std::string name_of_load(const std::string &load);
 /// Terminal spins as points, a line of its own for each load, the first on top.
 Plot comparison_plot(const Comparison &comparison);
 
-/// What the harmonics beyond the first do to those spins [rad/s], in the same order.
+/// Change of the terminal spins by the harmonics beyond the first [rad/s], ordered as in comparison_plot().
 Plot harmonic_effect_plot(const Comparison &comparison);
 
 /// An entry without its section, and with its unit.

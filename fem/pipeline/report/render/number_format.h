@@ -10,7 +10,7 @@
 namespace stemware::pipeline::format
 {
 
-/// What stands for a number that does not exist.
+/// Text in the place of a number that does not exist.
 inline constexpr char missing[] = "–";
 
 /// A number of a sentence or table, under the formats of fmt: "{:.3g}" writes missing where it is not finite.

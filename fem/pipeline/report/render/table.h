@@ -143,7 +143,7 @@ Table as_list(const Table &table);
 /// "name (unit)"; the name alone where there is no unit, or the unit is 1 and @p ones is false.
 std::string with_unit(const std::string &name, const std::string &unit, bool ones = true);
 
-/// What reports call a quantity, with its unit unless that is 1.
+/// Heading of a quantity in reports, with its unit unless that is 1.
 std::string heading_with_unit(const Quantity &quantity);
 
 /// A cell as people read it on the console or in a report; @p missing where there is none.

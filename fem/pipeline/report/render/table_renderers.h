@@ -18,7 +18,7 @@ std::string data_table(const Table &table);
 /// Data tables one after the other, which gnuplot tells apart by "index 0", "index 1", ...
 std::string data_tables(const std::vector<Table> &tables);
 
-/// As RFC 4180 has it: commas, CRLF, fields with commas, quotes or line ends in double quotes. The header
+/// A CSV file by RFC 4180: commas, CRLF, fields with commas, quotes or line ends in double quotes. The header
 /// reads "name (unit)"; numbers have all their digits.
 std::string csv_table(const Table &table);
 
