@@ -29,7 +29,7 @@ struct ChainStep
 struct BudgetRow
 {
   ChainStep step;
-  /// Of the difference to the row above: "paper" in the first one, then "friction law" (where friction
+  /// Name of the difference to the row above: "paper" in the first one, then "friction law" (where friction
   /// depends on the slip), "moment balance" or "given moment", "grip", "where the foot touches", "tilt",
   /// "harmonics".
   std::string name;
@@ -51,15 +51,15 @@ struct WithoutRow
   std::string reason = {};                   ///< why there is none: "not defined" without any compliance, ...
 };
 
-/// What the harmonics beyond the first do to the terminal spin: all of them against the first alone, each in
-/// its own balance of contact, friction and moments. The one definition of every verb.
+/// Effect of the harmonics beyond the first on the terminal spin: all of them against the first alone, each
+/// in its own balance of contact, friction and moments. The one definition of every verb.
 struct HarmonicEffect
 {
   std::optional<double> absolute = {}; ///< [rad/s]; nothing where one of the two has no terminal spin
   std::optional<double> relative = {}; ///< to the first alone, relative_to()
 };
 
-/// What each step from the paper's model to the study's does to the terminal spin.
+/// Effect on the terminal spin of each step from the paper's model to the study's.
 ///
 /// Rows 1, 1a, 2 and 2a are first harmonics on a ring of the contact radius, in closed form. In rows 3 and on
 /// the contact is solved with its whole pressure; the friction force and the torque, also in the balance of

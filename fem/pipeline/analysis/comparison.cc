@@ -123,7 +123,7 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
   return loads;
 }
 
-/// What the load at the terminal spin is like.
+/// Standing of the row's load at its terminal spin, which it must have.
 Standing standing_of(const SpinRow &row)
 {
   // A series that ends where the contact ends dips below 0 there by less than its last harmonics.

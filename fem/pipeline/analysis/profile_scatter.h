@@ -11,7 +11,7 @@
 namespace stemware::pipeline
 {
 
-/// What the scatter of a drawn profile's points leaves open of the terminal spin.
+/// Error of the terminal spin that follows from the scatter of a drawn profile's points.
 struct ProfileScatter
 {
   std::optional<double> spin = {}; ///< standard error of the terminal spin [rad/s]

@@ -11,7 +11,7 @@
 namespace stemware::pipeline
 {
 
-/// What is pushed and let go.
+/// Body that is pushed and let go.
 enum class SlidingBodyKind
 {
   glass,   ///< the study's foot on its table, its pressure in balance with its friction at every slip ratio
@@ -23,7 +23,7 @@ enum class SlidingBodyKind
 /// "glass", "ring", "annulus" or "disc".
 std::string to_string(SlidingBodyKind kind);
 
-/// What is asked of a slide.
+/// Slide to be computed: body and initial motion.
 struct SlideQuestion
 {
   SlidingBodyKind body = SlidingBodyKind::glass;

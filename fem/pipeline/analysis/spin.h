@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-/// What is asked of a load about its spin.
+/// Question about the spin of a glass under a load.
 struct SpinQuestion
 {
   ring::Motion motion;
@@ -36,8 +36,8 @@ struct LongRunSpin
     spin = {}; ///< omega, the mean in the long run; slope and time constant of the mean torque
   double zero_of_mean_torque = 0; ///< [rad/s]; omega itself where the phase does not matter
   double ripple = 0;              ///< half of largest minus smallest spin in the long run [rad/s]
-  /// Of the mean, by its average, by the mean of the sampled loads, and by the loads between samples as far
-  /// as ripple makes the glass stay longer at some phases [rad/s].
+  /// Uncertainty of the mean spin [rad/s]: by its average, by the mean of the sampled loads, and by the loads
+  /// between samples as far as ripple makes the glass stay longer at some phases.
   double uncertainty = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace stemware::pipeline
 {
 
-/// What the ring under a load is like, or why there is no answer.
+/// State of the ring under a load, or why there is no answer.
 enum class Standing
 {
   full_contact,    ///< the whole rim carries load

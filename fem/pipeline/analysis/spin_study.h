@@ -33,8 +33,8 @@ struct DrivenSpinUp
   std::vector<double> speed;        ///< v(t) [m/s]
   std::vector<double> acceleration; ///< dv/dt [m/s^2]
   std::vector<double> omega;        ///< all harmonics, error control [rad/s]
-  /// What joining the file's entries by straight lines, and not by the monotone cubic, changes in omega: the
-  /// first harmonic on a rigid rim in balance tells [rad/s].
+  /// Change of omega where straight lines, and not the monotone cubic, join the file's entries, told by the
+  /// first harmonic on a rigid rim in balance [rad/s].
   double interpolation_change = 0;        ///< at most, at any of the times
   double interpolation_change_at_end = 0; ///< at the last one
 };
@@ -53,7 +53,7 @@ struct SpinUpCurves
   std::optional<DrivenSpinUp> driven = {}; ///< with the speeds of Motion/Orbit speed file, where there is one
 };
 
-/// What a load that depends on the phase adds to a study of the spin.
+/// Findings of a study of the spin that only a load which depends on the phase has.
 struct PhaseStudy
 {
   double spin_ripple = 0;         ///< half of largest minus smallest spin in the long run [rad/s]
@@ -73,7 +73,7 @@ struct PhaseStudy
   std::vector<double> torque_at_terminal;
 };
 
-/// What follows from a load for the spin.
+/// Spin that follows from a load, with all that is found out about it.
 struct SpinStudy
 {
   std::vector<SpinRow> rows;       ///< by harmonics: rows_by_harmonics()
@@ -85,9 +85,9 @@ struct SpinStudy
   /// takes minutes (a solid body in balance at every spin).
   std::vector<ring::TerminalSpin> terminal_spins;
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
-  /// Of the load that the curves are made of, interpolated in the spin, over a_0; nothing where it is exact.
+  /// Error of the curves' load, which is interpolated in the spin, over a_0; nothing where it is exact.
   std::optional<double> curve_error = {};
-  /// Of a drawn profile whose points scatter, where somebody asked for it: profile_scatter().
+  /// Scatter of a drawn profile's points, where somebody asked for it: profile_scatter().
   std::optional<ProfileScatter> profile_scatter = {};
 
   const SpinRow &all() const { return rows.back(); }

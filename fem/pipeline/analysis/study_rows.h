@@ -36,14 +36,14 @@ double shown_spin(const Study &study, const SpinRow &row, double fastest);
 /// A sentence where the fingers hold the glass of @p row at rest; empty elsewhere.
 std::string held_by_the_grip(const Study &study, const SpinRow &row);
 
-/// What is found out beside the answer and its curves.
+/// Depth of a study: which findings it adds to the answer and its curves.
 enum class Depth
 {
   answer, ///< nothing: all harmonics and the first alone
   full    ///< rows by harmonics, one ring, budget, leave-one-out
 };
 
-/// What a row asks about the spin of a study: motion, grip and contact radius.
+/// Question of a row about the spin of a study: motion, grip and contact radius.
 SpinQuestion spin_question(const Study &study);
 
 /// Throws ring::Tipping where the foot of a study tips at rest.

@@ -12,7 +12,7 @@
 namespace stemware::pipeline
 {
 
-/// What a load is to be in balance with.
+/// Balance of moments that a load is to be in.
 struct MomentBalance
 {
   ring::Motion motion;
@@ -20,7 +20,7 @@ struct MomentBalance
   ring::Orientation orientation; ///< of the marks of glass and table
 };
 
-/// What an elastic foot is to be in balance with.
+/// Balance that an elastic foot is to be in.
 struct ContactBalance
 {
   MomentBalance moments;
@@ -41,7 +41,7 @@ public:
 
   /// The contact at the spin @p omega [rad/s]. Throws fem::ContactFailure.
   fem::ContactState contact(double omega, Progress &progress = silent_progress());
-  /// Its load, of all harmonics, with its tilt where that is part of the balance.
+  /// The load of contact(), of all harmonics, with its tilt where that is part of the balance.
   LeaningLoad load(double omega);
 
   std::size_t n_contact_solutions() const { return n_solved; }

@@ -64,7 +64,7 @@ public:
   double spin_scale(const ring::Motion &motion) const { return motion.orbit_speed / report().rings.radius(); }
 };
 
-/// The same load at every spin.
+/// Load that is the same at every spin.
 class ConstantLoad : public BalancedLoad
 {
 public:

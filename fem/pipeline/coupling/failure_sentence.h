@@ -5,7 +5,7 @@
 namespace stemware::pipeline
 {
 
-/// What is wrong, in one sentence, with the exception that is being handled. To be called from a catch block.
+/// One sentence on what is wrong, for the exception that is being handled. To be called from a catch block.
 std::string failure_sentence();
 
 /// The exit code for the exception that is being handled, after its message has been printed on stderr as one

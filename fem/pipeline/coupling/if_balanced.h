@@ -9,8 +9,8 @@
 namespace stemware::pipeline
 {
 
-/// What @p find returns; nothing where a contact or a balance does not exist or was not found, and @p reason,
-/// if given, says why. These are the only failures that mean "no value": all others are thrown on.
+/// The result of @p find; nothing where a contact or a balance does not exist or was not found, and @p
+/// reason, if given, says why. These are the only failures that mean "no value": all others are thrown on.
 template <typename Find>
 auto if_balanced(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
 {

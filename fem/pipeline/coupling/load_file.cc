@@ -18,7 +18,7 @@ namespace
 /// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
 constexpr std::size_t most_harmonics = 1000;
 
-/// What has been read so far.
+/// Content of a load file as far as it has been read.
 struct Coefficients
 {
   std::vector<double> a;

@@ -23,8 +23,8 @@ constexpr double tolerance = 1e-7, tolerance_of_many = 1e-5;
 constexpr unsigned int many_phases = 32;
 /// Above, more phases are taken even where they do not halve the error.
 constexpr double good_enough = 3e-2;
-/// Of the mean over the phases, which the band of error contains, and between them, where ripple alone
-/// depends on it.
+/// Largest error allowed: of the mean over the phases, which the band of error contains, and between them,
+/// where ripple alone depends on it.
 constexpr double largest_of_mean = 3e-2, largest_between = 0.3;
 constexpr unsigned int most_phases = 128; ///< of one angle
 
@@ -53,7 +53,7 @@ double error_of_halved(const LoadAtPhase &load, const PhaseGrids &grids, bool in
   return error;
 }
 
-/// What the samples themselves tell of one angle's error.
+/// Error of one angle's grid, as the samples themselves tell it.
 struct AngleError
 {
   AngleError(const LoadAtPhase &load, const PhaseGrids &grids, bool in_glass)

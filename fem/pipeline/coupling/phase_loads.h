@@ -23,13 +23,13 @@ using LoadAtPhase = std::function<LeaningLoad(double omega, const ring::Orientat
 /// glass: those of a load that is gathered at crests reach far up, where the kernels have vanished.
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other);
 
-/// As many phases as it takes until the interpolant meets @p load at rest to a torque_difference() of 1e-7,
-/// to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples together, with turning samples or
-/// not, whichever is better. The error is that of half and of a quarter of the phases, measured at the others
-/// and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends, too, where
-/// twice the phases have not halved it: what is left is due to the azimuth lines. That of the mean is what
-/// half of the phases, of either angle, change in it. Throws std::runtime_error, with a sentence, where the
-/// error stays above 0.3 or that of the mean above 3e-2.
+/// Grids of as many phases as it takes until the interpolant meets @p load at rest to a torque_difference()
+/// of 1e-7, to 1e-5 from 32 phases on, at most 128 in each angle and @p most_samples together, with turning
+/// samples or not, whichever is better. The error is that of half and of a quarter of the phases, measured at
+/// the others and extrapolated, or what three phases off the grid show, if that is more. Below 3e-2 it ends,
+/// too, where twice the phases have not halved it: what is left is due to the azimuth lines. That of the mean
+/// is what half of the phases, of either angle, change in it. Throws std::runtime_error, with a sentence,
+/// where the error stays above 0.3 or that of the mean above 3e-2.
 PhaseGrids find_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int most_samples);
 
 /// How a load is sampled that depends on the spin.
@@ -76,7 +76,7 @@ public:
   std::size_t n_spins() const; ///< sampled so far; 1 where the load does not depend on the spin
   /// Largest torque_difference() from the load found halfway between samples.
   double error() const { return largest_error; }
-  /// That of mean(): what half of the phases say otherwise, at rest and of what the spin adds, and what
+  /// Error of mean(): what half of the phases say otherwise, at rest and of what the spin adds, and what
   /// interpolation between spins leaves, at one phase or, if that is less, what half of the spins say
   /// otherwise.
   double mean_error() const { return largest_mean_error; }
@@ -100,8 +100,8 @@ private:
   void turn(Eigen::VectorXd &column, double angle) const;
   /// Per spin a column per phase of @p on.
   std::vector<Eigen::MatrixXd> sample(const std::vector<double> &omegas, const PhaseGrids &on) const;
-  /// As many as it takes, and the error between them, torque_difference(); where the load has kinks in the
-  /// spin, as many as it takes below 3e-2 until twice as many do not lessen the error to a third.
+  /// Spins of an interval, as many as it takes, and the error between them, torque_difference(); where the
+  /// load has kinks in the spin, as many as it takes below 3e-2 until twice as many leave over a third of it.
   std::pair<SpinInterval, double> find_spins(long interval) const;
   const Samples &samples_around(double omega) const;
   Samples samples_of(long interval) const;

@@ -223,9 +223,9 @@ struct Band
   double outer;
 };
 
-/// As many rings as it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to 1e-10:
-/// their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes within
-/// the band only algebraically, and there are as many as lines across the contact have nodes.
+/// Number of rings that it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to
+/// 1e-10: their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes
+/// within the band only algebraically, and there are as many as lines across the contact have nodes.
 unsigned int rings_for(const Band &band, double eps, unsigned int least)
 {
   const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
@@ -235,8 +235,8 @@ unsigned int rings_for(const Band &band, double eps, unsigned int least)
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, most_rings)));
 }
 
-/// As many harmonics as the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as fast
-/// again.
+/// Number of harmonics that the kernels ask for: K_n(eps) falls like |eps|^n. With room for spins half as
+/// fast again.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();

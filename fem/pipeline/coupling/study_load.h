@@ -44,7 +44,7 @@ MomentBalance moment_balance(const Study &study);
 /// at every spin; in closed form where the friction does not depend on the slip.
 SharedLoad first_harmonic_load(const Study &study, ring::Closure closure);
 
-/// What a contact state reports about its load; its tilt where that is part of the moment balance.
+/// Report on the load of a contact state; with its tilt where that is part of the moment balance.
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts);
 
 /// Whether the load of the study's foot depends on the spin: the moment balance lets friction act back, or

@@ -38,7 +38,7 @@ void harden(ContactSection &contact)
   contact.hardness *= 10;
 }
 
-/// As many as are enough everywhere but next to slip ratio 1.
+/// Number of rings that is enough everywhere but next to slip ratio 1.
 constexpr unsigned int usual_rings = 5;
 
 /// @p n_rings radii on the band of @p radii, which are chebyshev_radii(), two at least.
@@ -50,8 +50,8 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// So many rings and fewer find their balance on twice as many; nodes beside the contact would have weights
-/// from more that are rounding.
+/// Number of rings up to which the balance is found on twice as many; nodes beside the contact would have
+/// weights from more that are rounding.
 constexpr std::size_t most_rings_in_balance = 12;
 
 /// Other rings and harmonics under the same foot. @p other_rings: how many rings in the place of so many,

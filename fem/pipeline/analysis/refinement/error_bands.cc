@@ -41,7 +41,7 @@ struct Torques
   double all;      ///< yaw_torque(), whose zero is the terminal spin
 };
 
-/// What is found there.
+/// Load and torques that are found at a Probe.
 struct Findings
 {
   LoadReport at_rest;

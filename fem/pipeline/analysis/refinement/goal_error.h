@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-/// What the mesh of a study's foot does to one number.
+/// Error of one number of a study that is due to the mesh of the foot.
 struct GoalError
 {
   double value = 0;     ///< of the study

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Of the error, in the cells that are halved at once.
+/// Share of the error whose cells are halved at once.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, fem::ComplianceCache &cache)

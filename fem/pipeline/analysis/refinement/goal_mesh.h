@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-/// What the mesh that was made for a goal leaves of its error.
+/// Number that a mesh was made for, with the error that the mesh leaves of it.
 struct GoalOutcome
 {
   double value = 0;           ///< of the number: rad/s, 1 or N m

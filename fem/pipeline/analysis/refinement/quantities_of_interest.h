@@ -21,7 +21,7 @@ struct QuantityOfInterest
   std::string unit; ///< "1" for pure numbers
   double value = 0;
   double rounding = 0; ///< differences of this size are those of solver tolerances, not of a discretisation
-  /// What is missing to the value on no mesh, by goal_error(); nothing where that was not estimated.
+  /// Correction of the value for the mesh, to be added, by goal_error(); nothing where it was not estimated.
   std::optional<double> mesh_correction = {};
 };
 
@@ -37,10 +37,10 @@ struct BandedQuantity
   bool is_zero() const;
 };
 
-/// What is known about the discretisation errors of a study; empty where they were not estimated.
+/// Error bands of a study's quantities; empty where they were not estimated.
 using ErrorBands = std::vector<BandedQuantity>;
 
-/// What is no discretisation error and yet differs between discretisations.
+/// Differences between discretisations that are no discretisation errors.
 struct QuantityNoise
 {
   double relative = 1e-9;        ///< tolerances of contact and balances, relative to the mean load

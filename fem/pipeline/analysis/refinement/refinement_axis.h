@@ -16,7 +16,7 @@ struct RefinementLevel
   Study study;
 };
 
-/// What a refinement axis adds to the error band.
+/// Role of a refinement axis in the error band.
 enum class AxisRole
 {
   space, ///< halves sizes in one direction: the bands of these axes add up

@@ -13,7 +13,7 @@ enum class Decay
   spectral   ///< faster than any fixed order as long as the solution is smooth: harmonics, lines, degrees
 };
 
-/// What values on ever finer levels say about the value that they tend to.
+/// Limit of values on ever finer levels, with the observed order and the error.
 struct RefinementSequence
 {
   std::optional<double> order; ///< observed p of the last three values; nothing where they do not show one

@@ -88,7 +88,7 @@ std::optional<double> first_harmonic_spin(const Study &study, ring::Closure clos
   return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
 }
 
-/// What the rows of the budget change that have this name [rad/s]; nothing without such a row.
+/// Difference of the terminal spin in the row of that name [rad/s]; nothing without such a row.
 std::optional<double> difference_by(const std::string &name, const std::vector<BudgetRow> &rows)
 {
   for (const BudgetRow &row : rows)

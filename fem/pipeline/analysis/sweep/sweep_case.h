@@ -26,7 +26,7 @@ std::size_t quantity_index(const std::string &name);
 /// The quantity that has a value for each case in which the glass stands at rest and falls over on the way.
 inline constexpr char spin_of_fall[] = "spin at which it falls over";
 
-/// What became of one case.
+/// Result of one case of a sweep.
 struct CaseResult
 {
   std::string outcome;                       ///< of the contact; empty where there was none

@@ -15,7 +15,7 @@ namespace stemware::pipeline
 /// of 1 / sqrt(samples).
 constexpr std::size_t least_samples_of_shares = 100;
 
-/// What a sweep says about one quantity. Cases count from 0.
+/// Findings of a sweep about one quantity. Cases count from 0.
 struct QuantityFindings
 {
   std::size_t index = 0;    ///< into sweep_quantities()
@@ -25,14 +25,14 @@ struct QuantityFindings
   std::size_t least_case = 0, most_case = 0; ///< the first of them where several cases share the value
   std::size_t n_least = 0, n_most = 0;       ///< how many share it, to 1e-9
   std::optional<SampleBand> band;            ///< of random samples
-  /// Of random samples, inputs as in SweepPlan::entries; shares of the variance from
+  /// Sensitivity over random samples, inputs as in SweepPlan::entries; shares of the variance from
   /// least_samples_of_shares samples on only.
   std::optional<SampleSensitivity> sensitivity;
 
   const SweepQuantity &quantity() const { return sweep_quantities()[index]; }
 };
 
-/// What a sweep has found out.
+/// Findings of a sweep.
 struct SweepFindings
 {
   std::size_t n_cases = 0;
@@ -40,7 +40,7 @@ struct SweepFindings
   std::optional<std::size_t> first_failure;
   std::vector<QuantityFindings> quantities; ///< those with a value in some case
 
-  /// What is said about the quantity of that name; null where no case has a value.
+  /// Findings about the quantity of that name; null where no case has a value.
   const QuantityFindings *about(const std::string &quantity) const;
 
   /// Whether the terminal spin has one sign in some cases and the other in others; relative differences of

@@ -34,7 +34,7 @@ public:
   /// A counter for the logs in that folder, and for those that @p n_ranks ranks will write.
   static LogCounter logs_in(const std::filesystem::path &path, unsigned int n_ranks);
 
-  /// What all ranks have finished so far.
+  /// Cases that all ranks have finished so far.
   FinishedCases finished_cases() const;
 
   /// Removes the plan and the logs, and the folder if nothing else is in it.

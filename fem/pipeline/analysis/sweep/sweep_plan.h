@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// What `stemware sweep` is asked to vary, as it stands on the command line.
+/// Request of `stemware sweep`: entries to vary, as they stand on the command line.
 struct SweepRequest
 {
   std::vector<std::string> varied; ///< --vary, see parse_varied_entry()
