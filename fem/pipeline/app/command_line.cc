@@ -1,5 +1,6 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
@@ -9,27 +10,22 @@
 namespace stemware::pipeline
 {
 
+/// The files of help/.
+const CompiledTexts &compiled_help();
+
+std::string help_of(const std::string &name)
+{
+  const std::string &text = text_of(compiled_help(), name + ".txt");
+  return text.substr(0, text.size() - 1); // the parser of the command line ends the line
+}
+
 void describe_program(CLI::App &program)
 {
   program.require_subcommand(1);
   program.get_formatter()->label("SUBCOMMAND", "VERB");
   program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
   program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
-  program.footer(R"(Examples:
-  stemware run                               the default study; results in results/default
-  stemware new my_glass.prm                  a study of twelve entries to change
-  stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Motion/Orbit speed=20 cm/s"
-  stemware new --cookbook lift_off           a study of a cookbook; `stemware new --help` lists all
-  stemware sweep my_glass.prm --vary "Motion/Mass=200:400 g:5"
-  stemware defaults Glass                    all entries of a section, with their meaning
-  stemware help run                          more about a verb
-
-Exit codes:
-  0   done
-  1   usage, or something wrong in the study, mesh or load file
-  2   no solution: the contact or the spin did not converge, or memory ran out
-  3   the results cannot be written
-  130 interrupted; no results are left behind)");
+  program.footer(help_of("stemware"));
 }
 
 namespace

@@ -58,21 +58,7 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb = program.add_subcommand(
     "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
   add_study_options(*verb, *options);
-  verb->footer(R"(Examples:
-  stemware compare my_glass.prm
-  stemware compare my_glass.prm --set "Table/Foundation modulus=1e9"
-  stemware compare my_glass.prm --set "Load/Source=first harmonic"    # no elastic foot
-
-The glass of the study under the moment balances (Motion/Closure) paper, hand and full, on six kinds
-of load: the paper's first harmonic; a rigid rim, flat and round, on a mat that only pushes; a rigid
-foot on the study's table, unless that is rigid too; and the elastic foot, one-way (the load of the
-glass that does not spin yet) and two-way (in balance with friction at every spin; a solid body with
-Load/Coupling = two-way only). Each with 1, 2, 3 and all harmonics, and the terminal spin step by
-step from the paper's model to the study's. A row without a result says why: tips, no balance, no
-terminal spin. A load is "formal" where it is negative somewhere: the table would have to pull.
-
-  compare.csv        one row for each closure, load and number of harmonics
-  report.html, figures/, summary.json, parameters.prm, timings.json)");
+  verb->footer(help_of("compare"));
   verb->callback([&chosen, options] { chosen = [options] { compare(*options); }; });
 }
 

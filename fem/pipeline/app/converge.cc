@@ -77,20 +77,7 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
     ->check(CLI::Range(2, 5))
     ->type_name("N");
   add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");
-  verb->footer(R"(Examples:
-  stemware converge my_glass.prm
-  stemware new --cookbook lift_off                            writes lift_off.prm
-  stemware converge lift_off.prm --levels 4 --at -5 --at -10
-  stemware converge lift_off.prm --set "Contact/Degree=3" --output cubic
-  stemware converge my_glass.prm --quiet --json | jq .omega_terminal_band
-
-One parameter at a time is varied round the study's own value. A body of revolution: halvings of the
-meridional mesh, degree, elastic harmonics, azimuth lines. A solid body: cells round the rim, across
-the land, through the foot, degree; that takes minutes.
-  summary.json       values, orders, limits and bands of every quantity; the parameters
-  report.html        the same as a web page
-  converge_*.dat     one row a level
-  error_bands.dat    values, half-widths of their bands, Richardson values)");
+  verb->footer(help_of("converge"));
   verb->callback([&chosen, options] { chosen = [options] { converge(*options); }; });
 }
 

@@ -16,11 +16,7 @@ void add_defaults_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb =
     program.add_subcommand("defaults", "Print a study file with every entry, its meaning and its default");
   verb->add_option("SECTION", *section, "Motion, Glass, Table, Contact or Load; default: all of them");
-  verb->footer(R"(Examples:
-  stemware defaults
-  stemware defaults Table                    the entries of one section
-  stemware defaults > all_entries.prm        a study file; `stemware new` writes a short one
-  stemware defaults | grep -B 3 radius)");
+  verb->footer(help_of("defaults"));
   verb->callback([&chosen, section]
                  { chosen = [section] { console() << commented_defaults(*section) << std::flush; }; });
 }

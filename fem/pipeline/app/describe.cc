@@ -200,10 +200,7 @@ void add_describe_verb(CLI::App &program, Verb &chosen)
     ->required()
     ->check([](const std::string &text)
             { return text == "man" || text == "bash" || text == "zsh" ? "" : "give man, bash or zsh"; });
-  verb->footer(R"(Examples:
-  stemware describe man > stemware.1
-  stemware describe bash > stemware.bash
-  stemware describe zsh > _stemware)");
+  verb->footer(help_of("describe"));
   verb->callback(
     [&program, &chosen, format]
     {

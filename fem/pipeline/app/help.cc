@@ -14,9 +14,7 @@ void add_help_verb(CLI::App &program, Verb &chosen)
   const auto topic = std::make_shared<std::string>();
   CLI::App *verb = program.add_subcommand("help", "Print this text, or that of a verb");
   verb->add_option("VERB", *topic, "Verb to be explained; default: all of them in short");
-  verb->footer(R"(Examples:
-  stemware help
-  stemware help sweep                        the same as stemware sweep --help)");
+  verb->footer(help_of("help"));
   verb->callback(
     [&program, &chosen, topic]
     {

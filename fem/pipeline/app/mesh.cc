@@ -160,19 +160,7 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
-  verb->footer(R"(Examples:
-  stemware mesh                                               what the default study's mesh is like
-  stemware mesh my_glass.prm                                  what this study's is like
-  stemware mesh my_glass.prm --write foot.msh --write foot.vtu
-  stemware mesh my_glass.prm --write fine.msh --set "Contact/Azimuthal cells=96"
-  stemware mesh --check my_foot.msh                           can it be used? (exit code 1: no)
-  stemware mesh my_glass.prm --check my_foot.msh              and is it of the same size?
-  stemware mesh --check my_foot.msh --write my_foot.vtu       to look for the bad cells
-  stemware mesh --check my_foot.msh --output results/my_foot   report.html with pictures
-
-  .msh  Gmsh's format 2.2: linear hexahedra, stem cut with id 1, contact zone with id 2; can be
-        read again with Contact/Mesh file. The crown is in it, as a polygon between vertices.
-  .vtu  for ParaView: the cells with their scaled Jacobian and boundary id)");
+  verb->footer(help_of("mesh"));
   verb->callback([&chosen, options] { chosen = [options] { mesh(*options); }; });
 }
 

@@ -79,36 +79,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
     program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
   add_study_options(*verb, options->study);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
-  verb->footer(R"(Examples:
-  stemware run                                                the default study
-  stemware new --cookbook lift_off                            writes lift_off.prm, to be changed
-  stemware run lift_off.prm --output soft --set "Table/Foundation modulus=1e9"
-  stemware run my_glass.prm --set "Load/Source=first harmonic" --set "Motion/Closure=full"
-  stemware run my_glass.prm --set "Motion/Mass=250 g" --set "Glass/Contact radius=31 mm"
-  stemware new --cookbook oval_foot                           a study of a mesh, and the mesh
-  stemware run oval_foot.prm
-  stemware run my_glass.prm --quick
-  stemware run my_glass.prm --quiet --json | jq .omega_terminal
-  stemware defaults Glass | stemware run - --output results/piped     from standard input
-  mpirun -n 4 stemware run --set Contact/Body=solid --set "Contact/Azimuthal cells=96"
-
-Results are written to a temporary folder and renamed at the end; older results of the same name
-are replaced.
-  report.html        the answer, its pictures and what is behind it, for a browser
-  figures/           the pictures as SVG and PDF, with gnuplot scripts and data
-  summary.json       load, torque, terminal spin, budget, error bands, the parameters (schema 2)
-  parameters.prm     the study as it was run
-  budget.dat         the terminal spin from the paper's model to the study's, step by step, and
-                     without one thing at a time
-  load.dat           lambda(theta), the sum of the rings and each ring
-  harmonics.dat      Fourier coefficients of the sum; may be read again through Load/File
-  rings.dat          Fourier coefficients ring by ring
-  torque.dat         tau_z, T_x, T_y against the spin
-  spin_up.dat        the spin against time
-  truncation.dat     the answer after 1, 2, 3, 4, 6, 8 ... harmonics
-  contact_history.dat, timings.json
-  fields/contact.vtu displacement, stress and pressure for ParaView; of a solid body under mpirun
-                     contact.pvtu and a contact_0.vtu, contact_1.vtu ... of each rank)");
+  verb->footer(help_of("run"));
   verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 

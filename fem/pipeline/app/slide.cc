@@ -110,22 +110,7 @@ void add_slide_verb(CLI::App &program, Verb &chosen)
     ->type_name("\"20 rad/s\"");
   verb->add_option("--inner-radius", options->inner_radius, "Inner radius of an annulus")
     ->type_name("\"20 mm\"");
-  verb->footer(R"(Examples:
-  stemware slide                                              the default glass, 1 m/s and 20 rad/s
-  stemware slide my_glass.prm --speed "80 cm/s" --spin "-15 rad/s"
-  stemware slide --body ring                                  ends with omega R / v = 1
-  stemware slide --body disc --spin "5 rad/s"                 ends with v / omega R = 0.653
-  stemware slide --body annulus --inner-radius "20 mm"
-  stemware slide --body ring --set "Motion/Centre of mass height=10 mm"   bends to the right
-
-No hand, no orbit: friction alone acts. Mass, friction, gravity and the centre of mass are those of
-the section Motion, the outer radius is Glass/Contact radius. The glass stands on its own foot and
-table, contact and friction in balance at every slip ratio. A ring, an annulus and a disc have a
-uniform pressure, which the friction tilts where Motion/Centre of mass height is given, and the
-inertia of a body whose mass is spread like it, unless Motion/Yaw inertia is given.
-
-  path.dat           position, heading, spin, friction, energy from the push to the stop
-  report.html, figures/, summary.json, parameters.prm, timings.json)");
+  verb->footer(help_of("slide"));
   verb->callback([&chosen, options] { chosen = [options] { slide(*options); }; });
 }
 

@@ -250,40 +250,7 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
                  "Refuses a sweep of more cases, before the work; default: 10000")
     ->type_name("N");
   verb->add_flag("--restart", options->restart, "Throws away the cases kept from an interrupted sweep");
-  verb->footer(R"(Values of --vary:
-  "Load/Moment ratio=0.1:1.9:50"               50 values from 0.1 to 1.9, equal steps
-  "Table/Foundation modulus=1e8:1e12:20:log"   20 values, equal factors
-  "Motion/Mass=200,250,300 g"                  these; numbers may have units
-  "Motion/Closure=paper,hand,full"             these
-
-Spreads of --random:
-  "Motion/Friction coefficient=0.3+-0.03"      normal: mean and standard deviation
-  "Motion/Mass=300 g+-5%"                      the same, as a share of the mean
-  "Table/Foundation modulus=1e10*/2"           lognormal: median and factor
-  "Glass/Crown radius=2..4 mm"                 uniform
-  "Table/Foundation modulus=1e9..1e11:log"     uniform in the logarithm
-
-Examples:
-  stemware sweep my_glass.prm --vary "Motion/Force offset=-0.08:-0.02:25"
-  stemware sweep my_glass.prm --vary "Load/Moment ratio=0.1:1.9:50" \
-                              --vary "Table/Foundation modulus=1e8:1e12:20:log"
-  stemware sweep my_glass.prm --random "Motion/Friction coefficient=0.3+-10%" \
-                              --random "Glass/Crown radius=2..4 mm" --samples 500
-  mpirun -n 8 stemware sweep my_glass.prm --vary "Load/Moment ratio=0:1.95:500"
-
-Finished cases are kept as they come: interrupted by Ctrl-C, kill or a power cut, the same command
-goes on where it was, and the table is the one of an unbroken run. A case that fails is listed with
-its message and does not stop the others; the exit code is 0 unless all of them fail.
-
-Under mpirun the ranks share the cases. Cases with Contact/Body = solid are solved one after
-another, by all ranks together.
-
-  sweep.csv          a row for every case: varied entries, load, torque, spin, outcome
-  statistics.csv     bands and sensitivities of random samples
-  sweep.json         how the cases came about
-  summary.json       ranges, or bands and sensitivities, and the parameters of the base study
-  parameters.prm     the base study
-  report.html, figures/, timings.json)");
+  verb->footer(help_of("sweep"));
   verb->callback([&chosen, options] { chosen = [options] { sweep(*options); }; });
 }
 

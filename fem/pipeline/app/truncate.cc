@@ -62,21 +62,7 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb = program.add_subcommand("truncate", "How many harmonics of the load matter");
   add_study_options(*verb, *options);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
-  verb->footer(R"(Examples:
-  stemware truncate my_glass.prm
-  stemware new --cookbook lift_off                            writes lift_off.prm
-  stemware truncate lift_off.prm --at -5 --at -20
-  stemware truncate my_glass.prm --set "Motion/Closure=full" --set "Load/Coupling=two-way"
-
-The answer with 1, 2, 3, 4, 6, 8, 12 ... harmonics. With two-way loads, moment balance and contact
-are solved again with the friction of the harmonics that are kept; one-way, and with a given moment,
-the load of the glass that does not spin yet is truncated. Beside that, the terminal spin step by
-step from the paper's model to the study's.
-
-  truncation.dat     torque, terminal spin, deviations, bounds
-  spin_up.dat        the spin against time
-  harmonics.dat      the load at rest; Load/File reads it
-  report.html, figures/, summary.json, parameters.prm, timings.json)");
+  verb->footer(help_of("truncate"));
   verb->callback([&chosen, options] { chosen = [options] { truncate(*options); }; });
 }
 

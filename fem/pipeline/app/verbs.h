@@ -18,6 +18,9 @@ namespace stemware::pipeline
 /// The work of the verb that was chosen on the command line, its options included.
 using Verb = std::function<void()>;
 
+/// The examples and explanations help/@p name.txt that end the help of a verb.
+std::string help_of(const std::string &name);
+
 /// Adds to the program the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program);
 

@@ -1,9 +1,9 @@
 #include "fem/pipeline/report/render/html_page.h"
 
 #include "fem/pipeline/report/formula_text.h"
-#include "fem/pipeline/report/render/html_style.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/shared_files.h"
 
 #include <boost/algorithm/string/replace.hpp>
 
@@ -12,6 +12,9 @@
 
 namespace stemware::pipeline
 {
+
+/// The files of templates/.
+const CompiledTexts &compiled_pages();
 
 namespace
 {
@@ -163,7 +166,7 @@ std::string html_page(const Report &report, const std::map<std::string, std::str
                  "\n<head>\n<meta charset=\"utf-8\"/>\n"
                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
                  "<link rel=\"icon\" href=\"data:,\"/>\n" +
-                   element("title", html_text(report.title)) + element("style", html_style) + "</head>\n" +
+                   element("title", html_text(report.title)) + element("style", "\n" + text_of(compiled_pages(), "page.css")) + "</head>\n" +
                    element("body", "\n" + element("main", "\n" + content)));
 }
 
