@@ -53,7 +53,7 @@ struct SlidingState
   double distance; ///< along the path [m]
 };
 
-/// From the start to the stop.
+/// Path of a sliding body from the start to the stop.
 struct SlidingPath
 {
   std::vector<SlidingState> states; ///< accepted steps, the last one at the stop (speed and spin 0)

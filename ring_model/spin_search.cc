@@ -31,7 +31,7 @@ struct Estimate
   double error; ///< its difference to the one without the sample farthest away
 };
 
-/// From the samples with the least |push|; as many as fall with the spin.
+/// Estimate by the samples with the least |push|; as many as fall with the spin.
 Estimate inverse_interpolation(std::vector<Sample> samples)
 {
   std::sort(samples.begin(), samples.end(),

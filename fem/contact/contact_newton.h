@@ -35,9 +35,9 @@ struct ContactStart
 /// Stopping rule and limits of the contact driver.
 struct ContactControl
 {
-  /// On the relative residual of the conditions, and on the gap left by a hard interface.
+  /// Tolerance of the relative residual of the conditions, and of the gap left by a hard interface.
   double tolerance = 1e-11;
-  /// On the body's relative residual, whose rounding floor grows with the mesh.
+  /// Tolerance of the body's relative residual, whose rounding floor grows with the mesh.
   double equilibrium_tolerance = 1e-9;
   /// Final check of the conditions: |sum f - N| / N and the other two over N R.
   double resultant_tolerance = 1e-9;

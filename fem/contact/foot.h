@@ -27,7 +27,7 @@ struct ContactState
   std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
   ContactDemand demand;                  ///< that it was solved for
   ring::Slip slip;                       ///< that it was solved for
-  /// Between which radii the load lies but for rounding [m].
+  /// Radii between which the load lies but for rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;
 
@@ -37,7 +37,7 @@ struct ContactState
   std::shared_ptr<const std::string> body = {}; ///< of a solid body, this rank's part of its state
 };
 
-/// From where a foot looks for a contact.
+/// Places from which a foot looks for a contact.
 struct ContactGuess
 {
   const ContactState *before = nullptr; ///< a contact of the same foot that is near; nothing: none is known

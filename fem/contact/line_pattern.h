@@ -14,7 +14,7 @@ namespace stemware::fem
 class LinePattern
 {
 public:
-  /// From the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
+  /// Takes the lines of @p surface, which keep their nodes and shapes; a reference to it is kept.
   explicit LinePattern(const ContactSurface &surface);
 
   /// Gives @p tangent all couplings of nodes on common lines, all zero. It is empty or was filled by this

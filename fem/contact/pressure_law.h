@@ -113,7 +113,7 @@ private:
     return depths;
   }
 
-  /// Not less than the penetration anywhere on a line: a quadratic lies below its control points.
+  /// Upper bound of the penetration on a line: a quadratic lies below its control points.
   static double greatest(const Eigen::Vector3d &depth)
   {
     return std::max({ depth(0), depth(2), 2 * depth(1) - (depth(0) + depth(2)) / 2 });

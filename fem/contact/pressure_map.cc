@@ -57,7 +57,7 @@ public:
 
   const double azimuth;
 
-  /// At a local coordinate in [-1, 1].
+  /// Pressure at the local coordinate @p xi in [-1, 1] along the line.
   PressurePoint at(double xi) const
   {
     const Eigen::Vector3d shape = line_shape(xi);

@@ -29,7 +29,7 @@ struct PressureMap
   PressureMap turned(double angle) const;
 };
 
-/// Between which radii a cut is in contact.
+/// Radii between which a cut is in contact.
 struct ContactWidth
 {
   double inner = 0; ///< [m]

@@ -13,7 +13,7 @@ enum class LinearSolver
              ///< (MeshHierarchy)
 };
 
-/// Above this number of unknowns a factorisation costs more time and memory than multigrid does
+/// Number of unknowns above which a factorisation costs more time and memory than multigrid does
 /// (docs/method.md, "Linear solves").
 constexpr unsigned int largest_direct_system = 50000;
 

@@ -17,7 +17,7 @@ constexpr double rounding = 1e-9;
 /// Compliances of more cells than that fill the memory.
 constexpr std::size_t most_cells = 2000;
 
-/// Finest at the contact radius, mirror images on both sides of it.
+/// Contact cells that are finest at the contact radius, mirror images on both sides of it.
 ContactCells graded_cells(const GlassProfile &profile, const MeridianResolution &resolution)
 {
   const unsigned int half = resolution.land_cells / 2;

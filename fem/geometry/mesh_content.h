@@ -49,7 +49,7 @@ public:
   {
   }
 
-  /// Empty after the last.
+  /// The next word; empty after the last.
   std::string_view next();
 
   /// Throws UnreadableMesh where the next word is missing or no number.

@@ -67,7 +67,7 @@ private:
   using Lanes = VectorizedArray<Number>;
   using Evaluation = FEEvaluation<3, static_cast<int>(degree), static_cast<int>(degree + 1), 3, Number>;
 
-  /// From nodal displacements to nodal forces of the cells that @p cell stands for.
+  /// Turns nodal displacements into nodal forces, on the cells that @p cell stands for.
   void stress(Evaluation &cell) const
   {
     cell.evaluate(EvaluationFlags::gradients);

@@ -49,7 +49,7 @@ public:
     /// Displacements times int (mode)^2 dtheta [m rad] under forces per radian on the free dofs [N/rad], a
     /// column each.
     Eigen::MatrixXd solve(const Eigen::MatrixXd &forces) const;
-    /// One column of forces, in place.
+    /// Solves for one column of forces, in place.
     void solve(dealii::Vector<double> &forces) const;
 
   private:

@@ -26,7 +26,7 @@ public:
   MeridianStiffness(const dealii::Mapping<2> &mapping, const dealii::DoFHandler<2> &dof_handler,
                     const ElasticMaterial &material);
 
-  /// By what K_0, K_1 and K_2 are multiplied in K_n: 1, n and n^2.
+  /// Factors of K_0, K_1 and K_2 in K_n: 1, n and n^2.
   static std::array<double, 3> factors_of(unsigned int harmonic);
 
   /// The sum of K_0, K_1 and K_2 times @p factors with @p constraints eliminated symmetrically. @p matrix

@@ -35,17 +35,17 @@ public:
   /// The body's state is that of the contacts nearby. Throws ContactFailure.
   ContactSolution solve(const RevolutionStarts &starts);
 
-  /// Which of RevolutionStarts::before has led to the solution, if one has.
+  /// Index of the one of RevolutionStarts::before that has led to the solution, if one has.
   std::optional<std::size_t> start_used() const { return used; }
 
 private:
   /// solve_contact() from @p start, given up soon where it is not near.
   ContactSolution solve_near(const ContactStart &start);
-  /// From @p start on a softened interface.
+  /// Solution from @p start on a softened interface.
   ContactSolution solve_softened(const ContactStart &start);
-  /// Under @p under; @p largest_step: by how much the interface is stiffened at once.
+  /// Cold solution under @p under; @p largest_step: by how much the interface is stiffened at once.
   ContactSolution solve_cold(const LinearConditions &under, double largest_step);
-  /// From @p at on the interface softened by @p softness, in few steps, to the interface as it is;
+  /// Solution from @p at on the interface softened by @p softness, in few steps, to the interface as it is;
   /// @p hopeless_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
                           double largest_step,

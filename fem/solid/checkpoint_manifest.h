@@ -31,7 +31,7 @@ extern const char *const checkpoint_manifest_name;
 
 std::string manifest_text(const CheckpointManifest &manifest);
 
-/// Nothing where the text is no whole manifest of this version.
+/// The manifest in @p text; nothing where the text is no whole manifest of this version.
 std::optional<CheckpointManifest> checkpoint_manifest_in(const std::string &text);
 
 /// CRC-64 of ECMA-182.

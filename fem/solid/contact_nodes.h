@@ -48,7 +48,7 @@ public:
 
   /// Values at all nodes from those that the ranks have at their own, @p own of shape [n_own_nodes].
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
-  /// At the own nodes the sums of what all parts have there, @p parts of shape [n_nodes].
+  /// Sums at the own nodes of the values that all parts have there, @p parts of shape [n_nodes].
   Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
   /// Euclidean norm of these sums over all nodes.
   double norm(const Eigen::VectorXd &parts) const;

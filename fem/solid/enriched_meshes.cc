@@ -22,7 +22,7 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// At an edge, more halvings gain where a higher degree alone gains little.
+/// Number of halvings at an edge, where a higher degree alone gains little.
 constexpr unsigned int n_edge_halvings = 2;
 
 /// Whether @p cell has a face of the contact zone that reaches into radii between @p inner and @p outer.

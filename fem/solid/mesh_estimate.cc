@@ -54,7 +54,7 @@ public:
     }
   }
 
-  /// On the finest level what @p vector is on the own one; constrained unknowns are 0.
+  /// The function of @p vector on the own level as a vector of the finest level; constrained unknowns are 0.
   DofVector embedded(const DofVector &vector) const
   {
     DofVector coarse = vector_on(hierarchy.level(own));

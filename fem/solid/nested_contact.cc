@@ -19,7 +19,7 @@ ContactControl coarse_control(double softening)
   return control;
 }
 
-/// Under an interface @p ratio times harder, which carries the same pressure at less penetration.
+/// Start under an interface @p ratio times harder, which carries the same pressure at less penetration.
 ContactStart hardened(ContactStart start, const ContactSurface &surface, double ratio)
 {
   const Eigen::VectorXd penetration = -(surface.node_gap + start.normal_displacement);
@@ -27,7 +27,7 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// From where the coarsest mesh finds the contact: from softer interfaces on itself, where that is the way.
+/// Start of the contact on the coarsest mesh: from softer interfaces on that mesh, where that is the way.
 std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                    double softening, const ContactDemand &demand,
                                                    double radius)

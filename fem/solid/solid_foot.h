@@ -63,7 +63,7 @@ public:
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
-  /// From ContactGuess::before.
+  /// Starts from ContactGuess::before.
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) const override;
   unsigned int n_resolved_harmonics() const override;

@@ -28,7 +28,7 @@ public:
   void note(const std::string &subject, const std::string &text) override;
 
 private:
-  /// For who interrupts the program: the stages that have ended, and @p piece.
+  /// Notes for who interrupts the program which stages have ended, and @p piece.
   void note_done(const std::string &piece) const;
 
   Stopwatch &stopwatch;

@@ -91,7 +91,7 @@ public:
   /// All cases, on the first rank; nothing on the others.
   FinishedCases all() const { return owned ? owned->finished_cases() : FinishedCases(); }
 
-  /// When the results are whole.
+  /// Removes the folder of the cases; to be called when the results are whole.
   void remove()
   {
     const auto lock = postpone_interruption();

@@ -87,7 +87,7 @@ double cost_of(const RefinementLevel &level)
 
 // ---- files
 
-/// One row a level, one column a quantity.
+/// Quantities on the levels of one axis, one row a level, one column a quantity.
 Table axis_data(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
 {
   Table table = { "Refinement of the " + result.axis.name,

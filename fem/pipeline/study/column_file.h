@@ -13,7 +13,7 @@ struct FileColumn
   std::string unit;               ///< of SI
 };
 
-/// One number for each column, in SI units.
+/// Row of a file: one number for each column, in SI units.
 struct FileRow
 {
   std::vector<double> values;

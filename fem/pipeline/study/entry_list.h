@@ -132,7 +132,7 @@ public:
     append(name, value, waviness_words, help, {}, parse_waviness, waviness_text);
   }
 
-  /// One of several named values.
+  /// An entry with one of several named values.
   template <typename Choice>
   void choice(const std::string &name, Choice &value,
               const std::vector<std::pair<std::string, Choice>> &choices, const std::string &help,

@@ -55,7 +55,7 @@ constexpr Condition is_solid = [](const Study &study)
 constexpr Condition is_generated_solid = [](const Study &study)
 { return is_solid(study) && is_generated(study); };
 
-/// Over the contact radius: what lies outside is most likely given in another unit.
+/// Bounds of a length over the contact radius: what lies outside is most likely given in another unit.
 constexpr double smallest = 1e-5, largest = 300;
 
 void add_motion(EntryList &list, MotionSection &motion)

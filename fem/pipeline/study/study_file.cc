@@ -27,7 +27,7 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// At most a little more than the longest study of a stream.
+/// Beginning of a stream: at most a little more than the longest study.
 std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');

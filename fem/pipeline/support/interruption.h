@@ -13,10 +13,10 @@ namespace stemware::pipeline
 /// thread is begun.
 void hold_interruptions_back();
 
-/// From now on those signals end the program with exit code 130, at once and whatever it is doing, after the
-/// clean-up of clean_up_on_interruption(). A thread waits for them and does the work: so the clean-up is
-/// ordinary code, and a factorisation that never looks at a flag does not delay it. To be called before the
-/// work, and again after start_mpi(), which says which rank this is.
+/// Lets SIGINT, SIGTERM and SIGHUP end the program from now on, with exit code 130, at once and whatever it
+/// is doing, after the clean-up of clean_up_on_interruption(). A thread waits for them and does the work: so
+/// the clean-up is ordinary code, and a factorisation that never looks at a flag does not delay it. To be
+/// called before the work, and again after start_mpi(), which says which rank this is.
 void watch_for_interruption();
 
 /// Holds an interruption back while the lock lives: for steps that must happen together, such as swapping

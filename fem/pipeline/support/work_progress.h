@@ -19,7 +19,7 @@ public:
   explicit WorkProgress(std::size_t n_cases, std::size_t n_before = 0, std::string noun = "cases");
   ~WorkProgress();
 
-  /// To be called as often as one likes.
+  /// Shows how much is done; to be called as often as one likes.
   void show(std::size_t n_finished, std::size_t n_failed = 0);
 
 private:

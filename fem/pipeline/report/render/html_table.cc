@@ -32,7 +32,7 @@ std::string html_number(const std::string &cell)
   return with_true_minus(html + rest);
 }
 
-/// With a unit that is not broken at the end of a line.
+/// Heading with a unit that is not broken at the end of a line.
 std::string heading_of(const Quantity &quantity)
 {
   return with_unit(quantity.heading, boost::replace_all_copy(quantity.unit, " ", "\u00a0"), false);
