@@ -95,6 +95,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   const LineNewton newton(response, tangent, unbalanced, negligible);
   const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));
   increment = found.forces;
+  last_resistance = found.resistance;
   moved = response.displacement(increment);
   NewtonIncrement step;
   step.displacement = moved.reshaped();
@@ -102,16 +103,6 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   step.energy_slope = moved.cwiseProduct(state).sum();
   step.energy_curvature = moved.cwiseProduct(increment).sum();
   return step;
-}
-
-Eigen::Matrix3d BodyOfRevolution::motions_for_residuals(const Eigen::SparseMatrix<double> &tangent,
-                                                        const LinearConditions &conditions) const
-{
-  const LineNewton newton(response, tangent, Eigen::MatrixXd::Zero(state.rows(), state.cols()));
-  Eigen::Matrix3d motions;
-  for (Eigen::Index k = 0; k < 3; ++k)
-    motions.col(k) = newton.solve(conditions, Eigen::Vector3d::Unit(k)).motion;
-  return motions;
 }
 
 void BodyOfRevolution::update(double step_length)

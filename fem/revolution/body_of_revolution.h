@@ -39,10 +39,8 @@ public:
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
 
-  /// Table motions that lessen a unit of each of the residuals of @p conditions, as columns: the inverse of
-  /// what body and table of @p tangent, as in ContactForces, set against motions.
-  Eigen::Matrix3d motions_for_residuals(const Eigen::SparseMatrix<double> &tangent,
-                                        const LinearConditions &conditions) const;
+  /// LineNewton::Increment::resistance of the last solve().
+  const Eigen::Matrix3d &resistance() const { return last_resistance; }
   void reset() override;
   Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state.reshaped(); }
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
@@ -69,6 +67,7 @@ private:
   Eigen::MatrixXd displacement; ///< their elastic response
   Eigen::MatrixXd increment;    ///< of the forces, by the last solve()
   Eigen::MatrixXd moved;        ///< of the displacement
+  Eigen::Matrix3d last_resistance = Eigen::Matrix3d::Zero();
 };
 
 } // namespace stemware::fem

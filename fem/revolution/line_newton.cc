@@ -181,7 +181,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   std::vector<Eigen::MatrixXd> to_motions(n_kinds, Eigen::MatrixXd::Zero(p * 3, n_lines));
   std::vector<Eigen::MatrixXd> to_unbalanced(n_kinds, Eigen::MatrixXd::Zero(p, n_lines));
   Eigen::MatrixXd conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
-  Eigen::Matrix3d corner = -conditions.motion_weights();
+  Eigen::Matrix3d corner = Eigen::Matrix3d::Zero();
   Eigen::Vector3d rhs = residual;
   for (Eigen::Index j = 0; j < n_lines; ++j)
   {
@@ -208,12 +208,11 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
     rhs += weights.transpose() * line.balanced;
   }
 
-  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions; tilts count as
-  // heights at the rim.
+  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
+  // C y + (corner - weight) dq = rhs. Columns beside A: B and a.
   const Eigen::Index n = n_modes * p;
-  const double length = response.compliance().radii(n_radii - 1);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n + 3, n + 3);
-  Eigen::VectorXd solution = Eigen::VectorXd::Zero(n + 3);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(n, 4);
   for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
   {
     const bool conjugate = kind == 2;
@@ -241,34 +240,38 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
                                                   : harmonic.azimuthal) /
                                      FourierBasis::norm(row_mode);
       matrix.block(row * p, 0, p, n).noalias() += weight * sums;
-      matrix.block(row * p, n, p, 3).noalias() += weight * motions.col(row).reshaped(p, 3);
-      solution.segment(row * p, p).noalias() += weight * unbalanced.col(row);
+      beside.block(row * p, 0, p, 3).noalias() += weight * motions.col(row).reshaped(p, 3);
+      beside.block(row * p, 3, p, 1).noalias() += weight * unbalanced.col(row);
     }
   }
-  matrix.diagonal().head(n).array() += 1;
+  matrix.diagonal().array() += 1;
+  Eigen::MatrixXd tested(3, n);                                            // C
   const Eigen::MatrixXd on_modes = basis.project(conditions_on_functions); // [3 * p, n_modes]
   for (Eigen::Index mode = 0; mode < n_modes; ++mode)
-    matrix.block(n, mode * p, 3, p) = on_modes.col(mode).reshaped(3, p);
-  matrix.bottomRightCorner(3, 3) = corner;
-  solution.tail<3>() = rhs;
+    tested.middleCols(mode * p, p) = on_modes.col(mode).reshaped(3, p);
 
-  // Forces count per N and lengths per the depth that N makes: rows and columns of like size.
-  const double force_unit = corner(0, 0);
-  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / force_unit;
+  // With the table held the system is that of an elastic foot on springs; the motions follow by themselves.
+  const Eigen::MatrixXd held = matrix.partialPivLu().solve(beside);
+  Increment increment;
+  increment.resistance = corner - tested * held.leftCols<3>();
+  // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns
+  // of like size.
+  const double length = response.compliance().radii(n_radii - 1);
+  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / corner(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
-  matrix.bottomRows(3) = row_scale.asDiagonal() * matrix.bottomRows(3);
-  solution.tail<3>() = row_scale.asDiagonal() * solution.tail<3>();
-  matrix.rightCols(3) = matrix.rightCols(3) * column_scale.asDiagonal();
-  solution = matrix.partialPivLu().solve(solution).eval();
-  if (!solution.allFinite())
+  const Eigen::Matrix3d against =
+    row_scale.asDiagonal() * (increment.resistance - conditions.motion_weights()) * column_scale.asDiagonal();
+  increment.motion =
+    column_scale.asDiagonal() *
+    against.partialPivLu().solve(row_scale.asDiagonal() * (rhs - tested * held.col(3))).eval();
+  const Eigen::VectorXd solution = held.col(3) - held.leftCols<3>() * increment.motion;
+  if (!solution.allFinite() || !increment.motion.allFinite())
     throw ContactFailure(
       ContactOutcome::linear_solver_failed,
       "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
 
-  Increment increment;
-  increment.motion = column_scale.asDiagonal() * solution.tail<3>();
   increment.forces = Eigen::MatrixXd::Zero(n_radii, n_lines);
-  const Eigen::MatrixXd amplitudes = basis.evaluate(solution.head(n).reshaped(p, n_modes)); // [p, n_lines]
+  const Eigen::MatrixXd amplitudes = basis.evaluate(solution.reshaped(p, n_modes)); // [p, n_lines]
   for (Eigen::Index j = 0; j < n_lines; ++j)
   {
     const Line &line = lines[static_cast<std::size_t>(j)];

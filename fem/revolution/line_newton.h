@@ -30,6 +30,9 @@ public:
   {
     Eigen::MatrixXd forces; ///< df [N], shape [n_radii, n_lines]
     Eigen::Vector3d motion; ///< dq
+    /// Resistance of body and table to motions of the table: the residuals of the conditions by motion, as
+    /// columns, without the weight that LinearConditions::motion_weights() adds.
+    Eigen::Matrix3d resistance;
   };
 
   /// The step to forces that fulfil @p conditions, of which @p residual is what the law's forces miss. Throws
