@@ -166,7 +166,8 @@ std::string html_page(const Report &report, const std::map<std::string, std::str
                  "\n<head>\n<meta charset=\"utf-8\"/>\n"
                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
                  "<link rel=\"icon\" href=\"data:,\"/>\n" +
-                   element("title", html_text(report.title)) + element("style", "\n" + text_of(compiled_pages(), "page.css")) + "</head>\n" +
+                   element("title", html_text(report.title)) +
+                   element("style", "\n" + text_of(compiled_pages(), "page.css")) + "</head>\n" +
                    element("body", "\n" + element("main", "\n" + content)));
 }
 
