@@ -41,7 +41,8 @@ void converge(const ConvergeOptions &options)
 
   // 2. The study itself, then all other levels.
   fem::ComplianceCache cache;
-  const Study study = mesh_for_goal(given, cache, progress).study;
+  const Executor executor(cache, n_threads_of(options));
+  const Study study = mesh_for_goal(given, executor, progress).study;
   if (study.contact.goal != Goal::none)
   {
     // Meshes of other cells have other cells to halve.
@@ -49,7 +50,7 @@ void converge(const ConvergeOptions &options)
     axes.erase(std::remove_if(axes.begin(), axes.end(),
                               [](const RefinementAxis &axis) { return axis.role == AxisRole::space; }),
                axes.end());
-    axes.insert(axes.begin(), goal_axis(study, cache));
+    axes.insert(axes.begin(), goal_axis(study, executor));
   }
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const SharedLoad load = find_load(study, foot);
@@ -57,7 +58,7 @@ void converge(const ConvergeOptions &options)
   const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
   const auto own = quantities_of_load(study, *load, spins, omega_terminal, foot.get());
   stopwatch.finish("study");
-  const RefinementResult result = refine(study, own, spins, axes, cache, progress);
+  const RefinementResult result = refine(own, spins, axes, executor, progress);
   stopwatch.finish("levels");
 
   // 3. Orders, limits and bands.
@@ -71,6 +72,7 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
   const auto options = std::make_shared<ConvergeOptions>();
   CLI::App *verb = program.add_subcommand("converge", "Refine a study: observed orders, limits, error bands");
   add_study_options(*verb, *options);
+  add_threads_option(*verb, *options);
   verb
     ->add_option("--levels", options->n_levels,
                  "Levels of each parameter; default 3, which an observed order needs")

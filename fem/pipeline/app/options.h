@@ -28,6 +28,14 @@ void add_study_options(CLI::App &verb, StudyOptions &options);
 /// which ones a study chooses itself.
 void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty);
 
+/// Declares --threads, or another option with that meaning and @p help, to be stored in @p options.
+void add_threads_option(CLI::App &verb, StudyOptions &options, const std::string &name = "--threads",
+                        const std::string &help = "Threads that share the work");
+
+/// How many threads share the work: those of the option, else of the variable OMP_NUM_THREADS, else one for
+/// each core, one under mpirun.
+unsigned int n_threads_of(const StudyOptions &options);
+
 /// Declares --set alone.
 void add_override_option(CLI::App &verb, StudyOptions &options);
 

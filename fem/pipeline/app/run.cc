@@ -44,10 +44,11 @@ void run(const RunOptions &run_options)
 
   // 2. The load on the table, and what it does to the ring.
   fem::ComplianceCache cache;
-  const auto [study, goal] = mesh_for_goal(given, cache, progress);
+  const Executor executor(cache, n_threads_of(options));
+  const auto [study, goal] = mesh_for_goal(given, executor, progress);
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
   const SharedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, *load, cache, progress, depth);
+  SpinStudy spin = study_spin(study, foot, *load, executor, progress, depth);
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
   ContactReport report = describe(study, foot, *load, last_spin);
@@ -57,10 +58,10 @@ void run(const RunOptions &run_options)
   ErrorBands bands;
   if (depth == Depth::full)
   {
-    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
+    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor, progress);
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
+    spin.profile_scatter = profile_scatter(study, spin.all(), executor, progress);
     stopwatch.finish("error_bands");
   }
 
@@ -78,6 +79,7 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb =
     program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
   add_study_options(*verb, options->study);
+  add_threads_option(*verb, options->study);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
   verb->footer(R"(Examples:
   stemware run                                                the default study

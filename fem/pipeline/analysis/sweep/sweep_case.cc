@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/coupling/study_load.h"
 
@@ -99,16 +98,15 @@ std::optional<double> difference_by(const std::string &name, const std::vector<B
 
 /// Where the glass falls over, if it does.
 std::optional<Fall> add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                             const BalancedLoad &load, ValueList &list)
+                             const BalancedLoad &load, const Executor &executor, ValueList &list)
 {
   SpinQuestion question = spin_question(study);
   question.with_minima = false;
-  question.with_slope = true;
-  const SpinRow all = spin_row(load, question);
-  question.with_slope = false;
-  const SpinRow first_row = truncated_row(study, foot, load, question, 1).row;
-  const std::optional<double> first = first_row.omega_terminal();
-  const std::vector<BudgetRow> budget = budget_rows(study, foot, { first_row, all });
+  const std::vector<LoadedRow> rows =
+    rows_by_harmonics(study, foot, load, question, executor, silent_progress(), Depth::answer);
+  const SpinRow &all = rows.back().row;
+  const std::optional<double> first = rows.front().row.omega_terminal();
+  const std::vector<BudgetRow> budget = budget_rows(study, foot, { rows.front().row, all }, executor);
   const double unit = spin_scale(study);
   const HarmonicEffect harmonics = harmonic_effect(first, all.omega_terminal(), unit);
   // With a given moment no balance acts.
@@ -153,14 +151,12 @@ bool CaseResult::falls_over() const
   return is_solved() && values.at(quantity_index(spin_of_fall)).has_value();
 }
 
-CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor)
 {
-  const Study study = mesh_for_goal(given, cache).study;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
   ValueList list;
   add_load(load->report(), list);
-  const std::optional<Fall> fall = add_spin(study, foot, *load, list);
+  const std::optional<Fall> fall = add_spin(study, foot, *load, executor, list);
   CaseResult result;
   if (const std::optional<fem::ContactState> at_rest = load->contact(0))
   {
@@ -173,6 +169,14 @@ CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
   list.add(fall ? std::optional(fall->state.moment_ratio) : std::nullopt);
   result.values = std::move(list.values);
   return result;
+}
+
+CaseResult solve_case(const Study &study, const Executor &executor)
+{
+  return solve_alone(
+    mesh_for_goal(study, executor).study,
+    [&](const Variant &variant, const auto &foot) { return case_result(variant.study, foot, executor); },
+    executor);
 }
 
 } // namespace stemware::pipeline

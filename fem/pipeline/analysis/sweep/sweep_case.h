@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/pipeline/study/study.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,9 +37,13 @@ struct CaseResult
   bool falls_over() const; ///< an answer: there is no terminal spin
 };
 
-/// Solves one study from a cold start: equal studies have equal results, whatever was solved before or beside
-/// them. Feet of revolution share what they can in @p cache. A glass that falls over on the way is
-/// an answer. Throws as find_load() and spin_row().
-CaseResult solve_case(const Study &given, fem::ComplianceCache &cache);
+/// The result of a study on @p foot, its own, that nobody has asked: equal studies have equal results,
+/// whatever was solved before or beside them. A glass that falls over on the way is an answer. Throws as
+/// find_load() and spin_row().
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                       const Executor &executor);
+
+/// case_result() on the mesh for the goal of @p study, where it has one. Throws as that and mesh_for_goal().
+CaseResult solve_case(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

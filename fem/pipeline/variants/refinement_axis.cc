@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/refinement/refinement_axis.h"
+#include "fem/pipeline/variants/refinement_axis.h"
 
 #include "fem/pipeline/support/failures.h"
 
@@ -28,7 +28,7 @@ void add_axis(RefinementAxis axis, const Study &study, const Parameter &paramete
     parameter(copy) = size;
     if (size == own)
       axis.own = axis.levels.size();
-    axis.levels.push_back({ size, copy });
+    axis.levels.push_back({ { axis.key, axis.name, copy }, size });
   }
   if (axis.levels.size() > 1)
     axes.push_back(std::move(axis));
