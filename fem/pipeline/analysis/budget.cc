@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/budget.h"
 
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/variants/model_variants.h"
 
 #include <cmath>
@@ -137,15 +136,6 @@ std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<Ela
   for (SpinRow &row : answers)
     row.torques.clear();
   return judge_chain(study, models, answers);
-}
-
-Budget find_budget(const Study &study, const Executor &executor, Progress &progress)
-{
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, executor.cache, progress);
-  const SharedLoad load = find_load(study, foot, progress);
-  return find_budget(study, foot,
-                     rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress),
-                     executor, progress);
 }
 
 Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,

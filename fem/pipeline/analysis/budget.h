@@ -94,12 +94,8 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                    const std::vector<SpinRow> &by_harmonics, const Executor &executor);
 
-/// The budget of a study. A row that fails says why and does not stop the others. Throws as
-/// rows_by_harmonics() where the study itself has no answer.
-Budget find_budget(const Study &study, const Executor &executor, Progress &progress = silent_progress());
-
 /// The budget from rows that are already known: @p foot is study_foot(), @p by_harmonics rows_by_harmonics()
-/// of it.
+/// of it. A row that fails says why and does not stop the others.
 Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                    const std::vector<LoadedRow> &by_harmonics, const Executor &executor,
                    Progress &progress = silent_progress());

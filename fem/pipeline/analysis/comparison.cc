@@ -36,17 +36,6 @@ struct ComparedVariant : Variant
   std::shared_ptr<const ring::UnilateralFoundation> rim;
 };
 
-/// Truncations that are compared: 1, 2, 3 and all.
-std::vector<unsigned int> compared_orders(unsigned int n_all)
-{
-  std::vector<unsigned int> orders;
-  for (const unsigned int n : { 1u, 2u, 3u })
-    if (n < n_all)
-      orders.push_back(n);
-  orders.push_back(n_all);
-  return orders;
-}
-
 /// A rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
 ComparedLoad rigid_rim(const std::string &name, const Study &study, double exponent)
 {
@@ -192,8 +181,10 @@ std::vector<std::vector<SpinRow>> compared_rows(const ComparedLoad &compared, co
   unsigned int n_all = 1;
   for (const SpinRow &row : all)
     n_all = std::max(n_all, row.harmonics);
-  std::vector<unsigned int> orders = compared_orders(n_all);
-  orders.pop_back();
+  std::vector<unsigned int> orders;
+  for (const unsigned int n : { 1u, 2u, 3u })
+    if (n < n_all)
+      orders.push_back(n);
   const std::vector<SpinRow> cut = solve_compared(compared, orders, executor);
   std::vector<std::vector<SpinRow>> rows;
   for (std::size_t i = 0; i < all.size(); ++i)

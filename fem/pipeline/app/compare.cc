@@ -45,7 +45,7 @@ void compare(const StudyOptions &options)
   const Executor executor(cache, n_threads_of(options));
   const Study study = mesh_for_goal(given, executor, progress).study;
   const Comparison comparison =
-    compare_models(study, announced_foot(study, cache, progress), executor, progress);
+    compare_models(study, announced_foot(study, executor, progress), executor, progress);
 
   // 3. The answer, and the results, all at once.
   publish(options, study, tabulate(study, comparison), folder, stopwatch);
@@ -59,7 +59,6 @@ void add_compare_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb = program.add_subcommand(
     "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
   add_study_options(*verb, *options);
-  add_threads_option(*verb, *options);
   verb->footer(R"(Examples:
   stemware compare my_glass.prm
   stemware compare my_glass.prm --set "Table/Foundation modulus=1e9"

@@ -52,7 +52,7 @@ void converge(const ConvergeOptions &options)
                axes.end());
     axes.insert(axes.begin(), goal_axis(study, executor));
   }
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot);
   const double omega_terminal = terminal_spin(*load, study.motion.orbit).spin.omega;
   const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
@@ -72,7 +72,6 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
   const auto options = std::make_shared<ConvergeOptions>();
   CLI::App *verb = program.add_subcommand("converge", "Refine a study: observed orders, limits, error bands");
   add_study_options(*verb, *options);
-  add_threads_option(*verb, *options);
   verb
     ->add_option("--levels", options->n_levels,
                  "Levels of each parameter; default 3, which an observed order needs")

@@ -112,6 +112,14 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                     "Folder of the results; default: results/<name of the study>" +
                       std::string(options.verb == "run" ? "" : "-" + options.verb));
   add_override_option(verb, options);
+  if (options.verb != "slide") // has little to share
+    verb
+      .add_option(options.verb == "sweep" ? "--jobs" : "--threads", options.n_threads,
+                  std::string(options.verb == "sweep" ? "Cases that each process solves at a time"
+                                                      : "Threads that share the work") +
+                    ";\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
   add_console_options(verb, options);
 }
 
@@ -123,16 +131,6 @@ void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::stri
     ->type_name("OMEGA")
     ->check(why_no_spin)
     ->allow_extra_args(false);
-}
-
-void add_threads_option(CLI::App &verb, StudyOptions &options, const std::string &name,
-                        const std::string &help)
-{
-  verb
-    .add_option(name, options.n_threads,
-                help + "; default: OMP_NUM_THREADS, else one\nfor each core, one under mpirun")
-    ->type_name("N")
-    ->check(CLI::Range(1, 1024).description(""));
 }
 
 unsigned int n_threads_of(const StudyOptions &options)

@@ -46,12 +46,14 @@ void run(const RunOptions &run_options)
   fem::ComplianceCache cache;
   const Executor executor(cache, n_threads_of(options));
   const auto [study, goal] = mesh_for_goal(given, executor, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot, progress);
   SpinStudy spin = study_spin(study, foot, *load, executor, progress, depth);
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
-  ContactReport report = describe(study, foot, *load, last_spin);
+  ContactReport report;
+  executor.for_each(
+    1, [&](std::size_t) { report = describe(study, foot, *load, last_spin); }, is_collective(study));
   if (report.coupling)
     report.coupling->interpolation_error = spin.curve_error;
   stopwatch.finish("report_of_contact");
@@ -79,7 +81,6 @@ void add_run_verb(CLI::App &program, Verb &chosen)
   CLI::App *verb =
     program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
   add_study_options(*verb, options->study);
-  add_threads_option(*verb, options->study);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
   verb->footer(R"(Examples:
   stemware run                                                the default study

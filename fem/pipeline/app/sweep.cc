@@ -228,7 +228,6 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
     ->allow_extra_args(false);
   verb->add_option("--samples", request.n_samples, "Number of random samples; default: 200")->type_name("N");
   verb->add_option("--seed", request.seed, "Which random samples; default: 1")->type_name("S");
-  add_threads_option(*verb, *options, "--jobs", "Cases that each process solves at a time");
   verb
     ->add_option("--most-cases", request.most_cases,
                  "Refuses a sweep of more cases, before the work; default: 10000")

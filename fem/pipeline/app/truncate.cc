@@ -41,7 +41,7 @@ void truncate(const TruncateOptions &options)
   fem::ComplianceCache cache;
   const Executor executor(cache, n_threads_of(options));
   const Study study = mesh_for_goal(given, executor, progress).study;
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot, progress);
   TruncationStudy result = study_truncations(study, foot, *load, options.omega, executor, progress);
   stopwatch.finish("truncations");
@@ -62,7 +62,6 @@ void add_truncate_verb(CLI::App &program, Verb &chosen)
   const auto options = std::make_shared<TruncateOptions>();
   CLI::App *verb = program.add_subcommand("truncate", "How many harmonics of the load matter");
   add_study_options(*verb, *options);
-  add_threads_option(*verb, *options);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
   verb->footer(R"(Examples:
   stemware truncate my_glass.prm

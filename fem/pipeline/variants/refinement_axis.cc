@@ -63,93 +63,55 @@ std::vector<unsigned int> doubled(unsigned int own, unsigned int n, const Allowe
 }
 
 /// The degree below the study's own, its own and those above.
-std::vector<unsigned int> degrees(unsigned int own, unsigned int highest)
+void add_degree_axis(const Study &study, unsigned int highest, std::vector<RefinementAxis> &axes)
 {
-  const unsigned int lowest = own > 1 ? own - 1 : 1;
-  return counted(lowest, highest - lowest + 1, highest);
-}
-
-const RefinementAxis mesh_axis = { "meridional_mesh",
-                                   "meridional mesh",
-                                   "halvings of every cell",
-                                   false,
-                                   Decay::algebraic,
-                                   AxisRole::space,
-                                   {},
-                                   0 };
-const RefinementAxis degree_axis = { "degree",        "degree of the elements", "degree", false,
-                                     Decay::spectral, AxisRole::order,          {},       0 };
-const RefinementAxis harmonics_axis = { "harmonics",     "elastic harmonics", "harmonics", true,
-                                        Decay::spectral, AxisRole::azimuth,   {},          0 };
-const RefinementAxis lines_axis = { "azimuth_lines", "azimuth lines",   "lines", true,
-                                    Decay::spectral, AxisRole::azimuth, {},      0 };
-
-unsigned int &refinements(Study &study)
-{
-  return study.contact.refinements;
-}
-unsigned int &degree(Study &study)
-{
-  return study.contact.degree;
-}
-unsigned int &harmonics(Study &study)
-{
-  return study.contact.harmonics;
-}
-unsigned int &azimuth_lines(Study &study)
-{
-  return study.contact.azimuth_lines;
-}
-
-void add_harmonics_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
-{
-  const ContactSection &contact = study.contact;
-  Allowed numbers;
-  numbers.most = (contact.azimuth_lines - 1) / 2;
-  add_axis(harmonics_axis, study, harmonics, doubled(contact.harmonics, n_levels, numbers), axes);
-}
-
-void add_lines_axis(const Study &study, unsigned int n_levels, std::vector<RefinementAxis> &axes)
-{
-  const ContactSection &contact = study.contact;
-  Allowed numbers;
-  numbers.least = std::max(16u, 2 * contact.harmonics + 1);
-  add_axis(lines_axis, study, azimuth_lines, doubled(contact.azimuth_lines, n_levels, numbers), axes);
+  const unsigned int own = study.contact.degree, lowest = own > 1 ? own - 1 : 1;
+  add_axis(
+    { "degree", "degree of the elements", "degree", false, Decay::spectral, AxisRole::order }, study,
+    [](Study &copy) -> unsigned int & { return copy.contact.degree; },
+    counted(lowest, highest - lowest + 1, highest), axes);
 }
 
 std::vector<RefinementAxis> axes_of_revolution(const Study &study, unsigned int n_levels)
 {
   const ContactSection &contact = study.contact;
   std::vector<RefinementAxis> axes;
-  add_axis(mesh_axis, study, refinements, counted(contact.refinements, n_levels, most_halvings), axes);
-  add_axis(degree_axis, study, degree, degrees(contact.degree, highest_degree), axes);
-  add_harmonics_axis(study, n_levels, axes);
-  add_lines_axis(study, n_levels, axes);
+  add_axis(
+    { "meridional_mesh", "meridional mesh", "halvings of every cell" }, study,
+    [](Study &copy) -> unsigned int & { return copy.contact.refinements; },
+    counted(contact.refinements, n_levels, most_halvings), axes);
+  add_degree_axis(study, highest_degree, axes);
+  add_axis(
+    { "harmonics", "elastic harmonics", "harmonics", true, Decay::spectral, AxisRole::azimuth }, study,
+    [](Study &copy) -> unsigned int & { return copy.contact.harmonics; },
+    doubled(contact.harmonics, n_levels, { 1, (contact.azimuth_lines - 1) / 2 }), axes);
+  add_axis(
+    { "azimuth_lines", "azimuth lines", "lines", true, Decay::spectral, AxisRole::azimuth }, study,
+    [](Study &copy) -> unsigned int & { return copy.contact.azimuth_lines; },
+    doubled(contact.azimuth_lines, n_levels, { std::max(16u, 2 * contact.harmonics + 1) }), axes);
   return axes;
 }
 
 std::vector<RefinementAxis> axes_of_solid(const Study &study, unsigned int n_levels)
 {
-  const fem::FootResolution &resolution = study.contact.resolution;
-  const auto axis = [](const std::string &key, const std::string &name)
-  { return RefinementAxis{ key, name, "cells", true, Decay::algebraic, AxisRole::space, {}, 0 }; };
   std::vector<RefinementAxis> axes;
-  if (study.contact.mesh_file.empty())
+  // Numbers of cells of a generated mesh.
+  const auto add_cells =
+    [&](const char *key, const char *name, unsigned int fem::FootResolution::*cells, const Allowed &allowed)
   {
     add_axis(
-      axis("azimuthal_cells", "cells round the rim"), study,
-      [](Study &copy) -> unsigned int & { return copy.contact.resolution.azimuthal_cells; },
-      doubled(resolution.azimuthal_cells, n_levels, { 8, 2000, 4 }), axes);
-    add_axis(
-      axis("radial_cells", "cells across the land"), study,
-      [](Study &copy) -> unsigned int & { return copy.contact.resolution.radial_cells; },
-      doubled(resolution.radial_cells, n_levels, { 2, 200, 2 }), axes);
-    add_axis(
-      axis("foot_layers", "cells through the foot"), study,
-      [](Study &copy) -> unsigned int & { return copy.contact.resolution.foot_layers; },
-      doubled(resolution.foot_layers, n_levels, { 1, 100, 1 }), axes);
+      { key, name, "cells", true }, study,
+      [cells](Study &copy) -> unsigned int & { return copy.contact.resolution.*cells; },
+      doubled(study.contact.resolution.*cells, n_levels, allowed), axes);
+  };
+  if (study.contact.mesh_file.empty())
+  {
+    add_cells("azimuthal_cells", "cells round the rim", &fem::FootResolution::azimuthal_cells,
+              { 8, 2000, 4 });
+    add_cells("radial_cells", "cells across the land", &fem::FootResolution::radial_cells, { 2, 200, 2 });
+    add_cells("foot_layers", "cells through the foot", &fem::FootResolution::foot_layers, { 1, 100, 1 });
   }
-  add_axis(degree_axis, study, degree, degrees(study.contact.degree, 2), axes);
+  add_degree_axis(study, 2, axes);
   return axes;
 }
 

@@ -38,8 +38,8 @@ struct RefinementAxis
   bool sizes_double = false; ///< from level to level; else they are counted on
   Decay decay = Decay::algebraic;
   AxisRole role = AxisRole::space;
-  std::vector<RefinementLevel> levels; ///< coarsest first
-  std::size_t own = 0;                 ///< the level that is the study itself
+  std::vector<RefinementLevel> levels = {}; ///< coarsest first
+  std::size_t own = 0;                      ///< the level that is the study itself
   bool is_graded = false; ///< levels are meshes for the goal of the study: each has few cells more
 };
 

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/variants/executor.h"
 #include "fem/pipeline/variants/variant.h"
-#include "fem/revolution/compliance_cache.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,32 +15,6 @@
 
 namespace stemware::pipeline
 {
-
-/// What variants are solved with: the compliances that their feet share, and how many threads. The answers do
-/// not depend on the threads.
-struct Executor
-{
-  /// One thread unless @p n_threads are given.
-  Executor(fem::ComplianceCache &cache, unsigned int n_threads = 1) // a cache alone will do
-      : cache(cache)
-      , n_threads(n_threads)
-  {
-  }
-
-  /// Calls @p work(i) for every i < @p n, on as many threads as there are, unless @p one_by_one. Throws what
-  /// the call with the least i has thrown; after one has thrown, no further ones begin.
-  void for_each(std::size_t n, const std::function<void(std::size_t)> &work, bool one_by_one = false) const;
-
-  /// Calls @p work and returns what it has thrown, nothing where it has not. What is no failure of a variant
-  /// is thrown on.
-  std::exception_ptr failure_of(const std::function<void()> &work) const;
-
-  fem::ComplianceCache &cache;
-  unsigned int n_threads;
-  /// Whether any failure is one of the variant, as in a sweep, where the other cases go on. Else bad input,
-  /// contacts and balances that do not exist are; all others end the work.
-  bool keeps_all_failures = false;
-};
 
 /// The answer to a variant, or why there is none.
 template <typename Answer>

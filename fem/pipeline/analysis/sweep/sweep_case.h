@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/variants/solve.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,11 +11,14 @@
 namespace stemware::pipeline
 {
 
+struct FoundCase;
+
 /// A number that is found for every case of a sweep.
 struct SweepQuantity
 {
   std::string name;
   std::string unit; ///< "1" for pure numbers
+  std::function<std::optional<double>(const FoundCase &)> value;
 };
 
 /// All of them, in the order of the table.
@@ -42,8 +46,5 @@ struct CaseResult
 /// find_load() and spin_row().
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        const Executor &executor);
-
-/// case_result() on the mesh for the goal of @p study, where it has one. Throws as that and mesh_for_goal().
-CaseResult solve_case(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -6,6 +6,7 @@
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ Budget budget_of(const Study &study, const ring::RingStack &load)
 Budget budget_of(const Study &study)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, cache);
+  return test::whole_budget(study, cache);
 }
 
 /// The rows of a contact: the first ones, and one for each number of harmonics.

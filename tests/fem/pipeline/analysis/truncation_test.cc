@@ -2,6 +2,7 @@
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,7 @@ TEST(Truncation, HasTheRowsOfTheBudget)
   const Study study = quick_contact_study();
   const TruncationStudy result = truncations_of(study);
   fem::ComplianceCache cache;
-  const Budget budget = find_budget(study, cache);
+  const Budget budget = test::whole_budget(study, cache);
   ASSERT_EQ(result.budget.size(), budget.rows.size());
   for (std::size_t i = 0; i < budget.rows.size(); ++i)
   {
