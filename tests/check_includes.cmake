@@ -14,6 +14,7 @@ set(order
     fem/pipeline/support
     fem/pipeline/study
     fem/pipeline/coupling
+    fem/pipeline/variants
     fem/pipeline/analysis
     fem/pipeline/report
     fem/pipeline/app)

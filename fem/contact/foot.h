@@ -88,6 +88,9 @@ public:
   Foot &operator=(const Foot &) = delete;
   virtual ~Foot() = default;
 
+  /// The same foot for another thread, with the same answers; nothing where it is collective.
+  virtual std::shared_ptr<const Foot> twin() const { return nullptr; }
+
   virtual FootDescription description() const = 0;
   virtual FootCapabilities capabilities() const = 0;
 

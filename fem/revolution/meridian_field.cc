@@ -2,6 +2,8 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <tbb/parallel_for.h>
+
 namespace stemware::fem
 {
 
@@ -61,18 +63,19 @@ MeridianField::MeridianField(const MeridianSpace &space, const ElasticMaterial &
     }
     factors.solve(displacement);
   };
-  for (unsigned int n = 0; 2 * n < n_modes(); ++n)
+  const auto solve_harmonic = [&](unsigned int n)
   {
     std::vector<unsigned int> family;
     for (unsigned int mode = n == 0 ? 0 : 2 * n - 1; mode <= 2 * n; ++mode)
       if (is_loaded(mode))
         family.push_back(mode);
     if (family.empty())
-      continue;
+      return;
     const MeridianSpace::Factors factors(space, n);
     for (const unsigned int mode : family)
       solve(mode, factors);
-  }
+  };
+  tbb::parallel_for(0u, (n_modes() + 1) / 2, solve_harmonic);
 }
 
 MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_cell_iterator &cell,

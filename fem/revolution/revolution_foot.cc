@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -33,9 +34,10 @@ RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen
 {
 }
 
-RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
+RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup,
+                               std::shared_ptr<const ContactCompliance> compliance)
     : setup(setup)
-    , compliance(compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache))
+    , compliance(std::move(compliance))
     , interface(setup.interface())
 {
   constexpr double reach = 10; // half-widths: room for a load that gathers on a part of the rim
@@ -43,9 +45,19 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &ca
   zones.front() = make_zone(reach * setup.contact_half_width);
 }
 
+RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
+    : RevolutionFoot(setup, compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache))
+{
+}
+
 RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
     : RevolutionFoot(setup, *std::make_unique<ComplianceCache>())
 {
+}
+
+std::shared_ptr<const Foot> RevolutionFoot::twin() const
+{
+  return std::shared_ptr<const Foot>(new RevolutionFoot(setup, compliance));
 }
 
 std::unique_ptr<RevolutionFoot::Zone> RevolutionFoot::make_zone(double reach) const

@@ -25,6 +25,7 @@ public:
   /// Takes the compliances from @p cache, which other feet share.
   RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
+  std::shared_ptr<const Foot> twin() const override;
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
@@ -46,6 +47,8 @@ public:
   const BodyOfRevolution &elastic_body() const { return zones.front()->body; }
 
 private:
+  RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
+
   /// A part of the land with the body that is loaded there alone: what a contact is worked out on.
   struct Zone
   {

@@ -239,7 +239,7 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   SpinQuestion question = { study.motion.orbit };
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
-  const SpinRow row = spin_row(own.load, question);
+  const SpinRow row = spin_row(*own.load, question);
   const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, cache);
   const BandedQuantity &band = spin_of(bands);
 
@@ -271,9 +271,9 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   if (truth == "converge")
   {
     const std::vector<double> spins = spins_of_interest(own.omega);
-    const ErrorBands wider = refine(study, quantities_of_load(study, own.load, spins, own.omega), spins,
-                                    refinement_axes(study, 3), cache)
-                               .quantities;
+    const ErrorBands wider =
+      refine(quantities_of_load(study, *own.load, spins, own.omega), spins, refinement_axes(study, 3), cache)
+        .quantities;
     tallies.converge.add(spin_of(wider), error);
   }
   std::fflush(stdout);

@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/budget.h"
 
-#include "fem/pipeline/analysis/model_variants.h"
-#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/variants/model_variants.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,49 +11,12 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The question for a model that differs little from the complete one, whose answer is @p complete.
-SpinQuestion question_near(const Study &study, const SpinRow &complete)
+/// The question to models that differ little from the one whose answer is @p complete.
+SpinQuestion near_to(const SpinRow &complete)
 {
-  SpinQuestion question = spin_question(study);
+  SpinQuestion question;
   question.near = known_zero(complete);
   return question;
-}
-
-/// A model of the chain.
-struct Model
-{
-  ChainStep step;
-  std::string name;
-  Study study;
-};
-
-/// The models in front of those that are told apart by their harmonics: 1, 1a, 2, 2a and 3, all of them with
-/// a first harmonic.
-std::vector<Model> first_models(const Study &study)
-{
-  std::vector<Model> models = { { { 1 }, "paper", paper_study(study) } };
-  if (!study.motion.orbit.has_constant_friction())
-  {
-    models.push_back({ { 1, true }, "friction law", models.back().study });
-    models.back().study.motion.orbit = study.motion.orbit;
-  }
-  if (study.load.source != LoadSource::file)
-  {
-    models.push_back(
-      { { 2 }, study.load.is_static() ? "given moment" : "moment balance", first_harmonic_study(study) });
-    models.back().study.motion.grip_torque = 0;
-  }
-  if (study.motion.grip_torque > 0)
-  {
-    models.push_back({ { 2, true }, "grip", models.back().study });
-    models.back().study.motion.grip_torque = study.motion.grip_torque;
-  }
-  if (study.tilts())
-  {
-    models.push_back({ { 3 }, "where the foot touches", study });
-    models.back().study.motion.tilt = false;
-  }
-  return models;
 }
 
 std::optional<double> unless_nan(double value)
@@ -62,98 +24,60 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// A row of the budget with the load that it is the answer to.
-struct ChainLink
+/// The place of a model of the chain by its key, "2a".
+ChainStep step_of(const Variant &model)
 {
-  BudgetRow row;
-  SharedLoad load;
-  ring::Motion motion;
-};
-
-/// Puts the answer to a model under those in @p chain.
-void add_link(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &answer,
-              std::vector<ChainLink> &chain)
-{
-  const SpinRow &row = answer.row;
-  BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
-  if (!chain.empty() && added.omega_terminal && chain.back().row.omega_terminal)
-    added.difference = *added.omega_terminal - *chain.back().row.omega_terminal + 0.; // no -0
-  added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
-  added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
-  chain.push_back({ added, answer.load, study.motion.orbit });
+  return { static_cast<unsigned int>(model.key.front() - '0'), model.key.size() > 1 };
 }
 
-/// Rows 3 or 3a, 4, 5, ... of a study whose load has harmonics to tell apart.
-void add_links_by_harmonics(const Study &study, const std::vector<LoadedRow> &by_harmonics,
-                            std::vector<ChainLink> &chain)
+/// Puts the answer to a model under those in @p rows.
+void add_row(const ChainStep &step, const std::string &name, const Study &study, const SpinRow &row,
+             std::vector<BudgetRow> &rows)
 {
-  add_link({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study,
-           by_harmonics.front(), chain);
+  BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
+  if (!rows.empty() && added.omega_terminal && rows.back().omega_terminal)
+    added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // no -0
+  for (std::size_t i = 0; i < row.torques.size(); ++i)
+    added.torques.at(i) = unless_nan(row.torques[i]);
+  added.standing = row.terminal && row.pulls() ? Standing::formal : row.standing;
+  added.reason = row.reason.empty() ? held_by_the_grip(study, row) : row.reason;
+  rows.push_back(added);
+}
+
+/// The chain from the rows of its @p models in front and those by harmonics, which are rows 3 or 3a, 4, 5,
+/// ... of a study whose load has harmonics to tell apart.
+std::vector<BudgetRow> judge_chain(const Study &study, const std::vector<Variant> &models,
+                                   const std::vector<SpinRow> &answers)
+{
+  std::vector<BudgetRow> rows;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    add_row(step_of(models[i]), models[i].name, models[i].study, answers[i], rows);
+  if (study.load.source == LoadSource::first_harmonic)
+    return rows;
+  const SpinRow &first = answers[models.size()];
+  add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
   ChainStep step = { 4 };
-  for (std::size_t i = 1; i < by_harmonics.size(); ++i)
+  for (std::size_t i = models.size() + 1; i < answers.size(); ++i)
   {
-    add_link(step, "harmonics", study, by_harmonics[i], chain);
+    add_row(step, "harmonics", study, answers[i], rows);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // a first harmonic from a file is all its harmonics
-    add_link(step, "harmonics", study, by_harmonics.back(), chain);
-  BudgetRow &all = chain.back().row;
+  if (&first == &answers.back()) // a first harmonic from a file is all its harmonics
+    add_row(step, "harmonics", study, first, rows);
+  BudgetRow &all = rows.back();
   all.harmonics.reset();
   // The series of a pressure that ends somewhere dips below zero there; the pressure does not.
   if (study.load.is_from_contact() && all.standing == Standing::formal)
     all.standing = Standing::lift_off;
+  return rows;
 }
 
-std::vector<ChainLink> chain_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                const std::vector<LoadedRow> &by_harmonics)
+WithoutRow judge_without(const Variant &variant, const SpinRow &answer, const SpinRow &complete)
 {
-  std::vector<ChainLink> chain;
-  for (const Model &model : first_models(study))
-  {
-    LoadedRow answer = attempt_row(model.study, foot, question_near(model.study, by_harmonics.back().row), 1);
-    answer.row.harmonics = 1;
-    add_link(model.step, model.name, model.study, answer, chain);
-  }
-  if (study.load.source != LoadSource::first_harmonic)
-    add_links_by_harmonics(study, by_harmonics, chain);
-  return chain;
-}
-
-/// The row of a link with its torques.
-BudgetRow row_with_torques(const ChainLink &link, const std::vector<double> &spins)
-{
-  BudgetRow row = link.row;
-  if (!link.load)
-    return row;
-  const std::vector<double> torques = friction_torques(*link.load, link.motion, spins, row.reason);
-  for (std::size_t i = 0; i < torques.size(); ++i)
-    row.torques[i] = unless_nan(torques[i]);
-  return row;
-}
-
-/// @p foot and @p complete are those of the complete model.
-WithoutRow answer_without(const ModelVariant &variant, const ElasticFoot *foot, const SpinRow &complete,
-                          bool complete_is_hard, fem::ComplianceCache &cache)
-{
-  WithoutRow row = { variant.name };
-  if (!has_compliance(variant.study))
-  {
-    row.reason = "not defined";
-    return row;
-  }
-  const bool depends_on_phase = variant.study.has_waviness() || complete.ripple > 0;
-  const bool is_of_revolution = abilities(variant.study.contact.body).is_of_revolution;
-  if (depends_on_phase && !is_of_revolution && variant.study.table.is_hard() && !complete_is_hard)
-  {
-    row.reason = "not computed: a solid foot on a hard table takes long at every phase";
-    return row;
-  }
-  const LoadedRow answer =
-    attempt_row(variant.study, cache, question_near(variant.study, complete), all_harmonics, foot);
-  row.omega_terminal = answer.row.omega_terminal();
+  WithoutRow row = { variant.name, answer.omega_terminal() };
   if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
-  row.reason = answer.row.reason.empty() ? held_by_the_grip(variant.study, answer.row) : answer.row.reason;
+  row.reason = answer.reason.empty() ? held_by_the_grip(variant.study, answer) : answer.reason;
   return row;
 }
 
@@ -202,52 +126,52 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 }
 
 std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                   const std::vector<SpinRow> &by_harmonics)
+                                   const std::vector<SpinRow> &by_harmonics, const Executor &executor)
 {
-  std::vector<LoadedRow> answers;
-  for (const SpinRow &row : by_harmonics)
-    answers.push_back({ row });
-  std::vector<BudgetRow> rows;
-  for (ChainLink &link : chain_of(study, foot, answers))
-    rows.push_back(std::move(link.row));
-  return rows;
-}
-
-Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress)
-{
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
-  const SharedLoad load = find_load(study, foot, progress);
-  return find_budget(study, foot, rows_by_harmonics(study, foot, *load, spin_question(study), progress),
-                     cache, progress);
+  const std::vector<Variant> models = model_chain(study);
+  std::vector<SpinRow> answers;
+  for (const LoadedRow &answer : solve_rows(models, foot, near_to(by_harmonics.back()), executor))
+    answers.push_back(answer.row);
+  answers.insert(answers.end(), by_harmonics.begin(), by_harmonics.end());
+  for (SpinRow &row : answers)
+    row.torques.clear();
+  return judge_chain(study, models, answers);
 }
 
 Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                   const std::vector<LoadedRow> &by_harmonics, fem::ComplianceCache &cache,
-                   Progress &progress)
+                   const std::vector<LoadedRow> &by_harmonics, const Executor &executor, Progress &progress)
 {
-  const std::optional<double> terminal = by_harmonics.back().row.omega_terminal();
-  const std::vector<ModelVariant> variants = variants_without(study);
-  const std::size_t n_pieces = 1 + variants.size();
-  std::size_t n_done = 0;
-
+  const SpinRow &all = by_harmonics.back().row;
+  const std::optional<double> terminal = all.omega_terminal();
   Budget budget;
   budget.shown_spins = { 0 };
   if (terminal)
     budget.shown_spins = { 0, *terminal / 2, *terminal };
-  for (const ChainLink &link : chain_of(study, foot, by_harmonics))
-    budget.rows.push_back(row_with_torques(link, budget.shown_spins));
+
+  const std::vector<Variant> models = model_chain(study), without = variants_without(study, all.ripple > 0);
+  std::vector<Variant> variants = models;
+  variants.insert(variants.end(), without.begin(), without.end());
+  std::vector<LoadedRow> chain = solve_rows(variants, foot, near_to(all), executor, progress, "budget");
+  for (std::size_t i = 0; i < without.size(); ++i)
+    budget.without.push_back(judge_without(without[i], chain[models.size() + i].row, all));
+
+  chain.resize(models.size());
+  chain.insert(chain.end(), by_harmonics.begin(), by_harmonics.end());
+  std::vector<SpinRow> rows(chain.size());
+  const auto add_torques = [&](std::size_t i)
+  {
+    rows[i] = chain[i].row;
+    const ring::Motion &motion = (i < models.size() ? models[i].study : study).motion.orbit;
+    if (chain[i].load)
+      rows[i].torques = friction_torques(*chain[i].load, motion, budget.shown_spins, rows[i].reason);
+  };
+  // Loads that were cut off share the phases of what they are cut from.
+  executor.for_each(chain.size(), add_torques, !study.load.is_in_balance());
+  budget.rows = judge_chain(study, models, rows);
   // Of the last row, whose load is interpolated, the exact ones are known.
-  const SpinRow &all = by_harmonics.back().row;
   budget.rows.back().torques[0] = all.at_rest->friction.torque;
   if (all.at_terminal)
     budget.rows.back().torques[2] = all.at_terminal->friction.torque;
-  progress.pieces_done("budget", ++n_done, n_pieces);
-  for (const ModelVariant &variant : variants)
-  {
-    budget.without.push_back(
-      answer_without(variant, foot.get(), by_harmonics.back().row, study.table.is_hard(), cache));
-    progress.pieces_done("budget", ++n_done, n_pieces);
-  }
   budget.harmonics = harmonic_effect(by_harmonics.front().row.omega_terminal(), terminal, spin_scale(study));
   add_curves(study, by_harmonics, budget);
   return budget;

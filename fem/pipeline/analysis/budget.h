@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/revolution/compliance_cache.h"
 
 #include <array>
 #include <optional>
@@ -45,7 +44,7 @@ struct BudgetRow
 /// The complete model with one of its effects left out.
 struct WithoutRow
 {
-  std::string name;                          ///< "friction in the foot", "tilt", ...: ModelVariant::name
+  std::string name;                          ///< "friction in the foot", "tilt", ...: Variant::name
   std::optional<double> omega_terminal = {}; ///< [rad/s]
   std::optional<double> difference = {};     ///< of the terminal spin to that of the complete model [rad/s]
   std::string reason = {};                   ///< why there is none: "not defined" without any compliance, ...
@@ -93,16 +92,12 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 /// harmonics are @p by_harmonics, the first alone in front and all of them last, with what they have. @p foot
 /// is study_foot(). Does not throw for a row that fails.
 std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                   const std::vector<SpinRow> &by_harmonics);
-
-/// The budget of a study. A row that fails says why and does not stop the others. Throws as
-/// rows_by_harmonics() where the study itself has no answer.
-Budget find_budget(const Study &study, fem::ComplianceCache &cache, Progress &progress = silent_progress());
+                                   const std::vector<SpinRow> &by_harmonics, const Executor &executor);
 
 /// The budget from rows that are already known: @p foot is study_foot(), @p by_harmonics rows_by_harmonics()
-/// of it.
+/// of it. A row that fails says why and does not stop the others.
 Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                   const std::vector<LoadedRow> &by_harmonics, fem::ComplianceCache &cache,
+                   const std::vector<LoadedRow> &by_harmonics, const Executor &executor,
                    Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

@@ -1,15 +1,17 @@
 #include "fem/pipeline/analysis/comparison.h"
 
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/unilateral_foundation.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstddef>
 
 namespace stemware::pipeline
 {
@@ -19,69 +21,26 @@ namespace
 
 constexpr ring::Closure closures[] = { ring::Closure::paper, ring::Closure::hand, ring::Closure::full };
 
-/// A load that a glass may stand on.
+/// A load that a glass may stand on: that of a study's foot, or of a rim.
 struct ComparedLoad
 {
   std::string name;
-  /// The load of a study with its harmonics up to n. Throws what contacts and balances throw.
-  std::function<SharedLoad(const Study &study, unsigned int n_harmonics)> find;
-  /// Share of the rim that carries load in balance at a spin; empty for a formal load.
-  std::function<double(const BalancedLoad &load, double omega)> contact_fraction;
+  Study study;
+  std::shared_ptr<ElasticFoot> foot = nullptr;
+  std::shared_ptr<const ring::UnilateralFoundation> rim = nullptr;
 };
 
-/// Truncations that are compared: 1, 2, 3 and all.
-std::vector<unsigned int> compared_orders(unsigned int n_all)
+/// A load under one moment balance, cut off somewhere.
+struct ComparedVariant : Variant
 {
-  std::vector<unsigned int> orders;
-  for (const unsigned int n : { 1u, 2u, 3u })
-    if (n < n_all)
-      orders.push_back(n);
-  orders.push_back(n_all);
-  return orders;
-}
-
-ComparedLoad first_harmonic()
-{
-  return { compared_load::first_harmonic,
-           [](const Study &study, unsigned int) { return find_load(first_harmonic_study(study), nullptr); },
-           {} };
-}
-
-/// Share of the ring on which cos(theta - beta) > c.
-double loaded_share(double edge)
-{
-  return edge <= -1 ? 1 : std::acos(edge) / boost::math::double_constants::pi;
-}
+  std::shared_ptr<const ring::UnilateralFoundation> rim;
+};
 
 /// A rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
-ComparedLoad rigid_rim(const std::string &name, double contact_radius, double exponent)
+ComparedLoad rigid_rim(const std::string &name, const Study &study, double exponent)
 {
-  const auto ring = std::make_shared<ring::UnilateralFoundation>(contact_radius, exponent);
-  return { name,
-           [ring](const Study &study, unsigned int n_harmonics)
-           {
-             const ring::Motion &motion = study.motion.orbit;
-             const ring::Closure closure = study.motion.closure;
-             const LoadReport at_rest =
-               report_of(ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
-             return balance(ring, motion, closure, at_rest, n_harmonics);
-           },
-           [ring](const BalancedLoad &load, double omega)
-           { return loaded_share(ring->edge(load.at(omega).moment_ratio(ring->radius()))); } };
-}
-
-/// A foot in contact with the table, as in the variant of a study.
-ComparedLoad foot_load(const std::string &name, const std::function<std::shared_ptr<ElasticFoot>()> &foot,
-                       const std::function<Study(Study)> &variant)
-{
-  return { name,
-           [=](const Study &study, unsigned int n_harmonics)
-           {
-             require_standing(study);
-             return find_load(variant(study), foot(), silent_progress(), n_harmonics);
-           },
-           [](const BalancedLoad &load, double omega)
-           { return load.contact(omega)->load.contact_fraction; } };
+  return { name, first_harmonic_study(study), nullptr,
+           std::make_shared<ring::UnilateralFoundation>(study.glass.profile.contact_radius, exponent) };
 }
 
 Study with_coupling(Study study, LoadCoupling coupling)
@@ -90,37 +49,78 @@ Study with_coupling(Study study, LoadCoupling coupling)
   return study;
 }
 
-Study with_rigid_foot(Study study)
+Study with_closure(Study study, ring::Closure closure)
 {
-  study.model.foot_is_rigid = true;
-  return with_coupling(study, LoadCoupling::two_way);
+  study.motion.closure = closure;
+  return study;
+}
+
+/// A foot in contact with the table, on the rings that its loads under all moment balances have in common:
+/// those of the first one that has a load.
+ComparedLoad foot_load(const std::string &name, const Study &study, const std::shared_ptr<ElasticFoot> &foot)
+{
+  for (const ring::Closure closure : closures)
+    if (!foot->has_rings())
+      if_balanced(
+        [&]
+        {
+          require_standing(with_closure(study, closure));
+          return find_load(with_closure(study, closure), foot);
+        });
+  return { name, study, foot };
 }
 
 std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         fem::ComplianceCache &cache)
+                                         const Executor &executor)
 {
-  const double radius = study.glass.profile.contact_radius;
-  std::vector<ComparedLoad> loads = { first_harmonic(), rigid_rim(compared_load::rigid_flat_rim, radius, 1.),
-                                      rigid_rim(compared_load::rigid_round_rim, radius, 1.5) };
+  std::vector<ComparedLoad> loads = { { compared_load::first_harmonic, first_harmonic_study(study) },
+                                      rigid_rim(compared_load::rigid_flat_rim, study, 1.),
+                                      rigid_rim(compared_load::rigid_round_rim, study, 1.5) };
   if (!foot)
     return loads;
   const BodyAbilities can = abilities(study.contact.body);
-  if (can.is_of_revolution && has_compliance(with_rigid_foot(study)))
-  {
-    // Made by the first row that asks: where it cannot be made, the rows say so.
-    const auto made = std::make_shared<std::shared_ptr<ElasticFoot>>();
-    const auto rigid_foot = [&cache, made, rigid = with_rigid_foot(study)]
-    { return *made ? *made : *made = study_foot(rigid, cache); };
-    loads.push_back(foot_load(compared_load::rigid_foot, rigid_foot, with_rigid_foot));
-  }
-  const auto own_foot = [foot] { return foot; };
-  loads.push_back(foot_load(compared_load::foot_at_rest, own_foot,
-                            [](const Study &own) { return with_coupling(own, LoadCoupling::one_way); }));
+  Study rigid = with_coupling(study, LoadCoupling::two_way);
+  rigid.model.foot_is_rigid = true;
+  if (can.is_of_revolution && has_compliance(rigid))
+    try
+    {
+      loads.push_back(foot_load(compared_load::rigid_foot, rigid, study_foot(rigid, executor.cache)));
+    }
+    catch (const BadInput &) // a foot that cannot be made: each row says so
+    {
+      loads.push_back({ compared_load::rigid_foot, rigid });
+    }
+  loads.push_back(foot_load(compared_load::foot_at_rest, with_coupling(study, LoadCoupling::one_way), foot));
   // Hundreds of contacts: for a foot that takes all ranks together only where the study asks for that.
   if (!can.is_collective || study.load.coupling == LoadCoupling::two_way)
-    loads.push_back(foot_load(compared_load::foot_in_balance, own_foot,
-                              [](const Study &own) { return with_coupling(own, LoadCoupling::two_way); }));
+    loads.push_back(
+      foot_load(compared_load::foot_in_balance, with_coupling(study, LoadCoupling::two_way), foot));
   return loads;
+}
+
+/// The load of a variant. Throws what contacts and balances throw.
+SharedLoad load_of(const ComparedVariant &variant, const std::shared_ptr<ElasticFoot> &foot)
+{
+  if (!variant.rim)
+    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics);
+  const ring::Motion &motion = variant.study.motion.orbit;
+  const ring::Closure closure = variant.study.motion.closure;
+  const LoadReport at_rest =
+    report_of(variant.rim->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
+  return balance(variant.rim, motion, closure, at_rest, variant.n_harmonics);
+}
+
+/// Share of the rim that carries @p load in balance at a spin; nothing for a formal load.
+std::optional<double> contact_fraction(const ComparedVariant &variant, const BalancedLoad &load, double omega)
+{
+  if (!variant.rim)
+  {
+    const std::optional<fem::ContactState> state = load.contact(omega);
+    return state ? std::optional(state->load.contact_fraction) : std::nullopt;
+  }
+  // Share of the ring on which cos(theta - beta) > c.
+  const double edge = variant.rim->edge(load.at(omega).moment_ratio(variant.rim->radius()));
+  return edge <= -1 ? 1 : std::acos(edge) / boost::math::double_constants::pi;
 }
 
 /// Standing of the row's load at its terminal spin, which it must have.
@@ -133,58 +133,64 @@ Standing standing_of(const SpinRow &row)
   return *row.contact_fraction < 1 ? Standing::lift_off : Standing::full_contact;
 }
 
-/// Row of a load under the moment balance of @p study, whose reason is filled in where something is missing.
-SpinRow compared_row(const Study &study, const ComparedLoad &compared, unsigned int n, bool is_all)
+SpinRow compared_row(const ComparedVariant &variant, const std::shared_ptr<ElasticFoot> &foot)
 {
-  SpinRow row;
-  try
+  const SharedLoad load = load_of(variant, foot);
+  SpinRow row = attempt_spin_row(*load, spin_question(variant.study));
+  row.all_harmonics = variant.n_harmonics == all_harmonics;
+  if (row.terminal)
   {
-    const SharedLoad load = compared.find(study, n);
-    row = attempt_spin_row(*load, spin_question(study));
-    row.all_harmonics = is_all;
-    if (row.terminal && compared.contact_fraction)
-      row.contact_fraction = compared.contact_fraction(*load, row.terminal->omega);
-    if (row.terminal)
-      row.standing = standing_of(row);
-    if (row.reason.empty())
-      row.reason = held_by_the_grip(study, row);
+    row.contact_fraction = contact_fraction(variant, *load, row.terminal->omega);
+    row.standing = standing_of(row);
   }
-  catch (...)
-  {
-    note_failure(row);
-  }
-  row.closure = study.motion.closure;
-  row.load = compared.name;
-  if (!is_all)
-    row.harmonics = n;
-  row.all_harmonics = is_all;
+  if (row.reason.empty())
+    row.reason = held_by_the_grip(variant.study, row);
   return row;
 }
 
-Study with_closure(Study study, ring::Closure closure)
+/// The rows of a load under each moment balance with each of @p orders, whose reasons are filled in where
+/// something is missing.
+std::vector<SpinRow> solve_compared(const ComparedLoad &compared, const std::vector<unsigned int> &orders,
+                                    const Executor &executor)
 {
-  study.motion.closure = closure;
-  return study;
+  std::vector<ComparedVariant> variants;
+  for (const ring::Closure closure : closures)
+    for (const unsigned int n : orders)
+      variants.push_back(
+        { { "", compared.name, with_closure(compared.study, closure), n, compared.foot != nullptr },
+          compared.rim });
+  std::vector<SpinRow> rows;
+  for (const Solved<SpinRow> &solved : solve(variants, compared.foot, compared_row, executor))
+  {
+    const ComparedVariant &variant = variants[rows.size()];
+    SpinRow &row = rows.emplace_back(solved.answer ? *solved.answer : failed_row(solved.failure));
+    row.closure = variant.study.motion.closure;
+    row.load = variant.name;
+    row.all_harmonics = variant.n_harmonics == all_harmonics;
+    if (!row.all_harmonics)
+      row.harmonics = variant.n_harmonics;
+  }
+  return rows;
 }
 
 /// Rows of a load, [moment balance][truncation]: under each of them as many, the one of all harmonics being
 /// the last.
-std::vector<std::vector<SpinRow>> compared_rows(const Study &study, const ComparedLoad &compared)
+std::vector<std::vector<SpinRow>> compared_rows(const ComparedLoad &compared, const Executor &executor)
 {
-  std::vector<SpinRow> all;
+  const std::vector<SpinRow> all = solve_compared(compared, { all_harmonics }, executor);
   unsigned int n_all = 1;
-  for (const ring::Closure closure : closures)
-  {
-    all.push_back(compared_row(with_closure(study, closure), compared, all_harmonics, true));
-    n_all = std::max(n_all, all.back().harmonics);
-  }
+  for (const SpinRow &row : all)
+    n_all = std::max(n_all, row.harmonics);
+  std::vector<unsigned int> orders;
+  for (const unsigned int n : { 1u, 2u, 3u })
+    if (n < n_all)
+      orders.push_back(n);
+  const std::vector<SpinRow> cut = solve_compared(compared, orders, executor);
   std::vector<std::vector<SpinRow>> rows;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    rows.emplace_back();
-    for (const unsigned int n : compared_orders(n_all))
-      if (n < n_all)
-        rows.back().push_back(compared_row(with_closure(study, closures[i]), compared, n, false));
+    const auto first = cut.begin() + static_cast<std::ptrdiff_t>(i * orders.size());
+    rows.emplace_back(first, first + static_cast<std::ptrdiff_t>(orders.size()));
     rows.back().push_back(all[i]);
     rows.back().back().harmonics = n_all;
   }
@@ -193,28 +199,26 @@ std::vector<std::vector<SpinRow>> compared_rows(const Study &study, const Compar
 
 /// Gives the elastic foot two-way with all its harmonics its error bands under the moment balances that the
 /// answer names.
-void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                     fem::ComplianceCache &cache, std::vector<SpinRow> &rows)
+void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                     std::vector<SpinRow> &rows)
 {
   for (SpinRow &row : rows)
   {
     if (row.load != compared_load::foot_in_balance || !row.all_harmonics || !row.terminal ||
         row.closure == ring::Closure::hand)
       continue;
-    Study own = study;
-    own.motion.closure = row.closure;
-    own.load.coupling = LoadCoupling::two_way;
-    row.band = band_of(estimate_bands(own, foot, row, std::nullopt, cache), "omega_terminal");
+    const Study own = with_closure(with_coupling(study, LoadCoupling::two_way), row.closure);
+    row.band = band_of(estimate_bands(own, foot, row, std::nullopt, executor), "omega_terminal");
   }
 }
 
 /// The study's way from the paper's model to the load of @p own, its rows by harmonics.
 std::vector<BudgetRow> budget_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                 const std::vector<SpinRow> &own)
+                                 const std::vector<SpinRow> &own, const Executor &executor)
 {
   return budget_rows(
     own.front().load == compared_load::foot_in_balance ? with_coupling(study, LoadCoupling::two_way) : study,
-    foot, own);
+    foot, own, executor);
 }
 
 } // namespace
@@ -235,15 +239,15 @@ HarmonicEffect Comparison::harmonic_effect(ring::Closure closure, const std::str
 }
 
 Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          fem::ComplianceCache &cache, Progress &progress)
+                          const Executor &executor, Progress &progress)
 {
-  const std::vector<ComparedLoad> loads = compared_loads(study, foot, cache);
+  const std::vector<ComparedLoad> loads = compared_loads(study, foot, executor);
   Comparison comparison;
   comparison.spin_scale = spin_scale(study);
   std::vector<std::vector<std::vector<SpinRow>>> rows;
   for (const ComparedLoad &load : loads)
   {
-    rows.push_back(compared_rows(study, load));
+    rows.push_back(compared_rows(load, executor));
     progress.pieces_done("loads", rows.size(), loads.size());
   }
   for (std::size_t i = 0; i < std::size(closures); ++i)
@@ -254,10 +258,10 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
     if (paper && row.terminal)
       row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_scale);
   progress.stage_done("comparison");
-  add_error_bands(study, foot, cache, comparison.rows);
+  add_error_bands(study, foot, executor, comparison.rows);
   for (const auto &of_closure : rows.back())
     if (of_closure.front().closure == study.motion.closure)
-      comparison.budget = budget_of(study, foot, of_closure);
+      comparison.budget = budget_of(study, foot, of_closure, executor);
   if (const SpinRow *own = comparison.find(study.motion.closure, comparison.rows.back().load))
     add_bands(own->band, std::nullopt, comparison.budget);
   progress.stage_done("error_bands");

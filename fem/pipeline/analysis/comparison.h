@@ -41,9 +41,9 @@ inline constexpr char foot_in_balance[] = "elastic foot";
 /// rims on a mat that only pushes, in closed form; and, where the load comes from a contact, with a rigid
 /// foot on the study's table (unless nothing yields there), and with the elastic foot one-way, its load being
 /// that of rest, and two-way. Each with 1, 2, 3 and all harmonics. No row's trouble stops the others. @p foot
-/// is study_foot(); other feet share what they can with it in @p cache. The elastic foot two-way has error
+/// is study_foot(). The elastic foot two-way has error
 /// bands where they cost little.
 Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          fem::ComplianceCache &cache, Progress &progress = silent_progress());
+                          const Executor &executor, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

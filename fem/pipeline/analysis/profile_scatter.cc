@@ -13,38 +13,32 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The study with a rim that is @p steps steps larger or smaller in one of its two lengths.
-using ChangeRim = std::function<void(fem::GlassProfile &profile, double steps)>;
-
-/// Half of what the terminal spin changes by from one step less to one step more [rad/s]; nothing where one
-/// of the two has no spin, and @p reason says why.
-std::optional<double> change_of_spin(const Study &study, const std::optional<ring::KnownZero> &near,
-                                     const ChangeRim &change, fem::ComplianceCache &cache,
-                                     std::string &reason)
+/// Adds the study with a rim that is a step smaller, and one that is a step larger in one of its two lengths,
+/// which @p change does to it.
+void add_both_sides(const Study &study, const std::function<void(fem::GlassProfile &, double steps)> &change,
+                    std::vector<Variant> &variants)
 {
-  double spins[2] = {};
-  for (const int side : { 0, 1 })
-  {
-    Study changed = study;
-    change(changed.glass.profile, side == 0 ? -1 : 1);
-    SpinQuestion question = spin_question(changed);
-    question.near = near;
-    question.with_minima = false;
-    const SpinRow row = attempt_row(changed, cache, question, all_harmonics).row;
-    if (!row.terminal)
+  for (const int steps : { -1, 1 })
+    change(variants.emplace_back(Variant{ "", "", study }).study.glass.profile, steps);
+}
+
+/// Half of what the terminal spin changes by from row @p i, one step less, to the next, one step more
+/// [rad/s]; nothing where one of the two has no spin, and @p reason says why.
+std::optional<double> change_of_spin(const std::vector<LoadedRow> &rows, std::size_t i, std::string &reason)
+{
+  for (const std::size_t side : { i, i + 1 })
+    if (!rows[side].row.terminal)
     {
-      reason = row.reason;
+      reason = rows[side].row.reason;
       return std::nullopt;
     }
-    spins[side] = row.terminal->omega;
-  }
-  return (spins[1] - spins[0]) / 2;
+  return (rows[i + 1].row.terminal->omega - rows[i].row.terminal->omega) / 2;
 }
 
 } // namespace
 
 std::optional<ProfileScatter> profile_scatter(const Study &given, const SpinRow &all,
-                                              fem::ComplianceCache &cache, Progress &progress)
+                                              const Executor &executor, Progress &progress)
 {
   const auto &circle = given.glass.rim_circle;
   if (!circle || !circle->has_scatter() || !all.terminal || given.load.source == LoadSource::file ||
@@ -64,32 +58,40 @@ std::optional<ProfileScatter> profile_scatter(const Study &given, const SpinRow 
   const double curvature = 1 / circle->crown_radius;
   const double curvature_step = curvature * std::clamp(circle->crown_radius_error() * curvature, 0.01, 0.5);
 
-  const std::optional<ring::KnownZero> near = given.has_waviness() ? std::nullopt : known_zero(all);
+  SpinQuestion question;
+  question.near = given.has_waviness() ? std::nullopt : known_zero(all);
+  question.with_minima = false;
+  const bool has_radius = circle->contact_radius_error() > 0, has_crown = circle->crown_radius_error() > 0;
+  std::vector<Variant> variants;
+  if (has_radius)
+    add_both_sides(
+      study, [=](fem::GlassProfile &profile, double steps) { profile.contact_radius += steps * radius_step; },
+      variants);
+  if (has_crown)
+    add_both_sides(
+      study,
+      [=](fem::GlassProfile &profile, double steps)
+      { profile.crown_radius = 1 / (1 / profile.crown_radius + steps * curvature_step); },
+      variants);
+  const std::vector<LoadedRow> rows =
+    solve_rows(variants, nullptr, question, executor, progress, "scatter of the profile");
+
   ProfileScatter scatter;
-  if (circle->contact_radius_error() > 0)
+  if (has_radius)
   {
-    const auto change = change_of_spin(
-      study, near,
-      [=](fem::GlassProfile &profile, double steps) { profile.contact_radius += steps * radius_step; }, cache,
-      scatter.reason);
+    const auto change = change_of_spin(rows, 0, scatter.reason);
     if (!change)
       return scatter;
     scatter.by_contact_radius = *change / radius_step;
   }
-  progress.pieces_done("scatter of the profile", 1, 2);
-  if (circle->crown_radius_error() > 0)
+  if (has_crown)
   {
-    const auto change = change_of_spin(
-      study, near,
-      [=](fem::GlassProfile &profile, double steps)
-      { profile.crown_radius = 1 / (1 / profile.crown_radius + steps * curvature_step); },
-      cache, scatter.reason);
+    const auto change = change_of_spin(rows, has_radius ? 2 : 0, scatter.reason);
     if (!change)
       return scatter;
     // d(curvature) / d(crown radius) = -curvature^2
     scatter.by_crown_radius = -*change / curvature_step * curvature * curvature;
   }
-  progress.pieces_done("scatter of the profile", 2, 2);
   const double gradient[] = { scatter.by_contact_radius.value_or(0), scatter.by_crown_radius.value_or(0) };
   double variance = 0;
   for (const std::size_t i : { 0, 1 })

@@ -1,9 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_row.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <optional>
 #include <string>
@@ -28,7 +26,7 @@ struct ProfileScatter
 /// Nothing where no value of the rim has a scatter, or the glass does not spin. Does not throw for a study
 /// that fails.
 std::optional<ProfileScatter> profile_scatter(const Study &study, const SpinRow &all,
-                                              fem::ComplianceCache &cache,
+                                              const Executor &executor,
                                               Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

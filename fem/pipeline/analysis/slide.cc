@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,31 +116,35 @@ SharedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, do
 }
 
 /// SlideStudy::mesh_change. @p foot and @p load are those of @p study.
-std::optional<double> change_on_coarser_mesh(const Study &study, const ElasticFoot &foot,
+std::optional<double> change_on_coarser_mesh(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                              const BalancedLoad &load, double start, double end,
-                                             fem::ComplianceCache &cache)
+                                             const Executor &executor)
 {
   if (!study.load.is_from_contact() || !abilities(study.contact.body).is_of_revolution)
     return std::nullopt;
-  Study coarse = study;
-  coarse.contact.fineness /= 2;
-  coarse.contact.harmonics = std::max(coarse.contact.harmonics / 2, 1u);
-  const ring::Motion &motion = study.motion.orbit;
-  const double radius = study.glass.profile.contact_radius,
-               most = motion.friction_at_rest() * motion.normal_force();
-  const SharedLoad coarse_load = find_load(coarse, study_foot(coarse, cache, silent_progress(), &foot));
-  const TiltingFriction own = friction_of_load(load, motion, radius),
-                        other = friction_of_load(*coarse_load, motion, radius);
-  double change = 0;
-  for (const double slip_ratio : { start, (start + end) / 2, end })
+  Variant coarse = { "mesh", "", study };
+  coarse.study.contact.fineness /= 2;
+  coarse.study.contact.harmonics = std::max(study.contact.harmonics / 2, 1u);
+  const auto change = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &coarse_foot)
   {
-    const double speed = motion.orbit_speed, omega = slip_ratio * speed / radius;
-    const ring::Wrench one = own.friction(speed, omega), two = other.friction(speed, omega);
-    change = std::max({ change, std::abs(two.force_x - one.force_x) / most,
-                        std::abs(two.force_y - one.force_y) / most,
-                        std::abs(two.torque - one.torque) / (most * radius) });
-  }
-  return change;
+    const ring::Motion &motion = study.motion.orbit;
+    const double radius = study.glass.profile.contact_radius,
+                 most = motion.friction_at_rest() * motion.normal_force();
+    const SharedLoad coarse_load = find_load(variant.study, coarse_foot);
+    const TiltingFriction own = friction_of_load(load, motion, radius),
+                          other = friction_of_load(*coarse_load, motion, radius);
+    double largest = 0;
+    for (const double slip_ratio : { start, (start + end) / 2, end })
+    {
+      const double speed = motion.orbit_speed, omega = slip_ratio * speed / radius;
+      const ring::Wrench one = own.friction(speed, omega), two = other.friction(speed, omega);
+      largest = std::max({ largest, std::abs(two.force_x - one.force_x) / most,
+                           std::abs(two.force_y - one.force_y) / most,
+                           std::abs(two.torque - one.torque) / (most * radius) });
+    }
+    return largest;
+  };
+  return solve(std::vector<Variant>{ coarse }, foot, change, executor).front().value();
 }
 
 void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
@@ -178,7 +183,7 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   path.final_slip_ratio = end;
   follow(tilting, path, slide);
   if (foot)
-    slide.mesh_change = change_on_coarser_mesh(study, *foot, *load, start, end, cache);
+    slide.mesh_change = change_on_coarser_mesh(study, foot, *load, start, end, cache);
 }
 
 void slide_body(const Study &study, SlideStudy &slide)

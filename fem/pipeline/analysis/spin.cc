@@ -143,8 +143,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
   if (!question.times.empty())
     for (const ring::YawSample &sample :
-         spin_up(question.on_the_way ? *question.on_the_way : *on_the_way_to(omega, load), question.motion,
-                 question.times, question.grip_torque))
+         spin_up(*on_the_way_to(omega, load), question.motion, question.times, question.grip_torque))
       row.spin_up.push_back(sample.omega);
 }
 

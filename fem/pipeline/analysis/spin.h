@@ -19,8 +19,6 @@ struct SpinQuestion
   std::optional<double> contact_radius = {};
   std::vector<double> torques_at = {}; ///< spins of SpinRow::torques [rad/s]
   std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
-  /// The load of the spin-up, thousands of values of which need not be exact; empty: this load, interpolated.
-  SharedLoad on_the_way = {};
   double expected =
     0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
   /// The terminal spin of a load much like this one, where it is known.

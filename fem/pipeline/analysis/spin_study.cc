@@ -1,13 +1,13 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
 #include "fem/pipeline/analysis/all_spins.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
 #include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/orbit_speed_file.h"
+#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/friction_law.h"
 
 #include <algorithm>
@@ -165,13 +165,14 @@ std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const Bala
 }
 
 /// The study on one ring.
-std::optional<SpinRow> row_on_one_ring(Study study, const ElasticFoot *foot, const SpinRow &all,
-                                       fem::ComplianceCache &cache)
+std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                       const SpinRow &all, const Executor &executor)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
-  study.contact.rings = 1;
-  SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics, foot).row;
+  Variant one_ring = { "one_ring", "one ring", study };
+  one_ring.study.contact.rings = 1;
+  SpinRow row = solve_rows({ one_ring }, foot, {}, executor).front().row;
   row.harmonics = all.harmonics;
   row.all_harmonics = true;
   if (row.terminal && all.relative_change)
@@ -286,24 +287,25 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 }
 
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     fem::ComplianceCache &cache, Progress &progress, Depth depth)
+                     const Executor &executor, Progress &progress, Depth depth)
 {
-  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, spin_question(study), progress, depth);
+  std::vector<LoadedRow> solved =
+    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth);
   SpinStudy result;
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
   if (depth == Depth::full)
-    result.one_ring = row_on_one_ring(study, foot.get(), result.all(), cache);
+    result.one_ring = row_on_one_ring(study, foot, result.all(), executor);
 
   const std::vector<double> shown = shown_spins(study, solved);
-  interpolate_loads(shown.front(), shown.back(), 1, solved);
+  interpolate_loads(shown.front(), shown.back(), 1, executor, solved);
   if (const auto statistics = solved.back().load->statistics())
     result.curve_error = statistics->interpolation_error;
   result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
   if (depth == Depth::full)
-    result.budget = find_budget(study, foot, solved, cache, progress);
+    result.budget = find_budget(study, foot, solved, executor, progress);
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));

@@ -116,13 +116,13 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 std::vector<double> paper_spin_up(const Study &study, const std::vector<double> &times);
 
 /// Solves for everything, or with Depth::answer for the answer and its curves: neither a budget but the
-/// effect of the harmonics, nor one ring. @p foot is study_foot(), @p load find_load() of it; feet of other
-/// models of the budget share what they can with it in @p cache. A glass that falls over on the way is an
+/// effect of the harmonics, nor one ring. @p foot is study_foot(), @p load find_load() of it; the
+/// other models of the budget are solved with @p executor. A glass that falls over on the way is an
 /// answer: its last row has no terminal spin but a SpinRow::fall. Throws ring::NoBalance where all harmonics
 /// have no terminal spin otherwise, or the spin under a load that depends on the phase does not settle; what
 /// contact solutions and balances throw.
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     fem::ComplianceCache &cache, Progress &progress = silent_progress(),
+                     const Executor &executor, Progress &progress = silent_progress(),
                      Depth depth = Depth::full);
 
 } // namespace stemware::pipeline

@@ -83,70 +83,50 @@ std::string held_by_the_grip(const Study &study, const SpinRow &row)
          " N m, is no more than Motion/Grip torque = " + to_short_text(study.motion.grip_torque) + " N m.";
 }
 
-SpinQuestion spin_question(const Study &study)
+SpinQuestion spin_question(const Study &study, SpinQuestion question)
 {
-  SpinQuestion question = { study.motion.orbit };
+  question.motion = study.motion.orbit;
   question.grip_torque = study.motion.grip_torque;
   if (study.load.source != LoadSource::file)
     question.contact_radius = study.glass.profile.contact_radius;
   return question;
 }
 
-void require_standing(const Study &study)
+SpinRow failed_row(const std::exception_ptr &failure)
 {
-  if (study.load.is_from_contact())
-    try
-    {
-      study.required_resultants();
-    }
-    catch (const BadInput &failure)
-    {
-      throw ring::Tipping(failure.what());
-    }
-}
-
-LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                      const SpinQuestion &question, unsigned int n_harmonics)
-{
-  LoadedRow answer;
+  SpinRow row;
   try
   {
-    require_standing(study);
-    answer.load = find_load(study, foot, silent_progress(), n_harmonics);
-    answer.row = attempt_spin_row(*answer.load, question);
+    std::rethrow_exception(failure);
   }
   catch (...)
   {
-    note_failure(answer.row);
+    note_failure(row);
   }
-  answer.row.closure = study.motion.closure;
-  return answer;
+  return row;
 }
 
-LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
-                      unsigned int n_harmonics, const ElasticFoot *similar)
+std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
+                                  const std::shared_ptr<ElasticFoot> &foot, const SpinQuestion &asked,
+                                  const Executor &executor, Progress &progress, const std::string &pieces)
 {
-  try
+  const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
-    require_standing(study);
-    return attempt_row(study, study_foot(study, cache, silent_progress(), similar), question, n_harmonics);
-  }
-  catch (...)
+    const SharedLoad load = find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics);
+    return LoadedRow{ attempt_spin_row(*load, spin_question(variant.study, asked)), load };
+  };
+  std::vector<LoadedRow> rows;
+  for (const Solved<LoadedRow> &solved :
+       solve(variants, foot, row_of, executor, counted(progress, pieces, variants.size())))
   {
-    LoadedRow none;
-    note_failure(none.row);
-    none.row.closure = study.motion.closure;
-    return none;
+    const Variant &variant = variants[rows.size()];
+    LoadedRow &added =
+      rows.emplace_back(solved.answer ? *solved.answer : LoadedRow{ failed_row(solved.failure) });
+    added.row.closure = variant.study.motion.closure;
+    if (variant.n_harmonics != all_harmonics)
+      added.row.harmonics = variant.n_harmonics;
   }
-}
-
-LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics)
-{
-  if (study.load.is_in_balance())
-    return attempt_row(study, foot, question, n_harmonics);
-  const SharedLoad cut = load.truncated(n_harmonics);
-  return { attempt_spin_row(*cut, question), cut };
+  return rows;
 }
 
 std::optional<ring::KnownZero> known_zero(const SpinRow &row)
@@ -157,8 +137,8 @@ std::optional<ring::KnownZero> known_zero(const SpinRow &row)
 }
 
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         const BalancedLoad &load, SpinQuestion question, Progress &progress,
-                                         Depth depth)
+                                         const BalancedLoad &load, SpinQuestion question,
+                                         const Executor &executor, Progress &progress, Depth depth)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
@@ -166,28 +146,37 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   question.with_slope = false;
   question.near = known_zero(whole.row);
   std::vector<LoadedRow> rows;
-  for (const unsigned int n : orders)
+  std::vector<Variant> cut;
+  for (std::size_t i = 0; i + 1 < orders.size(); ++i)
+    if (study.load.is_in_balance())
+      cut.push_back({ "harmonics", std::to_string(orders[i]), study, orders[i], true });
+    else if (const SharedLoad less = load.truncated(orders[i]))
+      rows.push_back({ attempt_spin_row(*less, question), less });
+  if (!cut.empty())
+    rows = solve_rows(cut, foot, question, executor, progress, "rows by harmonics");
+  rows.push_back(whole);
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    rows.push_back(n == orders.back() ? whole : truncated_row(study, foot, load, question, n));
-    SpinRow &row = rows.back().row;
+    SpinRow &row = rows[i].row;
     row.closure = study.motion.closure;
-    row.harmonics = n;
-    row.all_harmonics = n == orders.back();
+    row.harmonics = orders[i];
+    row.all_harmonics = i + 1 == rows.size();
     if (whole.row.terminal)
       relate_to_all(whole.row, whole.row.at_terminal->load, question, row);
     if (whole.row.terminal && load.phases() && row.at_rest)
       take_worst_phase(load, question.motion, whole.row.terminal->omega, row);
-    progress.pieces_done("rows by harmonics", rows.size(), orders.size());
   }
   return rows;
 }
 
-void interpolate_loads(double lower, double upper, unsigned int n_most, std::vector<LoadedRow> &rows)
+void interpolate_loads(double lower, double upper, unsigned int n_most, const Executor &executor,
+                       std::vector<LoadedRow> &rows)
 {
-  for (LoadedRow &answer : rows)
+  const auto interpolate = [&](std::size_t i)
   {
-    if (!answer.load || (answer.row.harmonics > n_most && &answer != &rows.back()))
-      continue;
+    LoadedRow &answer = rows[i];
+    if (!answer.load || (answer.row.harmonics > n_most && i + 1 < rows.size()))
+      return;
     SharedLoad curve;
     if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
       curve = interpolated(*answer.load, std::min(0., fall->omega), std::max(0., fall->omega), 1e-3);
@@ -200,7 +189,8 @@ void interpolate_loads(double lower, double upper, unsigned int n_most, std::vec
     }
     if (curve)
       answer.load = curve;
-  }
+  };
+  executor.for_each(rows.size(), interpolate);
 }
 
 } // namespace stemware::pipeline

@@ -2,10 +2,9 @@
 
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/balanced_load.h"
-#include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,43 +42,40 @@ enum class Depth
   full    ///< rows by harmonics, one ring, budget, leave-one-out
 };
 
-/// Question of a row about the spin of a study: motion, grip and contact radius.
-SpinQuestion spin_question(const Study &study);
+/// Question of a row about the spin of a study, its motion, grip and contact radius added to what is @p
+/// asked.
+SpinQuestion spin_question(const Study &study, SpinQuestion asked = {});
 
-/// Throws ring::Tipping where the foot of a study tips at rest.
-void require_standing(const Study &study);
+/// A row that says why there is no answer, as note_failure().
+SpinRow failed_row(const std::exception_ptr &failure);
 
-/// The answer to a study whose friction is that of the harmonics up to @p n_harmonics. Does not throw for
-/// what meshes that cannot be made, contacts, balances and spins throw: the row has what there is, and the
-/// reason for what is missing. @p foot is study_foot().
-LoadedRow attempt_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                      const SpinQuestion &question, unsigned int n_harmonics);
-
-/// attempt_row() of a study whose foot is made first, @p similar and @p cache as for study_foot().
-LoadedRow attempt_row(const Study &study, fem::ComplianceCache &cache, const SpinQuestion &question,
-                      unsigned int n_harmonics, const ElasticFoot *similar = nullptr);
-
-/// The answer with the first @p n_harmonics of @p load, which is find_load() of @p foot with all of them: in
-/// a balance of their own where loads are two-way, else that load cut off. Does not throw, as attempt_row().
-LoadedRow truncated_row(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        const BalancedLoad &load, const SpinQuestion &question, unsigned int n_harmonics);
+/// The rows of @p variants, each asked @p asked with its own motion, grip and contact radius; solve() says
+/// whose @p foot is. Does not throw for what meshes that cannot be made, contacts, balances and spins throw:
+/// a row has what there is, and the reason for what is missing. @p progress is told of @p pieces.
+std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
+                                  const std::shared_ptr<ElasticFoot> &foot, const SpinQuestion &asked,
+                                  const Executor &executor, Progress &progress = silent_progress(),
+                                  const std::string &pieces = "");
 
 /// The terminal spin of @p row as a start for those of models that differ little; nothing where it has none,
 /// or one without a slope.
 std::optional<ring::KnownZero> known_zero(const SpinRow &row);
 
-/// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last; each as
-/// truncated_row(), related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
+/// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last, the answer of
+/// @p load, find_load() of @p foot; the others each in a balance of its own where loads are two-way, else of
+/// that load cut off; related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
 /// of its balances takes minutes; so has any study of which the answer alone is asked. Throws as @p load and
 /// spin_row() where all harmonics have no answer; where the glass falls over on the way, the last row has a
 /// SpinRow::fall and nothing is related to it.
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
-                                         Progress &progress = silent_progress(), Depth depth = Depth::full);
+                                         const Executor &executor, Progress &progress = silent_progress(),
+                                         Depth depth = Depth::full);
 
 /// Interpolates the loads of the last one of @p rows, and of those in front of it with up to @p n_most
 /// harmonics, in the spin, for curves of thousands of values: from @p lower to @p upper [rad/s], or, where
 /// there is no balance all the way, from rest to the terminal spin; exact where that fails too.
-void interpolate_loads(double lower, double upper, unsigned int n_most, std::vector<LoadedRow> &rows);
+void interpolate_loads(double lower, double upper, unsigned int n_most, const Executor &executor,
+                       std::vector<LoadedRow> &rows);
 
 } // namespace stemware::pipeline

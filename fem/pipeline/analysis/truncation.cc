@@ -6,14 +6,15 @@ namespace stemware::pipeline
 {
 
 TruncationStudy study_truncations(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                  const BalancedLoad &load, std::vector<double> omega, Progress &progress)
+                                  const BalancedLoad &load, std::vector<double> omega,
+                                  const Executor &executor, Progress &progress)
 {
   TruncationStudy result;
   result.time = output_times(study.motion.end_time);
   result.paper = paper_spin_up(study, result.time);
   SpinQuestion question = spin_question(study);
   question.times = result.time;
-  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, question, progress);
+  std::vector<LoadedRow> solved = rows_by_harmonics(study, foot, load, question, executor, progress);
 
   if (!solved.back().row.terminal)
     throw ring::NoBalance(solved.back().row.reason +
@@ -28,12 +29,12 @@ TruncationStudy study_truncations(const Study &study, const std::shared_ptr<Elas
         friction_torques(*answer.load, study.motion.orbit, result.omega, answer.row.reason);
     result.rows.push_back(answer.row);
   }
-  result.budget = budget_rows(study, foot, result.rows);
+  result.budget = budget_rows(study, foot, result.rows, executor);
   result.harmonics = harmonic_effect(result.rows.front().omega_terminal(), terminal.omega, spin_scale(study));
 
   constexpr unsigned int n_most_shown = 3;
   const std::vector<double> shown = shown_spins(study, solved);
-  interpolate_loads(shown.front(), shown.back(), n_most_shown, solved);
+  interpolate_loads(shown.front(), shown.back(), n_most_shown, executor, solved);
   result.torque = torque_curve(study, solved, n_most_shown);
   return result;
 }

@@ -29,6 +29,6 @@ struct TruncationStudy
 /// rows_by_harmonics().
 TruncationStudy study_truncations(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                   const BalancedLoad &load, std::vector<double> omega,
-                                  Progress &progress = silent_progress());
+                                  const Executor &executor, Progress &progress = silent_progress());
 
 } // namespace stemware::pipeline

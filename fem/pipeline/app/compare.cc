@@ -42,9 +42,10 @@ void compare(const StudyOptions &options)
 
   // 2. Every moment balance on every load.
   fem::ComplianceCache cache;
-  const Study study = mesh_for_goal(given, cache, progress).study;
+  const Executor executor(cache, n_threads_of(options));
+  const Study study = mesh_for_goal(given, executor, progress).study;
   const Comparison comparison =
-    compare_models(study, announced_foot(study, cache, progress), cache, progress);
+    compare_models(study, announced_foot(study, executor, progress), executor, progress);
 
   // 3. The answer, and the results, all at once.
   publish(options, study, tabulate(study, comparison), folder, stopwatch);

@@ -111,14 +111,15 @@ void note_load_source(const Study &study, Progress &progress)
   progress.note("Load", text);
 }
 
-std::shared_ptr<ElasticFoot> announced_foot(const Study &study, fem::ComplianceCache &cache,
-                                            Progress &progress)
+std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress)
 {
   constexpr double worth_saying = 1e9;
   if (const StudySize size = size_of(study); size.memory > worth_saying)
     progress.note("Memory",
                   fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
-  std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
+  std::shared_ptr<ElasticFoot> foot;
+  executor.for_each(
+    1, [&](std::size_t) { foot = study_foot(study, executor.cache, progress); }, is_collective(study));
   if (!foot)
     return foot;
   progress.note("Foot", size_of(foot->body().description()));

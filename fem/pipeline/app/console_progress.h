@@ -1,11 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
 #include "fem/pipeline/support/progress.h"
 #include "fem/pipeline/support/stopwatch.h"
 #include "fem/pipeline/support/work_progress.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <chrono>
 #include <memory>
@@ -43,7 +41,6 @@ void note_load_source(const Study &study, Progress &progress);
 
 /// study_foot(), with its size and what a reader should know about its friction and its load. Nothing where
 /// the load does not come from a contact.
-std::shared_ptr<ElasticFoot> announced_foot(const Study &study, fem::ComplianceCache &cache,
-                                            Progress &progress);
+std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress);
 
 } // namespace stemware::pipeline

@@ -41,7 +41,8 @@ void converge(const ConvergeOptions &options)
 
   // 2. The study itself, then all other levels.
   fem::ComplianceCache cache;
-  const Study study = mesh_for_goal(given, cache, progress).study;
+  const Executor executor(cache, n_threads_of(options));
+  const Study study = mesh_for_goal(given, executor, progress).study;
   if (study.contact.goal != Goal::none)
   {
     // Meshes of other cells have other cells to halve.
@@ -49,15 +50,15 @@ void converge(const ConvergeOptions &options)
     axes.erase(std::remove_if(axes.begin(), axes.end(),
                               [](const RefinementAxis &axis) { return axis.role == AxisRole::space; }),
                axes.end());
-    axes.insert(axes.begin(), goal_axis(study, cache));
+    axes.insert(axes.begin(), goal_axis(study, executor));
   }
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot);
   const double omega_terminal = terminal_spin(*load, study.motion.orbit).spin.omega;
   const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
   const auto own = quantities_of_load(study, *load, spins, omega_terminal, foot.get());
   stopwatch.finish("study");
-  const RefinementResult result = refine(study, own, spins, axes, cache, progress);
+  const RefinementResult result = refine(own, spins, axes, executor, progress);
   stopwatch.finish("levels");
 
   // 3. Orders, limits and bands.

@@ -9,14 +9,18 @@
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
+#include <thread>
 
 namespace stemware::pipeline
 {
@@ -108,6 +112,14 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                     "Folder of the results; default: results/<name of the study>" +
                       std::string(options.verb == "run" ? "" : "-" + options.verb));
   add_override_option(verb, options);
+  if (options.verb != "slide") // has little to share
+    verb
+      .add_option(options.verb == "sweep" ? "--jobs" : "--threads", options.n_threads,
+                  std::string(options.verb == "sweep" ? "Cases that each process solves at a time"
+                                                      : "Threads that share the work") +
+                    ";\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
   add_console_options(verb, options);
 }
 
@@ -119,6 +131,17 @@ void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::stri
     ->type_name("OMEGA")
     ->check(why_no_spin)
     ->allow_extra_args(false);
+}
+
+unsigned int n_threads_of(const StudyOptions &options)
+{
+  if (options.n_threads > 0)
+    return options.n_threads;
+  const char *variable = std::getenv("OMP_NUM_THREADS");
+  const auto asked = variable ? parse_number(variable) : std::nullopt;
+  if (asked && *asked >= 1 && *asked <= 1024)
+    return static_cast<unsigned int>(*asked);
+  return n_ranks() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
 }
 
 void add_override_option(CLI::App &verb, StudyOptions &options)

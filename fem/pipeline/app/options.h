@@ -21,12 +21,17 @@ void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &
 /// Declares --output alone, with that help.
 void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help);
 
-/// Declares STUDY, --output, --set, --quiet and --json on @p verb, to be stored in @p options.
+/// Declares STUDY, --output, --set, --threads (--jobs of a sweep), --quiet and --json on @p verb, to be
+/// stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 
 /// Declares --at, spins [rad/s] at which the torque is wanted, to be stored in @p omega; @p when_empty says
 /// which ones a study chooses itself.
 void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty);
+
+/// How many threads share the work: those of that option, else of the variable OMP_NUM_THREADS, else one for
+/// each core, one under mpirun.
+unsigned int n_threads_of(const StudyOptions &options);
 
 /// Declares --set alone.
 void add_override_option(CLI::App &verb, StudyOptions &options);

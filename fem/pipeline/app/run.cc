@@ -44,23 +44,26 @@ void run(const RunOptions &run_options)
 
   // 2. The load on the table, and what it does to the ring.
   fem::ComplianceCache cache;
-  const auto [study, goal] = mesh_for_goal(given, cache, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const Executor executor(cache, n_threads_of(options));
+  const auto [study, goal] = mesh_for_goal(given, executor, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, *load, cache, progress, depth);
+  SpinStudy spin = study_spin(study, foot, *load, executor, progress, depth);
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
-  ContactReport report = describe(study, foot, *load, last_spin);
+  ContactReport report;
+  executor.for_each(
+    1, [&](std::size_t) { report = describe(study, foot, *load, last_spin); }, is_collective(study));
   if (report.coupling)
     report.coupling->interpolation_error = spin.curve_error;
   stopwatch.finish("report_of_contact");
   ErrorBands bands;
   if (depth == Depth::full)
   {
-    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), cache, progress);
+    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor, progress);
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.profile_scatter = profile_scatter(study, spin.all(), cache, progress);
+    spin.profile_scatter = profile_scatter(study, spin.all(), executor, progress);
     stopwatch.finish("error_bands");
   }
 

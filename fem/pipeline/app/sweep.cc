@@ -16,12 +16,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <memory>
 #include <ostream>
-#include <thread>
 
 namespace stemware::pipeline
 {
@@ -36,8 +34,6 @@ namespace
 struct SweepOptions : StudyOptions
 {
   SweepRequest request;
-  unsigned int n_jobs =
-    0; ///< cases that a process solves at a time; 0: as many as it has cores, one under mpirun
   bool restart = false; ///< throws away the finished cases of an earlier sweep into the same place
 };
 
@@ -105,13 +101,6 @@ public:
   std::size_t n_before = 0;       ///< cases that were finished by an earlier run
 };
 
-unsigned int n_threads_of(const SweepOptions &options)
-{
-  if (options.n_jobs > 0)
-    return options.n_jobs;
-  return n_ranks() > 1 ? 1 : std::max(1u, std::thread::hardware_concurrency());
-}
-
 /// Every n_ranks()-th case: neighbours on a grid take about equally long, so that each rank gets its share of
 /// the long ones.
 std::vector<std::size_t> share_of_this_rank(const std::vector<std::size_t> &indices)
@@ -161,8 +150,8 @@ void solve(const SweepPlan &plan, const SharedCases &cases, unsigned int n_threa
   const std::vector<std::size_t> share = share_of_this_rank(for_one);
   CaseLog log(SweepFolder::log_of(cases.path, this_rank()));
   SweepWatch watch(cases, plan.cases.size());
-  on_every_rank([&] { solve_on_threads(plan, share, n_threads, log, std::ref(watch)); });
-  solve_together(plan, for_all, log, std::ref(watch));
+  on_every_rank([&] { solve_cases(plan, share, n_threads, false, log, std::ref(watch)); });
+  solve_cases(plan, for_all, n_threads, true, log, std::ref(watch));
 }
 
 /// A sweep without a single answer has failed.
@@ -239,12 +228,6 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
     ->allow_extra_args(false);
   verb->add_option("--samples", request.n_samples, "Number of random samples; default: 200")->type_name("N");
   verb->add_option("--seed", request.seed, "Which random samples; default: 1")->type_name("S");
-  verb
-    ->add_option("--jobs", options->n_jobs,
-                 "Cases that each process solves at a time; default: one for each core,\n"
-                 "one under mpirun")
-    ->type_name("N")
-    ->check(CLI::Range(1, 1024).description(""));
   verb
     ->add_option("--most-cases", request.most_cases,
                  "Refuses a sweep of more cases, before the work; default: 10000")

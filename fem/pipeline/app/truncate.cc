@@ -39,13 +39,14 @@ void truncate(const TruncateOptions &options)
 
   // 2. The load of all harmonics, and the glass on fewer and fewer of them.
   fem::ComplianceCache cache;
-  const Study study = mesh_for_goal(given, cache, progress).study;
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, cache, progress);
+  const Executor executor(cache, n_threads_of(options));
+  const Study study = mesh_for_goal(given, executor, progress).study;
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
   const SharedLoad load = find_load(study, foot, progress);
-  TruncationStudy result = study_truncations(study, foot, *load, options.omega, progress);
+  TruncationStudy result = study_truncations(study, foot, *load, options.omega, executor, progress);
   stopwatch.finish("truncations");
   SpinRow &all = result.rows.back();
-  const ErrorBands bands = estimate_bands(study, foot, all, result.rows.front().omega_terminal(), cache);
+  const ErrorBands bands = estimate_bands(study, foot, all, result.rows.front().omega_terminal(), executor);
   all.band = band_of(bands, "omega_terminal");
   add_bands(all.band, band_of(bands, "omega_first_harmonic"), result.budget);
   stopwatch.finish("error_band");

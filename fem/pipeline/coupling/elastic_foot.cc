@@ -23,12 +23,18 @@ void ElasticFoot::set_rings(std::vector<double> new_radii, unsigned int n_harmon
   highest = std::min(n_harmonics, foot->n_resolved_harmonics());
 }
 
-ElasticFoot ElasticFoot::without_rings() const
+void ElasticFoot::forget_rings()
 {
-  ElasticFoot same = *this;
-  same.set_rings({}, foot->n_resolved_harmonics());
-  same.placed = false;
-  return same;
+  set_rings({}, foot->n_resolved_harmonics());
+  placed = false;
+}
+
+std::shared_ptr<ElasticFoot> ElasticFoot::twin() const
+{
+  const auto twin = std::make_shared<ElasticFoot>(*this);
+  if (std::shared_ptr<const fem::Foot> body = foot->twin())
+    twin->foot = std::move(body);
+  return twin;
 }
 
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,

@@ -12,8 +12,7 @@ namespace stemware::pipeline
 {
 
 /// The elastic foot of a study as the ring sees it: demands and slip in, contacts out, whose load is gathered
-/// on rings of the same radii and harmonics for all of them. A copy goes on along a path of its own. Not for
-/// several threads at a time.
+/// on rings of the same radii and harmonics for all of them. Not for several threads at a time.
 class ElasticFoot
 {
 public:
@@ -28,8 +27,10 @@ public:
   unsigned int n_harmonics() const { return highest; }
   void set_rings(std::vector<double> new_radii, unsigned int n_harmonics);
   bool has_rings() const { return placed; }
-  /// This foot before set_rings(): the same body, whose loads are to be gathered on other rings.
-  ElasticFoot without_rings() const;
+  /// Goes back to before set_rings(): loads are to be gathered on other rings.
+  void forget_rings();
+  /// The same foot with a body of its own, which another thread may ask, on a path that goes on from here.
+  std::shared_ptr<ElasticFoot> twin() const;
 
   /// The contact that carries @p demand at @p slip, on the rings of ring_radii(), looked for near @p before,
   /// or near the last one where that is nothing; Newton's steps go to @p progress. Throws

@@ -344,6 +344,19 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
   return foot;
 }
 
+void require_standing(const Study &study)
+{
+  if (study.load.is_from_contact())
+    try
+    {
+      study.required_resultants();
+    }
+    catch (const BadInput &failure)
+    {
+      throw ring::Tipping(failure.what());
+    }
+}
+
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
                      unsigned int n_harmonics)
 {

@@ -18,6 +18,9 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
                                         Progress &progress = silent_progress(),
                                         const ElasticFoot *similar = nullptr);
 
+/// Throws ring::Tipping where the foot of a study tips at rest.
+void require_standing(const Study &study);
+
 /// The load of a study on the ring, from wherever Load/Source wants it, followed through the spin as
 /// Load/Coupling wants it. @p foot is study_foot().
 ///

@@ -14,6 +14,7 @@ struct StudyOptions
   std::string study_file;             ///< empty: the default study; "-": standard input
   std::string output;                 ///< of --output; empty: the default place
   std::vector<std::string> overrides; ///< "Section/Entry=value", of --set
+  unsigned int n_threads = 0;         ///< that share the work; 0: as many as there are cores
   bool quiet = false;                 ///< nothing on the console but failures
   bool json = false;                  ///< standard output holds one JSON object and nothing else
 

@@ -1,8 +1,6 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
 #include "fem/contact/contact_load.h"
-#include "fem/pipeline/analysis/refinement/band_changes.h"
-#include "fem/pipeline/analysis/refinement/refinement_axis.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/if_balanced.h"
@@ -10,6 +8,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/variants/band_changes.h"
+#include "fem/pipeline/variants/refinement_axis.h"
 #include "ring_model/friction_law.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -176,31 +176,18 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   return probe;
 }
 
-/// The foot of a change, on the rings of @p own, the study's own, unless they are what changes. Throws
-/// BadInput where its mesh cannot be made or its stiffness factorised, on all ranks alike.
-std::shared_ptr<ElasticFoot> foot_of(const BandChange &change, const std::shared_ptr<ElasticFoot> &own,
-                                     fem::ComplianceCache &cache)
+/// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own,
+/// unless they are what changes.
+Findings look(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot, const ElasticFoot &own,
+              const Probe &probe)
 {
-  const ElasticFoot &foot = *own;
   if (change.on_same_contacts)
-    return own;
+    return look(change.study, foot, probe, change.radii);
   if (change.on_same_foot)
-  {
-    const auto same = std::make_shared<ElasticFoot>(foot.without_rings());
-    if (!change.radii.empty())
-      same->set_rings(change.radii, foot.n_harmonics());
-    return same;
-  }
-  try
-  {
-    const std::shared_ptr<ElasticFoot> changed = study_foot(change.study, cache, silent_progress(), &foot);
-    changed->set_rings(foot.ring_radii(), foot.n_harmonics());
-    return changed;
-  }
-  catch (const std::runtime_error &failure)
-  {
-    throw BadInput(failure.what());
-  }
+    foot->forget_rings();
+  if (!change.on_same_foot || !change.radii.empty())
+    foot->set_rings(change.on_same_foot ? change.radii : own.ring_radii(), own.n_harmonics());
+  return look(change.study, foot, probe);
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
@@ -214,7 +201,7 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
     const double move = change.at_several_spins
                           ? move_at_several_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
-    banded.parts[change.part] += change.factor * move;
+    banded.parts[change.key] += change.factor * move;
     banded.band += change.factor * move;
   }
   bands.erase(std::remove_if(bands.begin(), bands.end(),
@@ -223,7 +210,7 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 }
 
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                    const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
+                    const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
   const Probe probe = probe_of(study, *foot, all.terminal->omega, first);
   const Findings own = look(study, foot, probe);
@@ -237,15 +224,22 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
     if (std::isfinite(quantity.value))
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
 
+  const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
+  { return look(change, its_foot, *foot, probe); };
+  const auto done = [&, tell = counted(progress, "error bands", changes.size())](
+                      std::size_t i, const Solved<Findings> &solved) mutable
+  {
+    solved.value(); // one that fails leaves no band
+    tell(i, solved);
+  };
+  const std::vector<Solved<Findings>> found = solve(changes, foot, look_at, executor, done);
   std::map<std::string, std::vector<QuantityOfInterest>> by_part; // of the first change of each part
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
-    const BandChange &change = changes[i];
-    const auto after = quantities(look(change.study, foot_of(change, foot, cache), probe,
-                                       change.on_same_contacts ? change.radii : std::vector<double>()));
-    add_part(change, change.from.empty() ? unchanged : by_part.at(change.from), after, bands);
-    by_part.emplace(change.part, after);
-    progress.pieces_done("error bands", i + 1, changes.size());
+    const std::string &from = changes[i].from;
+    const auto after = quantities(found[i].value());
+    add_part(changes[i], from.empty() ? unchanged : by_part.at(from), after, bands);
+    by_part.emplace(changes[i].key, after);
   }
   for (BandedQuantity &banded : bands)
     if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
@@ -259,7 +253,7 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 } // namespace
 
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                          const std::optional<double> &first, fem::ComplianceCache &cache, Progress &progress)
+                          const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
   if (!foot || !all.terminal)
     return {};
@@ -270,7 +264,7 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   };
   try
   {
-    return bands_of(study, foot, all, first, cache, progress);
+    return bands_of(study, foot, all, first, executor, progress);
   }
   catch (const fem::ContactFailure &failure)
   {

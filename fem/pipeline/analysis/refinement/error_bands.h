@@ -3,10 +3,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 #include "fem/pipeline/analysis/spin_row.h"
-#include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <memory>
 #include <optional>
@@ -43,7 +40,7 @@ namespace stemware::pipeline
 /// its cells; @p progress is told why. A quantity that a change leaves without a value has none.
 /// Collective where the body is.
 ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
-                          const std::optional<double> &first, fem::ComplianceCache &cache,
+                          const std::optional<double> &first, const Executor &executor,
                           Progress &progress = silent_progress());
 
 /// Puts the numbers that a study reports into the place of those that the contacts of the bands have found,

@@ -21,17 +21,20 @@ namespace
 /// Share of the error whose cells are halved at once.
 constexpr double marked_share = 0.8;
 
-GoalError error_of(const Study &study, fem::ComplianceCache &cache)
+GoalError error_of(const Study &study, const Executor &executor)
 {
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
-  require(
-    foot->body().capabilities().period_of_glass == 0,
-    "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
-    "Contact/Mesh file does; set Contact/Goal = none.");
-  const SharedLoad load = find_load(study, foot);
-  const double omega =
-    terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
-  const auto found = goal_error(study, *foot, *load, omega, study.contact.goal, true);
+  const auto error = [&](const Variant &, const std::shared_ptr<ElasticFoot> &foot)
+  {
+    require(
+      foot->body().capabilities().period_of_glass == 0,
+      "Contact/Goal needs a foot whose load does not depend on where the moment points, which that of this "
+      "Contact/Mesh file does; set Contact/Goal = none.");
+    const SharedLoad load = find_load(study, foot);
+    const double omega =
+      terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+    return goal_error(study, *foot, *load, omega, study.contact.goal, true);
+  };
+  const auto found = solve_alone(study, error, executor);
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: a rim or table is out of flat, or the "
@@ -68,7 +71,7 @@ void require_memory(const Study &meshed, const GoalError &before)
 
 } // namespace
 
-MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache, Progress &progress)
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress &progress)
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
     return { study, std::nullopt };
@@ -77,7 +80,7 @@ MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache, Progr
   Study meshed = study;
   for (unsigned int n_meshes = 1;; ++n_meshes)
   {
-    const GoalError found = error_of(meshed, cache);
+    const GoalError found = error_of(meshed, executor);
     const double allowed = study.contact.goal_tolerance * std::abs(found.value);
     progress.pieces_done("meshes for the goal", n_meshes, 0);
     if (std::abs(found.error.correction) <= allowed &&
@@ -99,7 +102,7 @@ MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache, Progr
   }
 }
 
-RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache)
+RefinementAxis goal_axis(const Study &study, const Executor &executor)
 {
   RefinementAxis axis;
   axis.key = "goal_mesh";
@@ -109,7 +112,7 @@ RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache)
   const std::size_t n_own = study.contact.halved.size();
   for (std::size_t n = n_own - std::min<std::size_t>(n_own, 2); n <= n_own; ++n)
   {
-    axis.levels.push_back({ static_cast<unsigned int>(n + 1), study });
+    axis.levels.push_back({ { axis.key, axis.name, study }, static_cast<unsigned int>(n + 1) });
     axis.levels.back().study.contact.halved.resize(n);
   }
   axis.own = axis.levels.size() - 1;
@@ -117,7 +120,7 @@ RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache)
   {
     RefinementLevel next = axis.levels.back();
     ++next.size;
-    next.study.contact.halved.push_back(error_of(next.study, cache).error.mark(marked_share));
+    next.study.contact.halved.push_back(error_of(next.study, executor).error.mark(marked_share));
     axis.levels.push_back(std::move(next));
   }
   return axis;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/refinement_axis.h"
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/support/progress.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/refinement_axis.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <optional>
 
@@ -34,11 +32,11 @@ struct MeshForGoal
 /// @p progress is told of the meshes. Throws BadInput for a mesh file whose load depends on where the moment
 /// points, std::runtime_error where twenty meshes or Contact/Memory limit are not enough or the estimate
 /// cannot be had, and as find_load() and terminal_spin(). Collective where the body is.
-MeshForGoal mesh_for_goal(const Study &study, fem::ComplianceCache &cache,
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
                           Progress &progress = silent_progress());
 
 /// The last three meshes for the goal of @p study, of which its own is the last, and two further ones: what
 /// stands in the place of the axis of meshes. Throws as mesh_for_goal().
-RefinementAxis goal_axis(const Study &study, fem::ComplianceCache &cache);
+RefinementAxis goal_axis(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -1,17 +1,12 @@
 #pragma once
 
+#include "fem/pipeline/variants/refinement_axis.h"
+
 #include <optional>
 #include <vector>
 
 namespace stemware::pipeline
 {
-
-/// How the error of a discretised quantity falls from one level to the next.
-enum class Decay
-{
-  algebraic, ///< like size^p, sizes halved from level to level: meshes
-  spectral   ///< faster than any fixed order as long as the solution is smooth: harmonics, lines, degrees
-};
 
 /// Limit of values on ever finer levels, with the observed order and the error.
 struct RefinementSequence

@@ -3,15 +3,11 @@
 #include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <functional>
-#include <mutex>
+#include <memory>
 #include <stdexcept>
-#include <thread>
 
 namespace stemware::pipeline
 {
@@ -19,76 +15,48 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A level that has to be solved, and where its quantities go.
-struct Task
+/// A level that has to be solved.
+struct OpenLevel : RefinementLevel
 {
   const RefinementAxis *axis;
-  const RefinementLevel *level;
-  std::vector<QuantityOfInterest> *quantities;
+  std::size_t n_further;                       ///< levels behind it
+  std::vector<QuantityOfInterest> *quantities; ///< where they go
 };
 
 /// Quantities of every level of every axis; the study's own levels are known.
 using LevelQuantities = std::vector<std::vector<std::vector<QuantityOfInterest>>>;
 
-std::vector<Task> open_tasks(const std::vector<RefinementAxis> &axes,
-                             const std::vector<QuantityOfInterest> &own, LevelQuantities &quantities)
+std::vector<OpenLevel> open_levels(const std::vector<RefinementAxis> &axes, LevelQuantities &quantities)
 {
-  std::vector<Task> tasks;
-  quantities.resize(axes.size());
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    quantities[a].resize(axes[a].levels.size(), own);
+  std::vector<OpenLevel> open;
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
       if (l != axes[a].own)
-        tasks.push_back({ &axes[a], &axes[a].levels[l], &quantities[a][l] });
+        open.push_back({ axes[a].levels[l], &axes[a], axes[a].levels.size() - 1 - l, &quantities[a][l] });
   // The finest first: the longest work should not be begun last.
-  std::stable_sort(tasks.begin(), tasks.end(),
-                   [](const Task &one, const Task &other) { return one.axis->role < other.axis->role; });
-  return tasks;
+  std::stable_sort(open.begin(), open.end(),
+                   [](const OpenLevel &one, const OpenLevel &other)
+                   { return one.axis->role < other.axis->role; });
+  return open;
 }
 
-[[noreturn]] void fail_at(const Task &task, const std::exception_ptr &error)
+/// Throws what the level has thrown, with the level named in front.
+void require_solved(const OpenLevel &level, const Solved<std::vector<QuantityOfInterest>> &solved)
 {
   const std::string where =
-    "Level " + std::to_string(task.level->size) + " of the refinement in " + task.axis->name + ": ";
+    "Level " + std::to_string(level.size) + " of the refinement in " + level.name + ": ";
   try
   {
-    std::rethrow_exception(error);
+    solved.value();
   }
   catch (const BadInput &failure)
   {
     throw BadInput(where + failure.what());
   }
-  catch (const fem::ContactFailure &failure)
+  catch (const std::runtime_error &failure) // a contact or a balance that does not exist
   {
     throw ring::NoBalance(where + failure.what());
   }
-  catch (const ring::NoBalance &failure)
-  {
-    throw ring::NoBalance(where + failure.what());
-  }
-}
-
-/// Solves all tasks, @p n_threads at a time; throws what one that failed has thrown.
-void solve(const std::vector<Task> &tasks, unsigned int n_threads,
-           const std::function<void(const Task &)> &solve_one, Progress &progress)
-{
-  std::mutex mutex;
-  std::size_t n_done = 0;
-  parallel_for_each(tasks.size(), n_threads,
-                    [&](std::size_t i)
-                    {
-                      try
-                      {
-                        solve_one(tasks[i]);
-                      }
-                      catch (...)
-                      {
-                        fail_at(tasks[i], std::current_exception());
-                      }
-                      const std::lock_guard<std::mutex> lock(mutex);
-                      progress.pieces_done("levels", ++n_done, tasks.size());
-                    });
 }
 
 AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<QuantityOfInterest>> &levels)
@@ -162,25 +130,30 @@ const BandedQuantity &RefinementResult::quantity(const std::string &key) const
   return quantities[index_of(quantities, key)];
 }
 
-RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest> &own,
-                        const std::vector<double> &spins, const std::vector<RefinementAxis> &axes,
-                        fem::ComplianceCache &cache, Progress &progress)
+RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
+                        const std::vector<RefinementAxis> &axes, const Executor &executor, Progress &progress)
 {
   const double near = quantity_of(own, "omega_terminal").value;
-  const auto solve_one = [&](const Task &task)
+  const auto quantities_at = [&](const OpenLevel &level, const std::shared_ptr<ElasticFoot> &foot)
   {
-    const Study &refined = task.level->study;
-    const std::shared_ptr<ElasticFoot> foot = study_foot(refined, cache);
-    const SharedLoad load = find_load(refined, foot);
     // What is estimated is compared with two further levels; the finest are the most costly.
-    const std::size_t n_further = task.axis->levels.size() - 1 - (task.level - task.axis->levels.data());
-    const bool is_of_mesh = task.axis->role == AxisRole::space && (task.axis->is_graded || n_further >= 2);
-    *task.quantities = quantities_of_load(refined, *load, spins, near, is_of_mesh ? foot.get() : nullptr);
+    const bool is_estimated =
+      level.axis->role == AxisRole::space && (level.axis->is_graded || level.n_further >= 2);
+    return quantities_of_load(level.study, *find_load(level.study, foot), spins, near,
+                              is_estimated ? foot.get() : nullptr);
   };
   LevelQuantities quantities;
-  const std::vector<Task> tasks = open_tasks(axes, own, quantities);
-  const bool one_by_one = abilities(study.contact.body).is_collective;
-  solve(tasks, one_by_one ? 1 : std::max(1u, std::thread::hardware_concurrency()), solve_one, progress);
+  for (const RefinementAxis &axis : axes)
+    quantities.emplace_back(axis.levels.size(), own);
+  const std::vector<OpenLevel> open = open_levels(axes, quantities);
+  const auto done =
+    [&, tell = counted(progress, "levels", open.size())](std::size_t i, const auto &solved) mutable
+  {
+    require_solved(open[i], solved);
+    *open[i].quantities = *solved.answer;
+    tell(i, solved);
+  };
+  solve(open, nullptr, quantities_at, executor, done);
 
   RefinementResult result;
   for (std::size_t a = 0; a < axes.size(); ++a)

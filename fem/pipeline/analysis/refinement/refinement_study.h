@@ -1,9 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
-#include "fem/pipeline/analysis/refinement/refinement_axis.h"
-#include "fem/pipeline/support/progress.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/analysis/refinement/refinement_sequence.h"
+#include "fem/pipeline/variants/solve.h"
 
 #include <optional>
 #include <string>
@@ -44,16 +43,15 @@ struct RefinementResult
 };
 
 /// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins:
-/// axis by axis, level by level, each with its own foot, load and terminal spin. Feet share their compliances
-/// through @p cache; they are solved side by side, unless one takes all ranks together. @p progress is told
-/// of the levels.
+/// axis by axis, level by level, each with its own foot, load and terminal spin. @p progress is told of the
+/// levels.
 ///
 /// The band of a quantity is the sum over the axes in space of the study's own bands there, or the band
 /// of the degree where that has finer levels and is wider, plus the bands of harmonics and lines. Throws what
 /// the first level that fails throws, with the level named in front.
-RefinementResult refine(const Study &study, const std::vector<QuantityOfInterest> &own,
-                        const std::vector<double> &spins, const std::vector<RefinementAxis> &axes,
-                        fem::ComplianceCache &cache, Progress &progress = silent_progress());
+RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
+                        const std::vector<RefinementAxis> &axes, const Executor &executor,
+                        Progress &progress = silent_progress());
 
 /// Quantities of a study whose load is known; with @p foot, of terminal spin and a_2 what the mesh does to
 /// them.

@@ -1,12 +1,13 @@
 #include "fem/pipeline/analysis/sweep/case_workers.h"
 
 #include "fem/contact/contact_newton.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
-#include "fem/pipeline/support/parallel.h"
 #include "fem/pipeline/support/ranks.h"
 
 #include <chrono>
-#include <mutex>
+#include <exception>
+#include <memory>
 
 namespace stemware::pipeline
 {
@@ -14,29 +15,34 @@ namespace stemware::pipeline
 namespace
 {
 
-/// One case, whatever becomes of it: trouble with it ends up in the result's message. With @p ranks_wait,
-/// throws what perhaps this rank alone has met, for which the others would wait.
-CaseResult attempt_case(const SweepPlan &plan, std::size_t index, fem::ComplianceCache &cache,
-                        bool ranks_wait)
+/// The cases of a sweep as variants, each made when it is asked for.
+struct Cases
+{
+  std::size_t size() const { return indices.size(); }
+  Variant operator[](std::size_t i) const
+  {
+    return { "", "", mesh_for_goal(plan.study_of(indices[i]), executor).study };
+  }
+
+  const SweepPlan &plan;
+  const std::vector<std::size_t> &indices;
+  const Executor &executor;
+};
+
+CaseResult failed_case(const std::exception_ptr &failure)
 {
   CaseResult result;
   try
   {
-    return solve_case(plan.study_of(index), cache);
+    std::rethrow_exception(failure);
   }
-  catch (const fem::ContactFailure &failure)
+  catch (const fem::ContactFailure &contact)
   {
-    result.outcome = fem::to_string(failure.outcome);
-    result.message = failure_sentence();
-  }
-  catch (const BadInput &)
-  {
+    result.outcome = fem::to_string(contact.outcome);
     result.message = failure_sentence();
   }
   catch (...)
   {
-    if (ranks_wait)
-      throw;
     result.message = failure_sentence();
   }
   return result;
@@ -57,38 +63,29 @@ bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
   }
 }
 
-void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
-                      CaseLog &log, const std::function<void()> &watch)
+void solve_cases(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
+                 bool together, CaseLog &log, const std::function<void()> &watch)
 {
   fem::ComplianceCache cache;
-  std::mutex mutex;
+  const Executor within_case(cache);
+  Executor executor(cache, together ? 1 : n_threads);
+  executor.keeps_all_failures = !together || n_ranks() == 1;
   auto last_watched = std::chrono::steady_clock::now();
-  const auto finish = [&](std::size_t index, const CaseResult &result)
+  const auto finish = [&](std::size_t i, const Solved<CaseResult> &solved)
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    log.append(index, result);
+    const CaseResult result = solved.answer ? *solved.answer : failed_case(solved.failure);
+    const auto append = [&] { log.append(indices[i], result); };
+    together ? on_first_rank(append) : append();
     const auto now = std::chrono::steady_clock::now();
     if (now - last_watched < std::chrono::milliseconds(200))
       return;
     last_watched = now;
     watch();
   };
+  const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+  { return case_result(variant.study, foot, within_case); };
   watch();
-  parallel_for_each(indices.size(), n_threads,
-                    [&](std::size_t i) { finish(indices[i], attempt_case(plan, indices[i], cache, false)); });
-  watch();
-}
-
-void solve_together(const SweepPlan &plan, const std::vector<std::size_t> &indices, CaseLog &log,
-                    const std::function<void()> &watch)
-{
-  fem::ComplianceCache cache;
-  for (const std::size_t index : indices)
-  {
-    watch();
-    const CaseResult result = attempt_case(plan, index, cache, n_ranks() > 1);
-    on_first_rank([&] { log.append(index, result); });
-  }
+  solve(Cases{ plan, indices, within_case }, nullptr, result_of, executor, finish);
   watch();
 }
 

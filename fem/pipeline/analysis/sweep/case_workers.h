@@ -12,16 +12,12 @@ namespace stemware::pipeline
 /// cannot even be read.
 bool needs_all_ranks(const SweepPlan &plan, std::size_t index);
 
-/// Solves cases on @p n_threads threads of this process, and logs each as soon as it is finished, whatever
-/// becomes of it: trouble with a case ends up in its result's message. Meanwhile
-/// @p watch is called by one thread at a time, a few times a second. Only for cases that do not need all
-/// ranks. Throws OutputFailure when the log does.
-void solve_on_threads(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
-                      CaseLog &log, const std::function<void()> &watch);
-
-/// Solves cases one after another in the calling thread, on all ranks together; the first rank logs them. On
-/// several ranks, throws what perhaps one of them alone has met.
-void solve_together(const SweepPlan &plan, const std::vector<std::size_t> &indices, CaseLog &log,
-                    const std::function<void()> &watch);
+/// Solves cases, at most @p n_threads at a time, and logs each as soon as it is finished, whatever becomes of
+/// it: trouble with a case ends up in its result's message. Cases that need all ranks are solved @p together,
+/// one after another, and logged by the first rank. Meanwhile @p watch is called by one thread at a time, a
+/// few times a second. Throws OutputFailure when the log does, and what perhaps one of several ranks alone
+/// has met in a case that they solve together.
+void solve_cases(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
+                 bool together, CaseLog &log, const std::function<void()> &watch);
 
 } // namespace stemware::pipeline

@@ -1,8 +1,6 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/model_variants.h"
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/coupling/study_load.h"
 
 #include <cmath>
@@ -14,122 +12,120 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Harmonics of the load that are listed.
-constexpr unsigned int n_listed_harmonics = 8;
-
-std::vector<SweepQuantity> make_quantities()
-{
-  std::vector<SweepQuantity> quantities = { { "normal force", "N" },     { "moment ratio", "1" },
-                                            { "contact fraction", "1" }, { "least load at rest", "N/rad" },
-                                            { "ring radius", "m" },      { "mean radius", "m" },
-                                            { "a_0", "N/rad" } };
-  for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
-    for (const char *coefficient : { "a_", "b_" })
-      quantities.push_back({ coefficient + std::to_string(n) + "/a_0", "1" });
-  quantities.insert(quantities.end(), { { "torque at rest", "N m" },
-                                        { "terminal spin", "rad/s" },
-                                        { "terminal spin of the first harmonic alone", "rad/s" },
-                                        { "terminal spin of the closure's first harmonic", "rad/s" },
-                                        { "moment balance", "rad/s" },
-                                        { "grip", "rad/s" },
-                                        { "where the foot touches", "rad/s" },
-                                        { "tilt", "rad/s" },
-                                        { "absolute harmonic effect", "rad/s" },
-                                        { "harmonic effect", "%" },
-                                        { "closure effect", "%" },
-                                        { "held by the grip", "1" },
-                                        { "time constant", "s" },
-                                        { "contact iterations", "1" },
-                                        { spin_of_fall, "rad/s" },
-                                        { "moment ratio at which it falls over", "1" } });
-  return quantities;
-}
-
-std::optional<double> in_percent(const std::optional<double> &share)
-{
-  return share ? std::optional(100 * *share) : std::nullopt;
-}
-
-/// Collects values in the order of the quantities.
-class ValueList
-{
-public:
-  void add(const std::optional<double> &value)
-  {
-    const std::string &name = sweep_quantities().at(values.size()).name;
-    if (value && !std::isfinite(*value))
-      throw std::runtime_error("The result " + name + " is not a finite number; please report this study.");
-    values.push_back(value ? std::optional(*value + 0.) : std::nullopt); // no -0
-  }
-
-  std::vector<std::optional<double>> values;
-};
-
-void add_load(const LoadReport &load, ValueList &list)
-{
-  const ring::RingStack &series = load.rings;
-  list.add(load.normal_force);
-  list.add(load.moment_ratio);
-  list.add(load.contact_fraction);
-  list.add(load.minimum);
-  list.add(series.radius());
-  list.add(load.mean_radius);
-  list.add(series.a(0));
-  for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
-  {
-    list.add(series.a(n) / series.a(0));
-    list.add(series.b(n) / series.a(0));
-  }
-}
-
 /// The terminal spin of a first harmonic on a ring of the contact radius, nothing where there is none.
 std::optional<double> first_harmonic_spin(const Study &study, ring::Closure closure)
 {
   return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
 }
 
-/// Difference of the terminal spin in the row of that name [rad/s]; nothing without such a row.
-std::optional<double> difference_by(const std::string &name, const std::vector<BudgetRow> &rows)
+} // namespace
+
+/// A solved case: its load, its rows and its budget.
+struct FoundCase
 {
-  for (const BudgetRow &row : rows)
-    if (row.name == name || (name == "moment balance" && row.name == "given moment"))
-      return row.difference;
-  return std::nullopt;
+  const Study &study;
+  const LoadReport load;
+  const std::optional<fem::ContactState> contact; ///< at rest
+  const SpinRow first, all;                       ///< of the first harmonic alone and of all
+  const std::vector<BudgetRow> budget;
+
+  HarmonicEffect harmonics() const
+  {
+    return harmonic_effect(first.omega_terminal(), all.omega_terminal(), spin_scale(study));
+  }
+
+  /// Relative change of the spin from the paper's moment balance to the full one; with a given moment no
+  /// balance acts.
+  std::optional<double> closure_effect() const
+  {
+    if (study.load.is_static() || study.load.source == LoadSource::file)
+      return std::nullopt;
+    const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper),
+                                full = first_harmonic_spin(study, ring::Closure::full);
+    return paper && full ? relative_to(paper, *full - *paper, spin_scale(study)) : std::nullopt;
+  }
+
+  std::optional<double> held() const
+  {
+    return study.motion.grip_torque > 0 && all.terminal ? std::optional<double>(all.terminal->held ? 1 : 0)
+                                                        : std::nullopt;
+  }
+};
+
+namespace
+{
+
+using Case = FoundCase;
+
+std::optional<double> in_percent(const std::optional<double> &share)
+{
+  return share ? std::optional(100 * *share) : std::nullopt;
 }
 
-/// Where the glass falls over, if it does.
-std::optional<Fall> add_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                             const BalancedLoad &load, ValueList &list)
+/// Difference of the terminal spin in the row of the budget that has this name [rad/s]; nothing without such
+/// a row.
+SweepQuantity difference_by(const std::string &name)
 {
-  SpinQuestion question = spin_question(study);
-  question.with_minima = false;
-  question.with_slope = true;
-  const SpinRow all = spin_row(load, question);
-  question.with_slope = false;
-  const SpinRow first_row = truncated_row(study, foot, load, question, 1).row;
-  const std::optional<double> first = first_row.omega_terminal();
-  const std::vector<BudgetRow> budget = budget_rows(study, foot, { first_row, all });
-  const double unit = spin_scale(study);
-  const HarmonicEffect harmonics = harmonic_effect(first, all.omega_terminal(), unit);
-  // With a given moment no balance acts.
-  const bool has_balance = !study.load.is_static() && study.load.source != LoadSource::file;
-  const auto balanced_spin = [&](ring::Closure closure)
-  { return has_balance ? first_harmonic_spin(study, closure) : std::nullopt; };
-  const std::optional<double> paper = balanced_spin(ring::Closure::paper),
-                              full = balanced_spin(ring::Closure::full);
-  list.add(all.at_rest->friction.torque);
-  list.add(all.omega_terminal());
-  list.add(first);
-  list.add(first_harmonic_spin(study, study.motion.closure));
-  for (const char *name : { "moment balance", "grip", "where the foot touches", "tilt" })
-    list.add(difference_by(name, budget));
-  list.add(harmonics.absolute);
-  list.add(in_percent(harmonics.relative));
-  list.add(in_percent(paper && full ? relative_to(paper, *full - *paper, unit) : std::nullopt));
-  list.add(study.motion.grip_torque > 0 && all.terminal ? std::optional<double>(all.terminal->held ? 1 : 0)
-                                                        : std::nullopt);
-  list.add(all.time_constant());
-  return all.fall;
+  return { name, "rad/s",
+           [name](const Case &found) -> std::optional<double>
+           {
+             for (const BudgetRow &row : found.budget)
+               if (row.name == name || (name == "moment balance" && row.name == "given moment"))
+                 return row.difference;
+             return std::nullopt;
+           } };
+}
+
+std::vector<SweepQuantity> make_quantities()
+{
+  constexpr unsigned int n_listed_harmonics = 8;
+  std::vector<SweepQuantity> quantities = {
+    { "normal force", "N", [](const Case &found) { return found.load.normal_force; } },
+    { "moment ratio", "1", [](const Case &found) { return found.load.moment_ratio; } },
+    { "contact fraction", "1", [](const Case &found) { return found.load.contact_fraction; } },
+    { "least load at rest", "N/rad", [](const Case &found) { return found.load.minimum; } },
+    { "ring radius", "m", [](const Case &found) { return found.load.rings.radius(); } },
+    { "mean radius", "m", [](const Case &found) { return found.load.mean_radius; } },
+    { "a_0", "N/rad", [](const Case &found) { return found.load.rings.a(0); } }
+  };
+  for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
+  {
+    quantities.push_back({ "a_" + std::to_string(n) + "/a_0", "1", [n](const Case &found) {
+                            return found.load.rings.a(n) / found.load.rings.a(0);
+                          } });
+    quantities.push_back({ "b_" + std::to_string(n) + "/a_0", "1", [n](const Case &found) {
+                            return found.load.rings.b(n) / found.load.rings.a(0);
+                          } });
+  }
+  const std::vector<SweepQuantity> of_spin = {
+    { "torque at rest", "N m", [](const Case &found) { return found.all.at_rest->friction.torque; } },
+    { "terminal spin", "rad/s", [](const Case &found) { return found.all.omega_terminal(); } },
+    { "terminal spin of the first harmonic alone", "rad/s",
+      [](const Case &found) { return found.first.omega_terminal(); } },
+    { "terminal spin of the closure's first harmonic", "rad/s",
+      [](const Case &found) { return first_harmonic_spin(found.study, found.study.motion.closure); } },
+    difference_by("moment balance"),
+    difference_by("grip"),
+    difference_by("where the foot touches"),
+    difference_by("tilt"),
+    { "absolute harmonic effect", "rad/s", [](const Case &found) { return found.harmonics().absolute; } },
+    { "harmonic effect", "%", [](const Case &found) { return in_percent(found.harmonics().relative); } },
+    { "closure effect", "%", [](const Case &found) { return in_percent(found.closure_effect()); } },
+    { "held by the grip", "1", [](const Case &found) { return found.held(); } },
+    { "time constant", "s", [](const Case &found) { return found.all.time_constant(); } },
+    { "contact iterations", "1",
+      [](const Case &found) {
+        return found.contact ? std::optional<double>(found.contact->solution.n_iterations) : std::nullopt;
+      } },
+    { spin_of_fall, "rad/s",
+      [](const Case &found)
+      { return found.all.fall ? std::optional(found.all.fall->omega) : std::nullopt; } },
+    { "moment ratio at which it falls over", "1",
+      [](const Case &found)
+      { return found.all.fall ? std::optional(found.all.fall->state.moment_ratio) : std::nullopt; } }
+  };
+  quantities.insert(quantities.end(), of_spin.begin(), of_spin.end());
+  return quantities;
 }
 
 } // namespace
@@ -153,25 +149,28 @@ bool CaseResult::falls_over() const
   return is_solved() && values.at(quantity_index(spin_of_fall)).has_value();
 }
 
-CaseResult solve_case(const Study &given, fem::ComplianceCache &cache)
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor)
 {
-  const Study study = mesh_for_goal(given, cache).study;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
   const SharedLoad load = find_load(study, foot);
-  ValueList list;
-  add_load(load->report(), list);
-  const std::optional<Fall> fall = add_spin(study, foot, *load, list);
+  SpinQuestion question = spin_question(study);
+  question.with_minima = false;
+  const std::vector<LoadedRow> rows =
+    rows_by_harmonics(study, foot, *load, question, executor, silent_progress(), Depth::answer);
+  const SpinRow &first = rows.front().row, &all = rows.back().row;
+  const FoundCase found = {
+    study, load->report(), load->contact(0), first, all, budget_rows(study, foot, { first, all }, executor)
+  };
   CaseResult result;
-  if (const std::optional<fem::ContactState> at_rest = load->contact(0))
+  if (found.contact)
+    result.outcome = fem::to_string(found.contact->solution.outcome);
+  for (const SweepQuantity &quantity : sweep_quantities())
   {
-    list.add(at_rest->solution.n_iterations);
-    result.outcome = fem::to_string(at_rest->solution.outcome);
+    const std::optional<double> value = quantity.value(found);
+    if (value && !std::isfinite(*value))
+      throw std::runtime_error("The result " + quantity.name +
+                               " is not a finite number; please report this study.");
+    result.values.push_back(value ? std::optional(*value + 0.) : std::nullopt); // no -0
   }
-  else
-    list.add(std::nullopt);
-  list.add(fall ? std::optional(fall->omega) : std::nullopt);
-  list.add(fall ? std::optional(fall->state.moment_ratio) : std::nullopt);
-  result.values = std::move(list.values);
   return result;
 }
 

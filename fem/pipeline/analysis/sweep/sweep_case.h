@@ -1,8 +1,9 @@
 #pragma once
 
-#include "fem/pipeline/study/study.h"
-#include "fem/revolution/compliance_cache.h"
+#include "fem/pipeline/variants/solve.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,11 +11,14 @@
 namespace stemware::pipeline
 {
 
+struct FoundCase;
+
 /// A number that is found for every case of a sweep.
 struct SweepQuantity
 {
   std::string name;
   std::string unit; ///< "1" for pure numbers
+  std::function<std::optional<double>(const FoundCase &)> value;
 };
 
 /// All of them, in the order of the table.
@@ -37,9 +41,10 @@ struct CaseResult
   bool falls_over() const; ///< an answer: there is no terminal spin
 };
 
-/// Solves one study from a cold start: equal studies have equal results, whatever was solved before or beside
-/// them. Feet of revolution share what they can in @p cache. A glass that falls over on the way is
-/// an answer. Throws as find_load() and spin_row().
-CaseResult solve_case(const Study &given, fem::ComplianceCache &cache);
+/// The result of a study on @p foot, its own, that nobody has asked: equal studies have equal results,
+/// whatever was solved before or beside them. A glass that falls over on the way is an answer. Throws as
+/// find_load() and spin_row().
+CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                       const Executor &executor);
 
 } // namespace stemware::pipeline

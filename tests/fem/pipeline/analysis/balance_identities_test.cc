@@ -40,7 +40,7 @@ TEST(Balance, AFlatLandOnALinearSupportHasNoEffectOfHarmonicsInTheBudget)
     EXPECT_EQ(solved.load.report().contact_fraction, 1);
     EXPECT_TRUE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
-    const Budget budget = find_budget(solved.study, cache);
+    const Budget budget = test::whole_budget(solved.study, cache);
     EXPECT_NEAR(*budget.harmonics.absolute, 0, 1e-9);
     EXPECT_NEAR(*budget.harmonics.relative, 0, 1e-9);
     EXPECT_NEAR(*budget.rows.back().omega_terminal, solved.omega(), 1e-9);
@@ -60,7 +60,8 @@ TEST(Balance, WhereBendingUnloadsThePlaceTheEffectIsPrintedAndAgreesUnderRefinem
     const SolvedStudy solved(study);
     EXPECT_EQ(solved.load.report().contact_fraction, 1);
     EXPECT_FALSE(is_loaded_everywhere(solved));
-    const LoadedRow first = truncated_row(study, solved.foot, solved.load, spin_question(study), 1);
+    fem::ComplianceCache cache;
+    const LoadedRow first = solve_rows({ { "", "", study, 1, true } }, solved.foot, {}, cache).front();
     effects.push_back(solved.omega() - first.row.terminal->omega);
   }
   EXPECT_GT(std::abs(effects[0]), 1e-6);

@@ -1,11 +1,12 @@
 // The budget of effects: which rows a study has, what their differences are, and what a row that fails
 // leaves.
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/output/budget_tables.h"
+#include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ Texts rows_of(const Budget &budget)
 Texts names_without(const Study &study)
 {
   Texts names;
-  for (const ModelVariant &variant : variants_without(study))
+  for (const Variant &variant : variants_without(study))
     names.push_back(variant.name);
   return names;
 }
@@ -42,14 +43,14 @@ Texts names_without(const Study &study)
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, nullptr,
-                     rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study)), cache);
+  return find_budget(
+    study, nullptr, rows_by_harmonics(study, nullptr, *given_load(load), spin_question(study), cache), cache);
 }
 
 Budget budget_of(const Study &study)
 {
   fem::ComplianceCache cache;
-  return find_budget(study, cache);
+  return test::whole_budget(study, cache);
 }
 
 /// The rows of a contact: the first ones, and one for each number of harmonics.
@@ -182,7 +183,7 @@ TEST(Budget, LeavesOutWhatAStudyHas)
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "friction in the substrate",
                                           "elasticity of the foot", "elasticity of the substrate",
                                           "compliance of the interface", "tilt", "grip", "waviness" }));
-  for (const ModelVariant &variant : variants_without(study))
+  for (const Variant &variant : variants_without(study))
     EXPECT_EQ(names_without(variant.study).size(), 7u - (variant.name == "elasticity of the foot" ||
                                                          variant.name == "elasticity of the substrate"))
       << variant.name; // each of them is gone, with the friction in a body that has gone rigid
@@ -305,13 +306,13 @@ TEST(Budget, SaysWhereTheFingersHoldTheGlass)
 TEST(Budget, ARowThatFailsDoesNotStopTheOthers)
 {
   const Study study = study_of_given_load();
+  fem::ComplianceCache cache;
   std::vector<LoadedRow> rows =
-    rows_by_harmonics(study, nullptr, *given_load(rich_load()), spin_question(study));
+    rows_by_harmonics(study, nullptr, *given_load(rich_load()), spin_question(study), cache);
   rows[1] = {};
   rows[1].row.harmonics = 2;
   rows[1].row.standing = Standing::tips;
   rows[1].row.reason = "it tips";
-  fem::ComplianceCache cache;
   const Budget budget = find_budget(study, nullptr, rows, cache);
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
@@ -337,7 +338,7 @@ TEST(Budget, AStudyThatTipsIsARowThatSaysSo)
   Study study = quick_contact_study();
   study.motion.orbit.centre_of_mass_height = 0.16; // a moment ratio above 2
   fem::ComplianceCache cache;
-  const SpinRow row = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  const SpinRow row = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
   EXPECT_EQ(row.standing, Standing::tips);
   EXPECT_FALSE(row.reason.empty());
   EXPECT_FALSE(row.terminal);
@@ -382,11 +383,11 @@ TEST(Budget, RowsOfAWavyFootAreOfMeanSpins)
   study.glass.waviness = { { 3, 1e-7, 0 } };
   study.load.coupling = LoadCoupling::one_way;
   study.contact.friction_coupling = FrictionCoupling::none;
-  const std::vector<ModelVariant> variants = variants_without(study);
+  const std::vector<Variant> variants = variants_without(study);
   ASSERT_EQ(variants.back().name, "waviness");
   fem::ComplianceCache cache;
-  const SpinRow wavy = attempt_row(study, cache, spin_question(study), 1).row;
-  const SpinRow flat = attempt_row(variants.back().study, cache, spin_question(study), 1).row;
+  const SpinRow wavy = solve_rows({ { "", "", study, 1 } }, nullptr, {}, cache).front().row;
+  const SpinRow flat = solve_rows({ { "", "", variants.back().study, 1 } }, nullptr, {}, cache).front().row;
   EXPECT_GT(wavy.ripple, 0);
   EXPECT_EQ(flat.ripple, 0);
   // A tenth of a micrometre, a fifth of the penetration, changes the mean spin by about the square of that.
@@ -409,7 +410,7 @@ TEST(Budget, LeavesOutTheInterfaceUnderAWavyRimToo)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const SpinRow hard = attempt_row(study, cache, spin_question(study), all_harmonics).row;
+  const SpinRow hard = solve_rows({ { "", "", study, all_harmonics } }, nullptr, {}, cache).front().row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

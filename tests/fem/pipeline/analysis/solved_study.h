@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/coupling/study_load.h"
 
 #include <memory>
@@ -31,5 +32,21 @@ struct SolvedStudy
   const pipeline::BalancedLoad &load;
   pipeline::SpinRow row;
 };
+
+/// The budget of a study.
+inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
+{
+  const auto foot = pipeline::study_foot(study, executor.cache);
+  const pipeline::SharedLoad load = pipeline::find_load(study, foot);
+  return pipeline::find_budget(
+    study, foot, pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor),
+    executor);
+}
+
+/// The result of a study as a case of a sweep.
+inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
+{
+  return pipeline::case_result(study, pipeline::study_foot(study, executor.cache), executor);
+}
 
 } // namespace stemware::test

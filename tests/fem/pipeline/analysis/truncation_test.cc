@@ -2,6 +2,7 @@
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +19,15 @@ TruncationStudy truncations_of(const Study &study, const std::vector<double> &om
 {
   fem::ComplianceCache cache;
   const auto foot = study_foot(study, cache);
-  return study_truncations(study, foot, *find_load(study, foot), omega);
+  return study_truncations(study, foot, *find_load(study, foot), omega, cache);
 }
 
 TEST(Truncation, RowsOfAGivenLoad)
 {
   const Study study = study_of_given_load();
-  const TruncationStudy result = study_truncations(study, nullptr, *given_load(rich_load()), { -1, -5 });
+  fem::ComplianceCache cache;
+  const TruncationStudy result =
+    study_truncations(study, nullptr, *given_load(rich_load()), { -1, -5 }, cache);
   const ring::Motion &motion = study.motion.orbit;
   const ring::CoulombRing friction(motion.friction_coefficient);
   std::vector<unsigned int> orders;
@@ -47,8 +50,9 @@ TEST(Truncation, RowsOfAGivenLoad)
 
 TEST(Truncation, TorquesAreShownAtHalfAndAllOfTheSpinUnlessSpinsAreGiven)
 {
+  fem::ComplianceCache cache;
   const TruncationStudy result =
-    study_truncations(study_of_given_load(), nullptr, *given_load(rich_load()), {});
+    study_truncations(study_of_given_load(), nullptr, *given_load(rich_load()), {}, cache);
   const double terminal = result.all().terminal->omega;
   EXPECT_EQ(result.omega, (std::vector<double>{ terminal / 2, terminal }));
 }
@@ -70,7 +74,7 @@ TEST(Truncation, HasTheRowsOfTheBudget)
   const Study study = quick_contact_study();
   const TruncationStudy result = truncations_of(study);
   fem::ComplianceCache cache;
-  const Budget budget = find_budget(study, cache);
+  const Budget budget = test::whole_budget(study, cache);
   ASSERT_EQ(result.budget.size(), budget.rows.size());
   for (std::size_t i = 0; i < budget.rows.size(); ++i)
   {

@@ -205,7 +205,7 @@ struct RefinementByHand
     axis.axis.key = "meridional_mesh";
     axis.axis.name = "meridional mesh";
     axis.axis.size = "halvings of every cell";
-    axis.axis.levels = { { 0, {} }, { 1, {} } };
+    axis.axis.levels = { { {}, 0 }, { {}, 1 } };
     axis.axis.own = 1;
     for (std::size_t i = 0; i < result.quantities.size(); ++i)
     {

@@ -5,6 +5,7 @@
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     SCOPED_TRACE(speed);
     study.motion.orbit.orbit_speed = speed;
     fem::ComplianceCache cache;
-    const CaseResult solved = solve_case(study, cache);
+    const CaseResult solved = test::solve_case(study, cache);
     const auto value = [&](const std::string &name) { return solved.values[quantity_index(name)].value(); };
     const HarmonicEffect effect = { value("absolute harmonic effect"), value("harmonic effect") / 100 };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));

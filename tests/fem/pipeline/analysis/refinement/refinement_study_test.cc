@@ -159,9 +159,9 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
 
   // What `converge` does: three levels, and an order between that of the re-entrant corners and that of a
   // smooth section.
-  const RefinementResult full = refine(
-    study, quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
-    spins_of_interest(comparison.omega), refinement_axes(study, 3), comparison.cache);
+  const RefinementResult full =
+    refine(quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
+           spins_of_interest(comparison.omega), refinement_axes(study, 3), comparison.cache);
   const BandedQuantity &refined = full.quantity("omega_terminal");
   const double finer = quantity_of(comparison.finer, "omega_terminal").value;
   EXPECT_NEAR(refined.quantity.value, finer, refined.band);
@@ -279,13 +279,12 @@ TEST(ErrorBands, OfEveryRowOfTheContact)
   study.contact.azimuth_lines = 64;
   study.contact.load_harmonics = 24;
   const test::SolvedStudy solved(study);
-  std::vector<SpinRow> by_harmonics;
-  for (const LoadedRow &row :
-       rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), silent_progress()))
-    by_harmonics.push_back(row.row);
-  std::vector<BudgetRow> rows = budget_rows(study, solved.foot, by_harmonics);
-  ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
   fem::ComplianceCache cache;
+  std::vector<SpinRow> by_harmonics;
+  for (const LoadedRow &row : rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), cache))
+    by_harmonics.push_back(row.row);
+  std::vector<BudgetRow> rows = budget_rows(study, solved.foot, by_harmonics, cache);
+  ASSERT_EQ(rows.back().step.number, 11u); // 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands =
     estimate_bands(study, solved.foot, solved.row, by_harmonics.front().omega_terminal(), cache);
   const std::optional<double> all = band_of(bands, "omega_terminal"),
@@ -357,7 +356,7 @@ TEST(ErrorBands, SayWhichLevelFailed)
   axes[1].levels.back().study.load.moment_ratio = 2.3; // tips
   try
   {
-    refine(study, quantities_of_load(study, *load, spins, std::nullopt), spins, axes, cache);
+    refine(quantities_of_load(study, *load, spins, std::nullopt), spins, axes, cache);
     FAIL() << "a level that tips was solved";
   }
   catch (const std::runtime_error &failure)

@@ -1,9 +1,9 @@
 // The error bands of a solid foot. Oracle: the body of revolution on the same profile, refined, with its own
 // bands. With MPI.
-#include "fem/pipeline/analysis/refinement/band_changes.h"
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/variants/band_changes.h"
 
 #include <gtest/gtest.h>
 
@@ -165,7 +165,7 @@ TEST(SolidBands, TakeOneRingLessThanTheFootHas)
     const std::vector<BandChange> changes =
       band_changes(study, *foot, find_load(study, foot)->report(), false);
     const std::vector<double> expected = chebyshev_radii(inner, outer, other);
-    ASSERT_EQ(changes.back().part, "rings");
+    ASSERT_EQ(changes.back().key, "rings");
     ASSERT_EQ(changes.back().radii.size(), other);
     for (unsigned int j = 0; j < other; ++j)
       EXPECT_NEAR(changes.back().radii[j], expected[j], 1e-12);

@@ -2,6 +2,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
+#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ public:
   explicit SolvedCase(const Study &study)
   {
     fem::ComplianceCache cache;
-    result = solve_case(study, cache);
+    result = test::solve_case(study, cache);
   }
   const std::optional<double> &operator[](const std::string &name) const
   {
@@ -37,7 +38,7 @@ TEST(SweepCase, HasTheEffectOfHarmonicsOfTheBudget)
     Study study = quick_contact_study();
     study.load.coupling = coupling;
     fem::ComplianceCache cache;
-    const Budget budget = find_budget(study, cache);
+    const Budget budget = test::whole_budget(study, cache);
     const SolvedCase solved(study);
     EXPECT_NEAR(*solved["absolute harmonic effect"], *budget.harmonics.absolute, 1e-9);
     EXPECT_NEAR(*solved["harmonic effect"], 100 * *budget.harmonics.relative, 1e-7);
@@ -51,7 +52,7 @@ TEST(SweepCase, HasTheNamedDifferencesOfTheBudget)
   Study study = quick_contact_study();
   study.motion.grip_torque = 1e-4;
   fem::ComplianceCache cache;
-  const Budget budget = find_budget(study, cache);
+  const Budget budget = test::whole_budget(study, cache);
   const SolvedCase solved(study);
   unsigned int n_compared = 0;
   for (const BudgetRow &row : budget.rows)

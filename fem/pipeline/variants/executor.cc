@@ -1,8 +1,11 @@
-#include "fem/pipeline/support/parallel.h"
+#include "fem/pipeline/variants/executor.h"
+
+#include "fem/contact/contact_solution.h"
+#include "fem/pipeline/support/failures.h"
+#include "ring_model/no_balance.h"
 
 #include <deal.II/base/multithread_info.h>
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -35,9 +38,14 @@ private:
 
 } // namespace
 
-void parallel_for_each(std::size_t n, unsigned int n_threads, const std::function<void(std::size_t)> &work)
+void Executor::for_each(std::size_t n, const std::function<void(std::size_t)> &work, bool one_by_one) const
 {
-  n_threads = static_cast<unsigned int>(std::clamp<std::size_t>(n, 1, n_threads));
+  if (n_threads == 1 || one_by_one)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      work(i);
+    return;
+  }
   const ThreadLimit limit(n_threads);
   tbb::task_arena arena(static_cast<int>(n_threads));
   std::mutex mutex;
@@ -71,6 +79,31 @@ void parallel_for_each(std::size_t n, unsigned int n_threads, const std::functio
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
   if (failure)
     std::rethrow_exception(failure);
+}
+
+std::exception_ptr Executor::failure_of(const std::function<void()> &work) const
+try
+{
+  work();
+  return nullptr;
+}
+catch (const BadInput &)
+{
+  return std::current_exception();
+}
+catch (const fem::ContactFailure &)
+{
+  return std::current_exception();
+}
+catch (const ring::NoBalance &)
+{
+  return std::current_exception();
+}
+catch (...)
+{
+  if (!keeps_all_failures)
+    throw;
+  return std::current_exception();
 }
 
 } // namespace stemware::pipeline

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/refinement/refinement_sequence.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/variants/variant.h"
 
 #include <string>
 #include <vector>
@@ -10,10 +9,16 @@ namespace stemware::pipeline
 {
 
 /// A study with one of its numerical parameters replaced.
-struct RefinementLevel
+struct RefinementLevel : Variant
 {
   unsigned int size = 0; ///< that parameter
-  Study study;
+};
+
+/// How the error of a discretised quantity falls from one level to the next.
+enum class Decay
+{
+  algebraic, ///< like size^p, sizes halved from level to level: meshes
+  spectral   ///< faster than any fixed order as long as the solution is smooth: harmonics, lines, degrees
 };
 
 /// Role of a refinement axis in the error band.
@@ -33,8 +38,8 @@ struct RefinementAxis
   bool sizes_double = false; ///< from level to level; else they are counted on
   Decay decay = Decay::algebraic;
   AxisRole role = AxisRole::space;
-  std::vector<RefinementLevel> levels; ///< coarsest first
-  std::size_t own = 0;                 ///< the level that is the study itself
+  std::vector<RefinementLevel> levels = {}; ///< coarsest first
+  std::size_t own = 0;                      ///< the level that is the study itself
   bool is_graded = false; ///< levels are meshes for the goal of the study: each has few cells more
 };
 

@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/variants/model_variants.h"
 
 #include <functional>
 #include <utility>
@@ -36,16 +36,56 @@ bool has_compliance(const Study &study)
          !study.model.foot_is_rigid;
 }
 
-std::vector<ModelVariant> variants_without(const Study &study)
+std::vector<Variant> model_chain(const Study &study)
 {
-  std::vector<ModelVariant> variants;
+  std::vector<Variant> chain;
+  const auto add = [&](const char *key, const char *name, const Study &model) {
+    chain.push_back({ key, name, model, 1, true });
+  };
+  Study model = paper_study(study);
+  add("1", "paper", model);
+  if (!study.motion.orbit.has_constant_friction())
+  {
+    model.motion.orbit = study.motion.orbit;
+    add("1a", "friction law", model);
+  }
+  if (study.load.source != LoadSource::file)
+  {
+    model = first_harmonic_study(study);
+    model.motion.grip_torque = 0;
+    add("2", study.load.is_static() ? "given moment" : "moment balance", model);
+  }
+  if (study.motion.grip_torque > 0)
+  {
+    model.motion.grip_torque = study.motion.grip_torque;
+    add("2a", "grip", model);
+  }
+  if (study.tilts())
+  {
+    model = study;
+    model.motion.tilt = false;
+    add("3", "where the foot touches", model);
+  }
+  return chain;
+}
+
+std::vector<Variant> variants_without(const Study &study, bool depends_on_phase)
+{
+  std::vector<Variant> variants;
   if (!study.load.is_from_contact())
     return variants;
   const auto add_if = [&](bool applies, const char *name, const std::function<void(Study &)> &leave_out)
   {
     if (!applies)
       return;
-    leave_out(variants.emplace_back(ModelVariant{ name, study }).study);
+    Variant &variant = variants.emplace_back(Variant{ "without", name, study });
+    leave_out(variant.study);
+    const bool is_solid = !abilities(study.contact.body).is_of_revolution;
+    if (!has_compliance(variant.study))
+      variant.reason = "not defined";
+    else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
+             variant.study.table.is_hard() && !study.table.is_hard())
+      variant.reason = "not computed: a solid foot on a hard table takes long at every phase";
   };
   const bool is_elastic_substrate = study.table.substrate == TableSubstrate::elastic;
   const bool is_elastic_foot = !study.model.foot_is_rigid;

@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/refinement/band_changes.h"
+#include "fem/pipeline/variants/band_changes.h"
 
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/study/study_size.h"
@@ -26,6 +26,13 @@ Study changed(Study copy, const Setting &change)
 {
   change(copy.contact);
   return copy;
+}
+
+/// @p study for the part @p part of the band, on a foot of its own, compared with @p from.
+BandChange change_of(const std::string &part, double factor, const Study &study, const std::string &from = "",
+                     bool at_several_spins = false)
+{
+  return { { part, "", study }, factor, from, at_several_spins };
 }
 
 void raise_degree(ContactSection &contact)
@@ -64,8 +71,10 @@ void add_gathering(const Study &study, const ElasticFoot &foot,
   const Study other_harmonics =
     changed(study, [=](ContactSection &contact)
             { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
-  changes.push_back({ "load_harmonics", usual_factor, other_harmonics, "", true });
-  BandChange rings = { "rings", usual_factor, study, "", true };
+  changes.push_back(change_of("load_harmonics", usual_factor, other_harmonics));
+  changes.back().on_same_foot = true;
+  BandChange rings = change_of("rings", usual_factor, study);
+  rings.on_same_foot = true;
   const std::vector<double> &own = foot.ring_radii();
   if (own.size() < 2)
     rings.study.contact.rings = usual_rings;
@@ -94,27 +103,27 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
                                  else
                                    contact.halved.pop_back();
                                });
-  changes.push_back({ "mesh", usual_factor, coarse, "" });
+  changes.push_back(change_of("mesh", usual_factor, coarse));
   if (study.contact.degree < 4 && study.table.is_hard())
-    changes.push_back({ "degree", usual_factor, changed(coarse, raise_degree), "mesh" });
+    changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
-    changes.push_back({ "degree", usual_factor, changed(study, raise_degree), "" });
+    changes.push_back(change_of("degree", usual_factor, changed(study, raise_degree)));
   const Study fewer =
     changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
   const bool has_fewer = study.contact.harmonics > 1;
   if (has_fewer)
-    changes.push_back({ "harmonics", 0.5, fewer, "" });
+    changes.push_back(change_of("harmonics", 0.5, fewer));
   // At re-entrant corners the error falls with the first order: the halved cells show half of it. What cells
   // that far from the contact change fades with the harmonic, so that half of them will do.
   if (study.contact.halved.empty() && has_focused_mesh(study))
-    changes.push_back({ "mesh", 2,
-                        changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
-                        has_fewer ? "harmonics" : "" });
+    changes.push_back(
+      change_of("mesh", 2, changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
+                has_fewer ? "harmonics" : ""));
   if (!is_full)
-    changes.push_back({ "lines", usual_factor,
-                        changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; }), "" });
+    changes.push_back(change_of("lines", usual_factor,
+                                changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; })));
   if (study.table.is_hard())
-    changes.push_back({ "interface", 1.5, changed(study, harden), "" });
+    changes.push_back(change_of("interface", 1.5, changed(study, harden)));
   add_gathering(
     study, foot, [](unsigned int n) { return 2 * n; }, changes);
   return changes;
@@ -180,28 +189,29 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
               quadratic = changed(study, raise_degree);
   // An error of first order is what halving the cells has taken from it, and twice what halving them will.
   if (coarse)
-    changes.push_back({ "mesh", 1.5, *coarse, "", false, true });
+    changes.push_back(change_of("mesh", 1.5, *coarse, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))
-    changes.push_back({ "mesh", 2.5, finer, "", false, true });
+    changes.push_back(change_of("mesh", 2.5, finer, "", true));
   else if (study.contact.degree == 2)
     changes.push_back(
-      { "degree", 1, changed(study, [](ContactSection &contact) { contact.degree = 1; }), "" });
+      change_of("degree", 1, changed(study, [](ContactSection &contact) { contact.degree = 1; })));
   if (study.contact.degree == 1 && is_affordable(quadratic))
-    changes.push_back({ "degree", usual_factor, quadratic, "" });
+    changes.push_back(change_of("degree", usual_factor, quadratic));
   if (changes.empty())
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Study &cheapest = coarse ? *coarse : study;
   const std::string as_cheapest = coarse ? "mesh" : "";
   // Each halving adds as much to a narrow contact's indentation as the one before.
   if (is_narrow)
-    changes.push_back({ "mesh", usual_factor,
-                        changed(cheapest, [&](ContactSection &contact)
-                                { contact.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
-                        as_cheapest, false, true });
+    changes.push_back(
+      change_of("mesh", usual_factor,
+                changed(cheapest, [&](ContactSection &contact)
+                        { contact.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
+                as_cheapest, true));
   if (has_spring_for_hard_table(cheapest))
-    changes.push_back({ "interface", 2, changed(cheapest, harden), as_cheapest });
+    changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (has_spring_for_hard_table(study))
-    changes.push_back({ "interface", 2, changed(study, harden), "" });
+    changes.push_back(change_of("interface", 2, changed(study, harden)));
   // Where the contact is far narrower than the distance of nodes, whose weights in the balance of moments are
   // those of the rings extrapolated, more rings would show rounding.
   add_gathering(

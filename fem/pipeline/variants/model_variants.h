@@ -1,8 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/variants/variant.h"
 
-#include <string>
 #include <vector>
 
 namespace stemware::pipeline
@@ -19,19 +18,17 @@ Study paper_study(Study study);
 /// The study with a first harmonic on a ring of the contact radius, of its moment balance or given moment.
 Study first_harmonic_study(Study study);
 
-/// A study with one effect left out.
-struct ModelVariant
-{
-  /// "friction in the foot", "friction in the substrate", "elasticity of the foot", "elasticity of the
-  /// substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip" or
-  /// "waviness".
-  std::string name;
-  Study study;
-};
+/// The models in front of those that are told apart by their harmonics, from the paper's on: "1", "1a", "2",
+/// "2a" and "3", each named after what tells it from the one before, all of them with a first harmonic. Those
+/// with a contact have the study's foot.
+std::vector<Variant> model_chain(const Study &study);
 
 /// The study without each of the effects that it has, one at a time; none for a load that does not come from
-/// a contact.
-std::vector<ModelVariant> variants_without(const Study &study);
+/// a contact: "friction in the foot", "friction in the substrate", "elasticity of the foot", "elasticity of
+/// the substrate", "compliance of the interface", "dependence of friction on slip", "tilt", "grip",
+/// "waviness". Those of which nothing yields are not defined, those of a solid foot on a hard table that @p
+/// depends_on_phase take too long; they are not to be solved.
+std::vector<Variant> variants_without(const Study &study, bool depends_on_phase = false);
 
 /// Whether anything yields in a contact: the foot, the substrate or the interface. The pressure of a contact
 /// in which nothing does is not defined.

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/variants/variant.h"
 
 #include <string>
 #include <vector>
@@ -10,17 +10,15 @@
 namespace stemware::pipeline
 {
 
-/// A change of one numerical parameter, and how much of what it changes goes into an error band.
-struct BandChange
+/// A change of one numerical parameter, whose key is the part of the band that it goes into, as in
+/// BandedQuantity::parts: several may go into one.
+struct BandChange : Variant
 {
-  std::string part;  ///< of the band, as in BandedQuantity::parts; several changes may go into one
-  double factor = 1; ///< on what is changed
-  Study study;       ///< with the change
-  std::string from;  ///< part whose first change it is compared with, an earlier one; empty: the study itself
-  bool on_same_foot = false; ///< the foot stays, and its load is gathered otherwise
+  double factor = 1;     ///< on what is changed
+  std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
-  std::vector<double> radii = {}; ///< of the rings of that foot [m]; empty: as the study chooses them
+  std::vector<double> radii = {}; ///< of the rings of the same foot [m]; empty: as the study chooses them
   /// The contacts stay, too, in balance on their own rings: their pressure is gathered on radii.
   bool on_same_contacts = false;
 };

@@ -1,4 +1,4 @@
-#include "fem/pipeline/support/parallel.h"
+#include "fem/pipeline/variants/executor.h"
 
 #include <gtest/gtest.h>
 
@@ -37,50 +37,56 @@ private:
   std::string before;
 };
 
+void on_threads(unsigned int n_threads, std::size_t n, const std::function<void(std::size_t)> &work)
+{
+  fem::ComplianceCache cache;
+  Executor(cache, n_threads).for_each(n, work);
+}
+
 } // namespace
 
-TEST(Parallel, DoesEachOnceWithAsManyThreadsAsToldAtMost)
+TEST(Executor, DoesEachOnceWithAsManyThreadsAsToldAtMost)
 {
   const WithoutThreadLimit unlimited;
   for (const unsigned int n_threads : { 1u, 2u, 3u })
   {
     std::vector<std::atomic<unsigned int>> n_calls(50);
     std::atomic<unsigned int> n_at_work = 0, most_at_work = 0;
-    parallel_for_each(n_calls.size(), n_threads,
-                      [&](std::size_t i)
-                      {
-                        const unsigned int n = ++n_at_work;
-                        for (unsigned int most = most_at_work; n > most;)
-                          if (most_at_work.compare_exchange_weak(most, n))
-                            break;
-                        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-                        ++n_calls[i];
-                        --n_at_work;
-                      });
+    on_threads(n_threads, n_calls.size(),
+               [&](std::size_t i)
+               {
+                 const unsigned int n = ++n_at_work;
+                 for (unsigned int most = most_at_work; n > most;)
+                   if (most_at_work.compare_exchange_weak(most, n))
+                     break;
+                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                 ++n_calls[i];
+                 --n_at_work;
+               });
     for (const auto &n : n_calls)
       EXPECT_EQ(n, 1u);
     EXPECT_LE(most_at_work, n_threads);
   }
-  parallel_for_each(0, 4, [](std::size_t) { FAIL(); });
+  on_threads(4, 0, [](std::size_t) { FAIL(); });
 }
 
-TEST(Parallel, DoesTwoAtATime)
+TEST(Executor, DoesTwoAtATime)
 {
   const WithoutThreadLimit unlimited;
   std::atomic<unsigned int> n_begun = 0;
-  parallel_for_each(2, 2,
-                    [&](std::size_t)
-                    {
-                      // Each waits for the other to begin, which one thread alone would never see.
-                      ++n_begun;
-                      const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-                      while (n_begun < 2 && std::chrono::steady_clock::now() < end)
-                        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                      EXPECT_EQ(n_begun, 2u);
-                    });
+  on_threads(2, 2,
+             [&](std::size_t)
+             {
+               // Each waits for the other to begin, which one thread alone would never see.
+               ++n_begun;
+               const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+               while (n_begun < 2 && std::chrono::steady_clock::now() < end)
+                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+               EXPECT_EQ(n_begun, 2u);
+             });
 }
 
-TEST(Parallel, PassesOnWhatIsThrownAndStops)
+TEST(Executor, PassesOnWhatIsThrownAndStops)
 {
   std::atomic<unsigned int> n_calls = 0;
   const auto work = [&](std::size_t)
@@ -88,11 +94,11 @@ TEST(Parallel, PassesOnWhatIsThrownAndStops)
     ++n_calls;
     throw std::runtime_error("no room");
   };
-  EXPECT_THROW(parallel_for_each(1000, 2, work), std::runtime_error);
+  EXPECT_THROW(on_threads(2, 1000, work), std::runtime_error);
   EXPECT_LE(n_calls, 2u);
 }
 
-TEST(Parallel, LoopsWithinDoNotMix)
+TEST(Executor, LoopsWithinDoNotMix)
 {
   // A thread that waits for its inner loop must not begin another outer call: it would find itself at work.
   // With calls of unequal length on eight threads that would happen every twentieth time.
@@ -112,7 +118,7 @@ TEST(Parallel, LoopsWithinDoNotMix)
     tbb::parallel_for(std::size_t(0), n_inner, inner, tbb::simple_partitioner());
     at_work = was_at_work;
   };
-  parallel_for_each(n_outer, 8, outer);
+  on_threads(8, n_outer, outer);
   EXPECT_EQ(n_mixed, 0u);
   EXPECT_EQ(n_done, n_outer * n_inner);
 }

@@ -1,0 +1,33 @@
+#include "fem/pipeline/variants/solve.h"
+
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/failures.h"
+
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+bool is_collective(const Study &study)
+{
+  return study.load.is_from_contact() && abilities(study.contact.body).is_collective;
+}
+
+std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
+                                     const Executor &executor)
+{
+  require(variant.reason.empty(), variant.reason);
+  require_standing(variant.study);
+  if (variant.on_same_foot)
+    return foot ? foot->twin() : nullptr;
+  try
+  {
+    return study_foot(variant.study, executor.cache, silent_progress(), foot.get());
+  }
+  catch (const std::runtime_error &failure)
+  {
+    throw BadInput(failure.what());
+  }
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "fem/pipeline/coupling/elastic_foot.h"
+#include "fem/pipeline/variants/executor.h"
+#include "fem/pipeline/variants/variant.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// The answer to a variant, or why there is none.
+template <typename Answer>
+struct Solved
+{
+  std::optional<Answer> answer = {};
+  std::exception_ptr failure = nullptr;
+
+  /// Throws the failure where there is one.
+  const Answer &value() const
+  {
+    if (failure)
+      std::rethrow_exception(failure);
+    return *answer;
+  }
+};
+
+/// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path
+/// of its own; else a new one, whose contacts start from what those of @p foot let expect, if that is given.
+/// Throws ring::Tipping for a variant that tips at rest, BadInput for one that is not to be solved, and where
+/// its mesh cannot be made or its stiffness factorised.
+std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
+                                     const Executor &executor);
+
+/// Whether its foot takes all ranks together.
+bool is_collective(const Study &study);
+
+/// Whether that of one of them does; of variants that are made as they are solved, their maker knows.
+template <typename Variants>
+bool any_is_collective(const Variants & /*variants*/)
+{
+  return false;
+}
+template <typename AnyVariant>
+bool any_is_collective(const std::vector<AnyVariant> &variants)
+{
+  return std::any_of(variants.begin(), variants.end(),
+                     [](const AnyVariant &variant) { return is_collective(variant.study); });
+}
+
+/// Nobody is told.
+inline constexpr auto nobody = [](std::size_t, const auto &) {};
+
+/// Tells @p progress how many of @p n_all @p pieces are done.
+inline auto counted(Progress &progress, const std::string &pieces, std::size_t n_all)
+{
+  return [&progress, pieces, n_all, n_done = std::size_t(0)](std::size_t, const auto &) mutable
+  { progress.pieces_done(pieces, ++n_done, n_all); };
+}
+
+/// Asks each of @p variants, a vector of Variant or of what is derived from it, or anything with size() and
+/// operator[], the @p question(variant, its foot): in any order or side by side, feet that take all ranks
+/// together one after another. Starts come from @p foot as it is now, never from another variant: the answers
+/// depend on the list alone. @p done(i, solved) is told of each that is finished, one at a time; what it
+/// throws ends the work.
+template <typename Variants, typename Question, typename Done = decltype(nobody)>
+auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
+           const Executor &executor, Done done = nobody)
+{
+  using Answer = decltype(question(variants[0], foot));
+  std::vector<Solved<Answer>> solved(variants.size());
+  std::mutex mutex;
+  const auto solve_one = [&](std::size_t i)
+  {
+    solved[i].failure = executor.failure_of(
+      [&]
+      {
+        const auto &variant = variants[i];
+        solved[i].answer = question(variant, foot_of(variant, foot, executor));
+      });
+    const std::lock_guard<std::mutex> lock(mutex);
+    done(i, solved[i]);
+  };
+  executor.for_each(variants.size(), solve_one, any_is_collective(variants));
+  return solved;
+}
+
+/// solve() for one variant on a foot of its own. Throws where that fails.
+template <typename Question>
+auto solve_alone(const Study &study, const Question &question, const Executor &executor)
+{
+  return solve(std::vector<Variant>{ { "", "", study } }, nullptr, question, executor).front().value();
+}
+
+} // namespace stemware::pipeline
