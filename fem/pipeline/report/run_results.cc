@@ -13,6 +13,7 @@
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/report/terminal_spins.h"
+#include "fem/pipeline/support/text.h"
 
 #include <algorithm>
 #include <cmath>

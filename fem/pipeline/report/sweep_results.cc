@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/sweep_results.h"
 
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
