@@ -1,7 +1,7 @@
 #include "fem/pipeline/study/presets.h"
 
-#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text.h"
 
 #include <boost/algorithm/string/case_conv.hpp>

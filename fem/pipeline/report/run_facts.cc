@@ -1,0 +1,227 @@
+#include "fem/pipeline/report/run_facts.h"
+
+#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/goal_results.h"
+#include "fem/pipeline/report/profile_results.h"
+#include "fem/pipeline/report/render/number_format.h"
+#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/support/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stemware::pipeline
+{
+
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+/// The row whose step is the largest, those of the harmonics left out; null where none of them is a spin.
+const BudgetRow *largest_other_step(const Study &study, const Budget &budget)
+{
+  const BudgetRow *largest = nullptr;
+  for (const BudgetRow &row : budget.rows)
+    if (row.name != "harmonics" && row.difference && is_spin(study, *row.difference) &&
+        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
+      largest = &row;
+  return largest;
+}
+
+Json largest_step_facts(const Study &study, const Budget &budget)
+{
+  const BudgetRow *row = largest_other_step(study, budget);
+  if (!row)
+    return nullptr;
+  const std::optional<double> relative =
+    relative_to(*row->omega_terminal - *row->difference, row->difference, spin_scale(study));
+  return { { "name", row->name },
+           { "difference", *row->difference },
+           { "change", relative ? faster_or_slower(*relative) : "" },
+           { "formal", row->standing == Standing::formal } };
+}
+
+/// The paper's answer, to stand beside the study's; null where the study is the paper's model.
+Json paper_facts(const Study &study, const Budget &budget)
+{
+  if (budget.rows.size() < 2 || !budget.rows.front().omega_terminal)
+    return nullptr;
+  const double omega = *budget.rows.front().omega_terminal;
+  Json facts = spin_facts(study, omega);
+  facts["spins"] = is_spin(study, omega);
+  return facts;
+}
+
+/// "tilt +0.16, grip 0": what the terminal spin changes by without one thing at a time [rad/s].
+std::string left_out(const Study &study, const Budget &budget)
+{
+  std::vector<std::string> parts;
+  for (const WithoutRow &row : budget.without)
+    if (row.difference)
+      parts.push_back(row.name + " " +
+                      format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
+  return parts.empty() ? "" : listed(parts, "and");
+}
+
+/// How the glass ends: falling, held, stays or spinning, one of which is there.
+void add_end(const Study &study, const SpinStudy &spin, const std::vector<BandedQuantity> &bands, Json &facts)
+{
+  const SpinRow &all = spin.all();
+  const double omega = all.fall ? all.fall->omega : all.omega_terminal().value();
+  const bool is_spinning = !all.fall && is_spin(study, omega);
+  const std::string held = all.fall || is_spinning ? "" : held_by_the_grip(study, all);
+  const std::optional<double> band = band_of(bands, "omega_terminal"),
+                              error = spin_error(spin.profile_scatter);
+  const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
+  facts.update(
+    { { "falling", all.fall ? spin_facts(study, omega) : Json(nullptr) },
+      { "spinning", is_spinning ? spin_facts(study, omega) : Json(nullptr) },
+      { "held", held },
+      { "stays", !all.fall && !is_spinning && held.empty() },
+      { "moves", is_spin(study, all.last_spin().value()) },
+      { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },
+      { "moment_ratio_at_rest", all.at_rest.value().moment_ratio },
+      { "with_band", with_band(omega, band) },
+      { "profile_is_wider", error && *error > band.value_or(0) },
+      { "with_error", error ? with_error(omega, *error) : "" },
+      { "has_band", band.has_value() },
+      { "lacks_band", !band && !spin.is_quick() && study.load.is_from_contact() },
+      { "may_be_narrow", study.table.is_hard() && !abilities(study.contact.body).is_of_revolution },
+      { "time_constant", json_number(all.time_constant()) },
+      { "others", leans && grips ? ", the lean torque and that of the fingers"
+                  : leans        ? "and the lean torque"
+                  : grips        ? "and that of the fingers"
+                                 : "" } });
+}
+
+/// The state that the spin is about, and that of rest where nothing is to say of it.
+Json lift_offs(const Study &study, const ContactReport &report, const SpinStudy &spin)
+{
+  if (spin.all().fall)
+    return lift_off_facts({ { "At rest", &report.load }, { "Where it falls over", &report.load_at_end } });
+  if (is_spin(study, *spin.all().omega_terminal()))
+  {
+    if (is_one_way(study))
+      return lift_off_facts({ { "At every spin", &report.load } });
+    const char *at_end =
+      spin.phases ? "At the terminal spin, with the marks where they are at t = 0," : "At the terminal spin";
+    if (const Json facts = lift_off_facts({ { at_end, &report.load_at_end } }); !facts.empty())
+      return facts;
+  }
+  return lift_off_facts({ { "At rest", &report.load } });
+}
+
+Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
+{
+  const double friction = study.motion.orbit.friction_at_rest();
+  const double moment = load.normal_force * load.rings.radius();
+  const auto without_rounding = [](double value, double rounding)
+  { return std::abs(value) < rounding ? 0 : value; };
+  const std::size_t n_rings = load.rings.rings().size();
+  return { { "moment_x", without_rounding(load.moment.x(), 1e-12 * moment) },
+           { "moment_y", without_rounding(load.moment.y(), 1e-12 * moment) },
+           { "torque_at_rest",
+             without_rounding(all.at_rest.value().friction.torque, 1e-9 * friction * moment) },
+           { "closed_form", without_rounding(friction * load.moment.x(), 1e-9 * friction * moment) },
+           { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
+           { "has_higher_harmonics", load.rings.n_harmonics() > 1 } };
+}
+
+Json thin_layer_facts(const Study &study, double half_width)
+{
+  const double layer = study.table.layer_thickness;
+  if (study.table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) ||
+      half_width >= layer)
+    return nullptr;
+  return { { "width", 2 * half_width }, { "thickness", layer } };
+}
+
+Json narrow_contact_facts(const Study &study, const std::optional<FootReport> &foot)
+{
+  if (!foot || foot->at_rest.solution.outcome != fem::ContactOutcome::narrow_contact)
+    return nullptr;
+  return { { "nodes", foot->at_rest.solution.n_nodes_across }, { "hard", study.table.is_hard() } };
+}
+
+Json driven_facts(const SpinUpCurves &curves, const std::optional<double> &band)
+{
+  if (!curves.driven)
+    return nullptr;
+  const auto [slowest, fastest] =
+    std::minmax_element(curves.driven->speed.begin(), curves.driven->speed.end());
+  return { { "slowest", *slowest },
+           { "fastest", *fastest },
+           { "omega_at_constant_speed", curves.adaptive.back() },
+           { "band", band ? format::band(*band) : "" },
+           { "file_matters_more", band && curves.driven->interpolation_change > *band } };
+}
+
+Json several_spins_facts(const SpinStudy &spin)
+{
+  const auto &spins = spin.terminal_spins;
+  if (spins.size() < 2)
+    return nullptr;
+  return { { "n", spins.size() },
+           { "n_stable", std::count_if(spins.begin(), spins.end(),
+                                       [](const ring::TerminalSpin &one) { return one.stable; }) } };
+}
+
+const char *kind_of_load(LoadSource source)
+{
+  switch (source)
+  {
+  case LoadSource::contact:
+    return "the load of its elastic foot";
+  case LoadSource::first_harmonic:
+    return "a first-harmonic load";
+  case LoadSource::file:
+    return "a given load";
+  }
+  throw std::logic_error("a load source without a name");
+}
+
+} // namespace
+
+Json run_facts(const Study &study, const ContactReport &report, const SpinStudy &spin,
+               const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
+{
+  const std::optional<double> band = band_of(bands, "omega_terminal");
+  const Budget &budget = spin.budget;
+  Json facts = study_facts(study);
+  add_end(study, spin, bands, facts);
+  facts.update(load_facts(study, report.load, spin.all()));
+  Json fields = Json::array();
+  if (report.foot)
+    for (const fem::FieldFile &file : report.foot->fields)
+      if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
+        fields.push_back(file.name);
+  const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
+  facts.update(
+    { { "quick", spin.is_quick() },
+      { "kind_of_load", kind_of_load(study.load.source) },
+      { "paper", paper_facts(study, budget) },
+      { "effect", spin.rows.size() > 1 ? effect_facts(study, budget.harmonics) : Json(nullptr) },
+      { "largest_step", largest_step_facts(study, budget) },
+      { "left_out", left_out(study, budget) },
+      { "scattered_profile", profile_facts(study, report.load, spin.profile_scatter, band) },
+      { "lift_off", lift_offs(study, report, spin) },
+      { "thin_layer", thin_layer_facts(study, report.load.half_width()) },
+      { "narrow_contact", narrow_contact_facts(study, report.foot) },
+      { "what_is_wavy", rim && table ? "Rim and table are" : (table ? "The table is" : "The rim is") },
+      { "several_spins", several_spins_facts(spin) },
+      { "driven", driven_facts(spin.spin_up, band) },
+      { "has_harmonic_torque", !spin.is_quick() && budget.rows.back().name == "harmonics" &&
+                                 !budget.omega.empty() && !spin.all().fall },
+      { "has_without", !budget.without.empty() },
+      { "has_truncations", report.load.rings.n_harmonics() > 1 && spin.spins_up() },
+      { "has_section", report.foot && !report.foot->section.empty() },
+      { "has_bands", !bands.empty() },
+      { "mesh_for_goal", goal && band_of_mesh(study, bands) },
+      { "fields", fields } });
+  return facts;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Facts of the template "run" beside what summary.json has: how the glass ends, what the sentences of answer
+/// and remarks need, which parts of the report there are. The arguments are those of tabulate().
+nlohmann::ordered_json run_facts(const Study &study, const ContactReport &report, const SpinStudy &spin,
+                                 const std::vector<BandedQuantity> &bands,
+                                 const std::optional<GoalOutcome> &goal);
+
+} // namespace stemware::pipeline
