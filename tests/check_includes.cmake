@@ -1,5 +1,6 @@
 # The house has one order: a folder may include the folders above it in this list and nothing below. The ring model does
-# not know the finite elements, and of these contact and bodies know its words for a load, ring_model/load, alone. Fails with every include that says otherwise, or file that lies loose.
+# not know the finite elements, and of these contact and bodies know its words for a load, ring_model/load, alone. Fails
+# with every include that says otherwise, or file that lies loose.
 # Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 set(order

@@ -5,9 +5,12 @@
 
 #include <boost/algorithm/string/split.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <stdexcept>
+#include <vector>
 
 namespace stemware::pipeline
 {
