@@ -125,8 +125,8 @@ public:
   virtual PressureMap pressure_map(const ContactState &state) const = 0;
 
   /// Displacement, stress and contact pressure of any state of this foot as VTU files: what this rank has to
-  /// write.
-  virtual std::vector<FieldFile> fields(const ContactState &state) const = 0;
+  /// write. Nothing of a foot without a mesh.
+  virtual std::vector<FieldFile> fields(const ContactState & /*state*/) const { return {}; }
 
   /// Error of @p goal in @p state, a contact of this foot, that is due to the mesh alone; nothing where this
   /// foot cannot tell. @p with_cells: with the cells' shares.

@@ -2,8 +2,6 @@
 
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/load_file.h"
-#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/support/failures.h"
@@ -348,24 +346,24 @@ SharedLoad given_first_harmonic(const Study &study)
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }
 
-SharedLoad load_from_file(const std::string &file)
+SharedLoad load_from_file(const LoadSection &section)
 {
-  const ring::RingStack load = read_load_file(file);
+  const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
   if (!(ratio < 2))
-    throw BadInput("The load of " + file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
+    throw BadInput("The load of " + section.file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
                    to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
   return std::make_shared<ConstantLoad>(report_of(load));
 }
 
 } // namespace
 
-std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress,
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot, Progress &progress,
                                         const ElasticFoot *similar)
 {
   if (!study.load.is_from_contact())
     return nullptr;
-  auto foot = std::make_shared<ElasticFoot>(make_foot(study, cache), study.glass.profile.contact_radius);
+  auto foot = std::make_shared<ElasticFoot>(make_foot(study), study.glass.profile.contact_radius);
   if (similar)
     foot->start_like(*similar);
   progress.stage_done("mesh_and_stiffness");
@@ -396,7 +394,7 @@ SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
   case LoadSource::file:
-    return load_from_file(study.load.file)->truncated(n_harmonics);
+    return load_from_file(study.load)->truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
 }
