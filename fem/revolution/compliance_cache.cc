@@ -15,8 +15,12 @@ constexpr std::size_t harmonics_place = 3;
 std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const ElasticMaterial &material,
                            const MeridianOptions &options)
 {
-  std::vector<double> key = { material.young_modulus, material.poisson_ratio,
-                              static_cast<double>(options.degree), static_cast<double>(options.n_harmonics) };
+  std::vector<double> key = { material.young_modulus,
+                              material.poisson_ratio,
+                              static_cast<double>(options.degree),
+                              static_cast<double>(options.n_harmonics),
+                              options.inner_radius,
+                              options.outer_radius };
   for (const auto &cell : triangulation.active_cell_iterators())
   {
     for (const unsigned int v : cell->vertex_indices())

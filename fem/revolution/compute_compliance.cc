@@ -20,12 +20,16 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
     throw std::invalid_argument("Degree = " + std::to_string(options.degree) +
                                 " is not allowed for a body of revolution; give 1, 2, 3 or 4.");
   const MeridianSpace space(triangulation, material, options.degree);
+  Eigen::VectorXd radii(space.n_contact_nodes());
+  for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
+    radii(i) = space.contact_radius(i);
+  const auto [first, size] = nodes_between(radii, options.degree, options.inner_radius, options.outer_radius);
   ContactCompliance result;
   result.degree = options.degree;
   result.n_meridian_unknowns = space.n_dofs();
-  result.radii.resize(space.n_contact_nodes());
-  for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
-    result.radii(i) = space.contact_radius(i);
+  result.radii = radii.segment(first, size);
+  result.n_inside = first;
+  result.n_outside = radii.size() - first - size;
   result.harmonics.resize(options.n_harmonics + 1);
   // Isolated: a thread that waits here for its last harmonic must not begin another study, which may wait for
   // this very compliance.
@@ -34,8 +38,9 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
     {
       std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // harmonics 0, 1, and from 2 on
       tbb::parallel_for(0u, 3u,
-                        [&](unsigned int n)
-                        { of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n); });
+                        [&, first = first, size = size](unsigned int n) {
+                          of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);
+                        });
       tbb::parallel_for(0u, options.n_harmonics + 2,
                         [&](unsigned int n)
                         {

@@ -15,6 +15,26 @@ Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x)
   return values;
 }
 
+std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
+                                                    double inner, double outer)
+{
+  Eigen::Index first = 0, last = radii.size() - 1;
+  while (first + degree < last && radii(first + degree) < inner)
+    first += degree;
+  while (last - degree > first && radii(last - degree) > outer)
+    last -= degree;
+  return { first, last - first + 1 };
+}
+
+Eigen::MatrixXd ContactCompliance::on_land(const Eigen::MatrixXd &values) const
+{
+  if (values.size() == 0)
+    return values;
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n_inside + radii.size() + n_outside, values.cols());
+  whole.middleRows(n_inside, radii.size()) = values;
+  return whole;
+}
+
 Eigen::VectorXd ContactCompliance::shape_at(double radius) const
 {
   unsigned int first = 0; // node of the element
@@ -39,8 +59,8 @@ ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size)
     result.harmonics.push_back(part_of(harmonic));
   result.beyond = part_of(beyond);
   result.n_meridian_unknowns = n_meridian_unknowns;
-  result.is_cut_inside = is_cut_inside || first > 0;
-  result.is_cut_outside = is_cut_outside || first + size < radii.size();
+  result.n_inside = n_inside + first;
+  result.n_outside = n_outside + radii.size() - first - size;
   return result;
 }
 

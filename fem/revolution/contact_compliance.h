@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -17,6 +19,11 @@ namespace stemware::fem
 
 /// Lagrange polynomials of @p nodes at @p x. Shape [nodes.size()].
 Eigen::VectorXd lagrange_values(const Eigen::VectorXd &nodes, double x);
+
+/// First and number of those nodes, at @p radii, that belong to elements of degree @p degree which are not
+/// wholly inside @p inner or outside @p outer; one element at least.
+std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
+                                                    double inner, double outer);
 
 /// Vertical displacement of the contact nodes of a body of revolution under line forces of one harmonic n.
 ///
@@ -47,8 +54,8 @@ struct ContactCompliance
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
   HarmonicCompliance beyond; ///< of all harmonics above n_harmonics(), see MeridianOptions::beyond()
   unsigned int n_meridian_unknowns = 0; ///< degrees of freedom of one meridional problem
-  bool is_cut_inside = false;           ///< the land goes on inside the first node: a part() of the land
-  bool is_cut_outside = false;          ///< likewise outside the last one
+  Eigen::Index n_inside = 0;  ///< contact nodes of the land inside the first node: of a part() of the land
+  Eigen::Index n_outside = 0; ///< likewise outside the last one
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
@@ -56,6 +63,10 @@ struct ContactCompliance
   /// Values at @p radius of the contact nodes' shape functions: those of the element that it lies in. Outside
   /// the contact zone the nearest element's polynomials go on. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
+
+  /// @p values at the nodes, one row for each, with zeros at the other nodes of the land; nothing stays
+  /// nothing.
+  Eigen::MatrixXd on_land(const Eigen::MatrixXd &values) const;
 
   /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element:
   /// forces elsewhere are none, displacements elsewhere not asked for.
@@ -77,6 +88,9 @@ struct MeridianOptions
 {
   unsigned int degree = 2;       ///< of the elements, 1 to 4
   unsigned int n_harmonics = 16; ///< highest harmonic of the elastic response
+  /// Between which the land's elements are wanted, whole elements [m]: forces elsewhere are none.
+  double inner_radius = 0;
+  double outer_radius = std::numeric_limits<double>::infinity();
 
   /// The harmonic whose compliance stands for all above n_harmonics: half an octave up.
   unsigned int beyond() const { return n_harmonics + (n_harmonics + 1) / 2; }

@@ -70,8 +70,10 @@ MeshError estimate_mesh_error(const SolvedContact &contact, const ContactGoal &g
   number_cells(meshes.foot);
   number_cells(meshes.disc);
   meshes.refine_where_singular(state.inner_radius, state.outer_radius, n_corner_halvings);
+  const double margin = 1e-9 * circles.radii.tail<1>()(0);
+  options.inner_radius = circles.radii(0) - margin;
+  options.outer_radius = circles.radii.tail<1>()(0) + margin;
   const std::shared_ptr<const ContactCompliance> land = compliance_of(setup, meshes, options, *contact.cache);
-  const double margin = 1e-9 * land->radii.tail<1>()(0);
   const auto n_below = [&](double radius) -> Eigen::Index { return (land->radii.array() < radius).count(); };
   const Eigen::Index first = n_below(circles.radii(0) - margin);
   const Eigen::Index size = n_below(circles.radii.tail<1>()(0) + margin) - first;
@@ -105,14 +107,7 @@ MeshError estimate_mesh_error(const SolvedContact &contact, const ContactGoal &g
   if (!with_cells)
     return error;
 
-  const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
-  {
-    if (modes.size() == 0)
-      return modes;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(land->n_nodes(), modes.cols());
-    whole.middleRows(first, size) = modes;
-    return whole;
-  };
+  const auto on_land = [&](const Eigen::MatrixXd &modes) { return body.contact_compliance().on_land(modes); };
   const ForceModes modes = body.elastic_response().force_modes(body.forces());
   const ForceModes dual = { on_land(body.fourier_basis().project(gradient.of_gap)), {}, {} };
   const auto forces_on = [&](bool with_friction) -> ForceModes

@@ -86,13 +86,15 @@ void MeridianSpace::Factors::solve(Vector<double> &forces) const
   values = solve(Eigen::MatrixXd(values));
 }
 
-MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int harmonic)
-    : space(space)
-    , constraints(space.make_constraints(harmonic))
+MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int harmonic, Eigen::Index first,
+                                        Eigen::Index size)
+    : constraints(space.make_constraints(harmonic))
+    , n_nodes(size)
 {
   for (const unsigned int component : { vertical, radial, azimuthal })
-    for (const NodeDofs &node : space.contact_nodes)
-      of_contact.push_back(static_cast<unsigned int>(node[component]));
+    for (Eigen::Index i = first; i < first + size; ++i)
+      of_contact.push_back(
+        static_cast<unsigned int>(space.contact_nodes[static_cast<std::size_t>(i)][component]));
   SparsityPattern pattern;
   space.make_pattern(constraints, pattern);
   SparseMatrix<double> matrix(pattern);
@@ -110,13 +112,13 @@ MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int
 
 HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic) const
 {
-  const unsigned int n_nodes = space.n_contact_nodes();
   const std::array<double, 3> factors = MeridianStiffness::factors_of(harmonic);
   Eigen::MatrixXd displacements =
-    (*inverse)(factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2], n_nodes);
+    (*inverse)(factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2],
+               static_cast<unsigned int>(n_nodes));
   // A contact node is free unless it lies on the axis.
-  for (unsigned int i = 0; i < of_contact.size(); ++i)
-    if (const auto *entries = constraints.get_constraint_entries(of_contact[i]))
+  for (Eigen::Index i = 0; i < 3 * n_nodes; ++i)
+    if (const auto *entries = constraints.get_constraint_entries(of_contact[static_cast<std::size_t>(i)]))
     {
       displacements.row(i).setZero();
       if (i < n_nodes)

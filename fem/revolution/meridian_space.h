@@ -62,15 +62,16 @@ public:
   class Compliances
   {
   public:
-    /// Serves all harmonics with the axis conditions of @p harmonic. Keeps a reference to @p space.
-    Compliances(const MeridianSpace &space, unsigned int harmonic);
+    /// Serves all harmonics with the axis conditions of @p harmonic, for the contact nodes from @p first on,
+    /// @p size of them.
+    Compliances(const MeridianSpace &space, unsigned int harmonic, Eigen::Index first, Eigen::Index size);
     /// Displacements of the contact nodes under a vertical unit force per radian on each of them; by
     /// reciprocity also the vertical displacements under radial and azimuthal ones.
     HarmonicCompliance operator()(unsigned int harmonic) const;
 
   private:
-    const MeridianSpace &space;
     const dealii::AffineConstraints<double> constraints;
+    const Eigen::Index n_nodes;
     std::vector<unsigned int> of_contact; ///< dofs: u_z of the contact nodes, then u_r, then u_theta
     std::array<Eigen::VectorXd, 3> parts; ///< entries of K_0, K_1 and K_2
     std::unique_ptr<const BlockInverse> inverse;

@@ -12,7 +12,7 @@ namespace stemware::fem
 {
 
 MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
-    : RevolutionFoot(setup, compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache))
+    : RevolutionFoot(setup, compliance_of(setup, MeridianMeshes(setup), setup.meridian_of_zone(), cache))
 {
 }
 
@@ -23,7 +23,23 @@ MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup)
 
 std::shared_ptr<const Foot> MeshedRevolutionFoot::twin() const
 {
-  return std::make_shared<MeshedRevolutionFoot>(setup, compliance);
+  const auto twin = std::make_shared<MeshedRevolutionFoot>(setup, compliance);
+  twin->whole_land = whole_land;
+  return twin;
+}
+
+std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::of_whole_land() const
+{
+  if (compliance->n_inside == 0 && compliance->n_outside == 0)
+    return compliance;
+  std::call_once(whole_land->once,
+                 [&]
+                 {
+                   ComplianceCache cache;
+                   whole_land->compliance =
+                     compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache);
+                 });
+  return whole_land->compliance;
 }
 
 std::optional<MeshError> MeshedRevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
@@ -46,17 +62,11 @@ std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) c
   const Zone &zone = zone_of(state);
   const MeridianMeshes meshes(setup);
   const MeridianSpace space(meshes.foot, setup.material, setup.meridian.degree);
-  const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
-  {
-    if (modes.size() == 0)
-      return modes;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(compliance->n_nodes(), modes.cols());
-    whole.middleRows(zone.first, modes.rows()) = modes;
-    return whole;
-  };
+  const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  const MeridianField field(space, setup.material,
-                            { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) });
+  const MeridianField field(
+    space, setup.material,
+    { part.on_land(modes.normal), part.on_land(modes.radial), part.on_land(modes.azimuthal) });
   const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
   std::ostringstream file;
   write_revolution_fields(field, pressure, state.solution.motion, axis(state.slip.orientation), file);

@@ -4,6 +4,7 @@
 #include "fem/revolution/revolution_foot.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,16 @@ public:
                                       bool with_cells) const override;
 
 private:
+  /// The compliance of the whole land, once for a foot and its twins.
+  struct WholeLand
+  {
+    std::once_flag once;
+    std::shared_ptr<const ContactCompliance> compliance;
+  };
+
+  std::shared_ptr<const ContactCompliance> of_whole_land() const override;
+
+  std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
   mutable ComplianceCache finer{ 4 }; ///< of mesh_error()
 };
 

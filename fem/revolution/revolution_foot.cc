@@ -23,9 +23,8 @@ Eigen::Vector3d motion_in_axes(const Eigen::Vector3d &motion, double angle)
 
 } // namespace
 
-RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size)
-    : first(first)
-    , body(foot.compliance->part(first, size), foot.gap_at({}), foot.setup.n_lines)
+RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, ContactCompliance compliance)
+    : body(std::move(compliance), foot.gap_at({}), foot.setup.n_lines)
     , law(foot.interface->make(body.contact_surface(), 0))
 {
 }
@@ -36,9 +35,11 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup,
     , compliance(std::move(compliance))
     , interface(setup.interface())
 {
-  constexpr double reach = 10; // half-widths: room for a load that gathers on a part of the rim
   setup.imperfection.validate();
-  zones.front() = make_zone(reach * setup.contact_half_width);
+  const MeridianOptions narrow = this->setup.meridian_of_zone();
+  const auto [first, size] = nodes_between(this->compliance->radii, this->compliance->degree,
+                                           narrow.inner_radius, narrow.outer_radius);
+  zones.front() = std::make_unique<Zone>(*this, this->compliance->part(first, size));
 }
 
 std::shared_ptr<const Foot> RevolutionFoot::twin() const
@@ -46,24 +47,17 @@ std::shared_ptr<const Foot> RevolutionFoot::twin() const
   return std::make_shared<RevolutionFoot>(setup, compliance);
 }
 
-std::unique_ptr<RevolutionFoot::Zone> RevolutionFoot::make_zone(double reach) const
+std::shared_ptr<const ContactCompliance> RevolutionFoot::of_whole_land() const
 {
-  const Eigen::Index degree = compliance->degree;
-  Eigen::Index first = 0, last = compliance->radii.size() - 1;
-  if (reach > 0)
-  {
-    while (first + degree < last && compliance->radii(first + degree) < setup.profile.contact_radius - reach)
-      first += degree;
-    while (last - degree > first && compliance->radii(last - degree) > setup.profile.contact_radius + reach)
-      last -= degree;
-  }
-  return std::make_unique<Zone>(*this, first, last - first + 1);
+  if (compliance->n_inside > 0 || compliance->n_outside > 0)
+    throw std::out_of_range("The contact leaves the part of the land whose compliances are known.");
+  return compliance;
 }
 
 RevolutionFoot::Zone &RevolutionFoot::zone_at(unsigned int index, const ring::Orientation &marks) const
 {
   if (!zones[index])
-    zones[index] = make_zone(0);
+    zones[index] = std::make_unique<Zone>(*this, *of_whole_land());
   Zone &zone = *zones[index];
   const bool has_turned = marks.glass != zone.marks.glass || marks.table != zone.marks.table;
   if (has_turned && !setup.imperfection.empty())
@@ -89,7 +83,7 @@ bool RevolutionFoot::has_left(const Zone &zone) const
   const double threshold = 1e-9 * forces.cwiseAbs().maxCoeff();
   const auto carries = [&](Eigen::Index row) { return forces.row(row).cwiseAbs().maxCoeff() > threshold; };
   const ContactCompliance &part = zone.body.contact_compliance();
-  return (part.is_cut_inside && carries(0)) || (part.is_cut_outside && carries(forces.rows() - 1));
+  return (part.n_inside > 0 && carries(0)) || (part.n_outside > 0 && carries(forces.rows() - 1));
 }
 
 BodyOfRevolution::Gap RevolutionFoot::gap_at(const ring::Orientation &marks) const
@@ -205,8 +199,6 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip
   {
     state.zone = 1;
     press({}, state);
-    if (has_left(*zones[1]))
-      throw std::out_of_range("The contact leaves the part of the land whose compliances are known.");
   }
   state.solution.motion = motion_in_axes(state.solution.motion, -axis(slip.orientation));
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);

@@ -45,9 +45,8 @@ protected:
   /// A part of the land with the body that is loaded there alone: what a contact is worked out on.
   struct Zone
   {
-    Zone(const RevolutionFoot &foot, Eigen::Index first, Eigen::Index size);
+    Zone(const RevolutionFoot &foot, ContactCompliance compliance);
 
-    const Eigen::Index first; ///< contact node of the land
     BodyOfRevolution body;
     const std::unique_ptr<TableLaw> law;
     ring::Orientation marks; ///< that the gaps stand at
@@ -61,12 +60,13 @@ protected:
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;
-  const std::shared_ptr<const ContactCompliance> compliance; ///< of the land
+  const std::shared_ptr<const ContactCompliance> compliance; ///< of the land, or of a part of it
   const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
 
 private:
-  /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
-  std::unique_ptr<Zone> make_zone(double reach) const;
+  /// The compliance of the whole land, for contacts that leave the part. Throws std::out_of_range where it is
+  /// not known.
+  virtual std::shared_ptr<const ContactCompliance> of_whole_land() const;
   /// The zone with its gaps at @p marks; the body's state is anything.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
   /// Whether the contact on @p zone has come to a border of it that is none of the land.

@@ -30,6 +30,18 @@ ContactCompliance RevolutionSetup::together(const ContactCompliance &foot,
   return sum;
 }
 
+MeridianOptions RevolutionSetup::meridian_of_zone() const
+{
+  const double reach = 10 * contact_half_width;
+  MeridianOptions options = meridian;
+  if (reach > 0)
+  {
+    options.inner_radius = profile.contact_radius - reach;
+    options.outer_radius = profile.contact_radius + reach;
+  }
+  return options;
+}
+
 double RevolutionSetup::line_load(double normal_force) const
 {
   return normal_force / (2 * boost::math::double_constants::pi * profile.contact_radius);

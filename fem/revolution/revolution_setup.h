@@ -58,6 +58,11 @@ struct RevolutionSetup
   /// substrate.
   ContactCompliance together(const ContactCompliance &foot, const ContactCompliance *disc) const;
 
+  /// The meridional problems with forces on the elements near the contact radius alone: ten half-widths of a
+  /// narrow contact to either side, room for a load that gathers on a part of the rim; the whole land of a
+  /// wide one.
+  MeridianOptions meridian_of_zone() const;
+
   /// Load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
 

@@ -190,12 +190,11 @@ std::vector<BudgetRow> Explorer::budget()
 
 std::vector<double> packed(const fem::ContactCompliance &compliance)
 {
-  std::vector<double> numbers = { static_cast<double>(compliance.n_nodes()),
-                                  static_cast<double>(compliance.degree),
-                                  static_cast<double>(compliance.n_harmonics()),
-                                  static_cast<double>(compliance.n_meridian_unknowns),
-                                  compliance.is_cut_inside ? 1. : 0.,
-                                  compliance.is_cut_outside ? 1. : 0. };
+  std::vector<double> numbers = {
+    static_cast<double>(compliance.n_nodes()),     static_cast<double>(compliance.degree),
+    static_cast<double>(compliance.n_harmonics()), static_cast<double>(compliance.n_meridian_unknowns),
+    static_cast<double>(compliance.n_inside),      static_cast<double>(compliance.n_outside)
+  };
   const auto add = [&](const auto &values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
   add(compliance.radii);
   const auto add_harmonic = [&](const fem::HarmonicCompliance &harmonic)
@@ -218,8 +217,8 @@ fem::ContactCompliance unpacked(const double *numbers)
   compliance.degree = static_cast<unsigned int>(numbers[1]);
   compliance.harmonics.resize(static_cast<std::size_t>(numbers[2]) + 1);
   compliance.n_meridian_unknowns = static_cast<unsigned int>(numbers[3]);
-  compliance.is_cut_inside = numbers[4] != 0;
-  compliance.is_cut_outside = numbers[5] != 0;
+  compliance.n_inside = static_cast<Eigen::Index>(numbers[4]);
+  compliance.n_outside = static_cast<Eigen::Index>(numbers[5]);
   numbers += 6;
   compliance.radii = Eigen::Map<const Eigen::VectorXd>(numbers, n);
   numbers += n;
