@@ -324,26 +324,48 @@ std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, c
   return estimate_mesh_error(contact, goal, with_cells);
 }
 
+/// The fields of a body under the forces on a zone of its land, with the meshes that they live on.
+struct RevolutionFoot::Field
+{
+  Field(const RevolutionFoot &foot, const Zone &zone)
+      : meshes(foot.setup)
+      , space(meshes.foot, foot.setup.material, foot.setup.meridian.degree)
+      , field(space, foot.setup.material, forces(foot, zone))
+  {
+  }
+
+  static ForceModes forces(const RevolutionFoot &foot, const Zone &zone)
+  {
+    const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
+    {
+      if (modes.size() == 0)
+        return modes;
+      Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(foot.compliance->n_nodes(), modes.cols());
+      whole.middleRows(zone.first, modes.rows()) = modes;
+      return whole;
+    };
+    const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
+    return { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) };
+  }
+
+  const MeridianMeshes meshes;
+  const MeridianSpace space;
+  const MeridianField field;
+};
+
 std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state) const
 {
   const Zone &zone = zone_of(state);
-  const MeridianMeshes meshes(setup);
-  const MeridianSpace space(meshes.foot, setup.material, setup.meridian.degree);
-  const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
-  {
-    if (modes.size() == 0)
-      return modes;
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(compliance->n_nodes(), modes.cols());
-    whole.middleRows(zone.first, modes.rows()) = modes;
-    return whole;
-  };
-  const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  const MeridianField field(space, setup.material,
-                            { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) });
+  const Field whole(*this, zone);
   const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
   std::ostringstream file;
-  write_revolution_fields(field, pressure, state.solution.motion, axis(state.slip.orientation), file);
+  write_revolution_fields(whole.field, pressure, state.solution.motion, axis(state.slip.orientation), file);
   return { { "contact.vtu", file.str() } };
+}
+
+std::vector<StressedPatch> RevolutionFoot::section(const ContactState &state, double theta) const
+{
+  return revolution_section(Field(*this, zone_of(state)).field, theta - axis(state.slip.orientation));
 }
 
 } // namespace stemware::fem

@@ -39,6 +39,7 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
+  std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
   /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
@@ -59,6 +60,8 @@ private:
     const std::unique_ptr<TableLaw> law;
     ring::Orientation marks; ///< that the gaps stand at
   };
+
+  struct Field;
 
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   std::unique_ptr<Zone> make_zone(double reach) const;

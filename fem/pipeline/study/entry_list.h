@@ -181,7 +181,7 @@ private:
       if (!parsed)
         return false;
       value = *parsed;
-      given.insert(path);
+      given[path] = text;
       return true;
     };
     for (const Fact &fact : facts)

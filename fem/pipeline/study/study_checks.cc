@@ -1,3 +1,4 @@
+#include "fem/pipeline/study/measured_spin_file.h"
 #include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_notes.h"
@@ -153,6 +154,8 @@ void check_study(const Study &study)
     throw BadInput(error.what());
   }
   check_orbit_speed_file(study);
+  if (!study.motion.measured_spin_file.empty())
+    read_measured_spin_file(study.motion.measured_spin_file);
   require_affordable(study);
 }
 
