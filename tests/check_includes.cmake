@@ -1,6 +1,7 @@
 # The house has one order: a folder may include the folders above it in this list and nothing below. The ring model does
-# not know the finite elements, and of these contact and bodies know its words for a load, ring_model/load, alone. Fails
-# with every include that says otherwise, or file that lies loose.
+# not know the finite elements, and of these contact and bodies know its words for a load, ring_model/load, alone. What
+# the live cut's sources include, and what that includes, is Eigen, Boost or standard, and knows no files. Fails with every
+# include that says otherwise, or file that lies loose.
 # Given: SOURCE_DIR.
 cmake_policy(VERSION 3.25)
 set(order
@@ -17,6 +18,7 @@ set(order
     fem/pipeline/coupling
     fem/pipeline/variants
     fem/pipeline/analysis
+    fem/pipeline/explore
     fem/pipeline/report
     fem/pipeline/app)
 
@@ -68,8 +70,47 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
+# The live cut: what stemware_library() makes LIVE, but for BEYOND_LIVE.
+set(reached "")
+foreach(folder IN LISTS order)
+  file(READ ${SOURCE_DIR}/${folder}/CMakeLists.txt text)
+  if(NOT text MATCHES "stemware_library\\([^)]* LIVE[^_]")
+    continue()
+  endif()
+  string(REGEX MATCH "BEYOND_LIVE[^)]*" beyond "${text}")
+  string(REGEX MATCH "EXCEPT[^)]*" except "${text}")
+  foreach(file IN LISTS files)
+    cmake_path(GET file PARENT_PATH place)
+    cmake_path(GET file FILENAME name)
+    if(place STREQUAL folder AND name MATCHES "\\.cc$" AND NOT "${beyond} ${except}" MATCHES "[ \n]${name}[ \n]")
+      list(APPEND reached ${file})
+    endif()
+  endforeach()
+endforeach()
+list(LENGTH reached n_live)
+set(open ${reached})
+while(open)
+  list(POP_FRONT open file)
+  file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "\"([^\"]+)\"")
+      set(included ${CMAKE_MATCH_1})
+      if(NOT included IN_LIST reached)
+        list(APPEND reached ${included})
+        list(APPEND open ${included})
+      endif()
+    elseif(line MATCHES "<([^>]+)>" AND NOT CMAKE_MATCH_1 MATCHES "^(Eigen|boost)/|^[a-z_]+$|^math.h$" OR line MATCHES
+                                                                                         "<(filesystem|fstream|thread)>")
+      string(APPEND troubles "${file}, of the live cut or included there, has ${line}\n")
+    endif()
+  endforeach()
+endwhile()
+if(n_live LESS 80)
+  string(APPEND troubles "only ${n_live} sources are found to be of the live cut\n")
+endif()
+
 if(troubles)
   message(FATAL_ERROR "Includes that break the order of the folders:\n${troubles}")
 endif()
 list(LENGTH files n)
-message("${n} files include only what lies above them.")
+message("${n} files include only what lies above them; ${n_live} are of the live cut.")

@@ -126,8 +126,8 @@ public:
   virtual PressureMap pressure_map(const ContactState &state) const = 0;
 
   /// Displacement, stress and contact pressure of any state of this foot as VTU files: what this rank has to
-  /// write.
-  virtual std::vector<FieldFile> fields(const ContactState &state) const = 0;
+  /// write. Nothing of a foot without a mesh.
+  virtual std::vector<FieldFile> fields(const ContactState & /*state*/) const { return {}; }
 
   /// The section of any state of this foot through its axis, at azimuth @p theta [rad] of the slip frame
   /// where x > 0, relative to the stem's cut; empty where this foot cannot tell.

@@ -47,6 +47,8 @@ struct ContactCompliance
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
   HarmonicCompliance beyond; ///< of all harmonics above n_harmonics(), see MeridianOptions::beyond()
   unsigned int n_meridian_unknowns = 0; ///< degrees of freedom of one meridional problem
+  bool is_cut_inside = false;           ///< the land goes on inside the first node: a part() of the land
+  bool is_cut_outside = false;          ///< likewise outside the last one
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
@@ -58,6 +60,12 @@ struct ContactCompliance
   /// The part of the contact nodes @p first ... @p first + @p size - 1, which begin and end an element:
   /// forces elsewhere are none, displacements elsewhere not asked for.
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
+
+  /// The compliance without what friction tractions do.
+  ContactCompliance without_friction() const;
+
+  /// All compliances times @p factor: those of a body with 1 / @p factor of the Young modulus.
+  ContactCompliance scaled(double factor) const;
 
   /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.
   /// Throws std::invalid_argument unless nodes, degree and number of harmonics agree.

@@ -19,25 +19,6 @@ using namespace dealii;
 namespace
 {
 
-void drop_friction(ContactCompliance &compliance)
-{
-  for (HarmonicCompliance &harmonic : compliance.harmonics)
-  {
-    harmonic.radial.setZero();
-    harmonic.azimuthal.setZero();
-  }
-  compliance.beyond.radial.setZero();
-  compliance.beyond.azimuthal.setZero();
-}
-
-void drop_elasticity(ContactCompliance &compliance)
-{
-  drop_friction(compliance);
-  for (HarmonicCompliance &harmonic : compliance.harmonics)
-    harmonic.normal.setZero();
-  compliance.beyond.normal.setZero();
-}
-
 /// Radii between which @p cell lies on the contact zone; equal where it does not.
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
@@ -184,19 +165,9 @@ std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &se
   const auto whole = cache.get(meshes.foot, setup.material, options);
   if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
     return whole;
-  const auto of_both = std::make_shared<ContactCompliance>(*whole);
-  if (setup.foot_is_rigid)
-    drop_elasticity(*of_both);
-  else if (!setup.friction_in_foot)
-    drop_friction(*of_both);
-  if (setup.table.substrate)
-  {
-    ContactCompliance below = *cache.get(meshes.disc, setup.table.substrate->material, options);
-    if (!setup.friction_in_substrate)
-      drop_friction(below);
-    *of_both += below;
-  }
-  return of_both;
+  const auto below =
+    setup.table.substrate ? cache.get(meshes.disc, setup.table.substrate->material, options) : nullptr;
+  return std::make_shared<const ContactCompliance>(setup.together(*whole, below.get()));
 }
 
 } // namespace stemware::fem

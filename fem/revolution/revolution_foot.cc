@@ -1,15 +1,11 @@
 #include "fem/revolution/revolution_foot.h"
 
-#include "fem/revolution/goal_estimate.h"
-#include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/revolution_output.h"
-
 #include <Eigen/Geometry>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 namespace stemware::fem
@@ -45,19 +41,9 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup,
   zones.front() = make_zone(reach * setup.contact_half_width);
 }
 
-RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache)
-    : RevolutionFoot(setup, compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache))
-{
-}
-
-RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup)
-    : RevolutionFoot(setup, *std::make_unique<ComplianceCache>())
-{
-}
-
 std::shared_ptr<const Foot> RevolutionFoot::twin() const
 {
-  return std::shared_ptr<const Foot>(new RevolutionFoot(setup, compliance));
+  return std::make_shared<RevolutionFoot>(setup, compliance);
 }
 
 std::unique_ptr<RevolutionFoot::Zone> RevolutionFoot::make_zone(double reach) const
@@ -102,8 +88,8 @@ bool RevolutionFoot::has_left(const Zone &zone) const
   const Eigen::MatrixXd &forces = zone.body.forces();
   const double threshold = 1e-9 * forces.cwiseAbs().maxCoeff();
   const auto carries = [&](Eigen::Index row) { return forces.row(row).cwiseAbs().maxCoeff() > threshold; };
-  return (zone.first > 0 && carries(0)) ||
-         (zone.first + forces.rows() < compliance->radii.size() && carries(forces.rows() - 1));
+  const ContactCompliance &part = zone.body.contact_compliance();
+  return (part.is_cut_inside && carries(0)) || (part.is_cut_outside && carries(forces.rows() - 1));
 }
 
 BodyOfRevolution::Gap RevolutionFoot::gap_at(const ring::Orientation &marks) const
@@ -140,8 +126,10 @@ RevolutionStarts RevolutionFoot::starts_from(const ContactGuess &guess, const ri
 {
   RevolutionStarts starts;
   if (guess.expected)
-    starts.expected = { motion_in_axes(guess.expected->motion, axis(marks)),
-                        guess.expected->normal_displacement };
+  {
+    starts.expected = guess.expected;
+    starts.expected->motion = motion_in_axes(guess.expected->motion, axis(marks));
+  }
   if (!guess.before)
     return starts;
   const ContactState &before = *guess.before;
@@ -217,6 +205,8 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip
   {
     state.zone = 1;
     press({}, state);
+    if (has_left(*zones[1]))
+      throw std::out_of_range("The contact leaves the part of the land whose compliances are known.");
   }
   state.solution.motion = motion_in_axes(state.solution.motion, -axis(slip.orientation));
   state.load = gather(state, demand.ring_radii, demand.n_harmonics);
@@ -307,65 +297,6 @@ PressureMap RevolutionFoot::pressure_map(const ContactState &state) const
   const double first = axis(state.slip.orientation);
   PressureMap map = zone_at(state.zone, state.slip.orientation).law->pressure_map(state.solution);
   return first == 0 ? map : map.turned(first);
-}
-
-std::optional<MeshError> RevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
-                                                    bool with_cells) const
-{
-  if (!setup.imperfection.empty())
-    return std::nullopt;
-  const Zone &zone = zone_of(state);
-  SolvedContact contact = { setup, zone.body, *interface };
-  contact.gap = gap_at({});
-  contact.state = &state;
-  contact.cache = &finer;
-  if (setup.friction_coefficient > 0)
-    contact.sliding = sliding_at(state.slip);
-  return estimate_mesh_error(contact, goal, with_cells);
-}
-
-/// The fields of a body under the forces on a zone of its land, with the meshes that they live on.
-struct RevolutionFoot::Field
-{
-  Field(const RevolutionFoot &foot, const Zone &zone)
-      : meshes(foot.setup)
-      , space(meshes.foot, foot.setup.material, foot.setup.meridian.degree)
-      , field(space, foot.setup.material, forces(foot, zone))
-  {
-  }
-
-  static ForceModes forces(const RevolutionFoot &foot, const Zone &zone)
-  {
-    const auto on_land = [&](const Eigen::MatrixXd &modes) -> Eigen::MatrixXd
-    {
-      if (modes.size() == 0)
-        return modes;
-      Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(foot.compliance->n_nodes(), modes.cols());
-      whole.middleRows(zone.first, modes.rows()) = modes;
-      return whole;
-    };
-    const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-    return { on_land(modes.normal), on_land(modes.radial), on_land(modes.azimuthal) };
-  }
-
-  const MeridianMeshes meshes;
-  const MeridianSpace space;
-  const MeridianField field;
-};
-
-std::vector<FieldFile> RevolutionFoot::fields(const ContactState &state) const
-{
-  const Zone &zone = zone_of(state);
-  const Field whole(*this, zone);
-  const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
-  std::ostringstream file;
-  write_revolution_fields(whole.field, pressure, state.solution.motion, axis(state.slip.orientation), file);
-  return { { "contact.vtu", file.str() } };
-}
-
-std::vector<StressedPatch> RevolutionFoot::section(const ContactState &state, double theta) const
-{
-  return revolution_section(Field(*this, zone_of(state)).field, theta - axis(state.slip.orientation));
 }
 
 } // namespace stemware::fem

@@ -2,7 +2,6 @@
 
 #include "fem/contact/foot.h"
 #include "fem/revolution/body_of_revolution.h"
-#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/contact_compliance.h"
 #include "fem/revolution/revolution_contact.h"
 #include "fem/revolution/revolution_setup.h"
@@ -15,15 +14,15 @@
 namespace stemware::fem
 {
 
-/// The foot as a body of revolution on its table, whose contacts RevolutionContact finds. Solving is not
-/// collective.
+/// The foot as a body of revolution on its table, known by its compliance alone, whose contacts
+/// RevolutionContact finds. Solving is not collective.
 class RevolutionFoot : public Foot
 {
 public:
-  /// Computes the compliances. Throws std::invalid_argument for a setup that is not allowed.
-  explicit RevolutionFoot(const RevolutionSetup &setup);
-  /// Takes the compliances from @p cache, which other feet share.
-  RevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
+  /// With @p compliance of the foot and substrate of @p setup, of the whole land, or of a part of it: then a
+  /// contact that leaves the part is refused, std::out_of_range. Throws std::invalid_argument for a setup
+  /// that is not allowed.
+  RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
 
   std::shared_ptr<const Foot> twin() const override;
   FootDescription description() const override;
@@ -38,18 +37,11 @@ public:
                      unsigned int n_harmonics) const override;
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
-  std::vector<FieldFile> fields(const ContactState &state) const override;
-  std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
-  /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
-  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
-                                      bool with_cells) const override;
 
   /// The body that is loaded about the contact radius.
   const BodyOfRevolution &elastic_body() const { return zones.front()->body; }
 
-private:
-  RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
-
+protected:
   /// A part of the land with the body that is loaded there alone: what a contact is worked out on.
   struct Zone
   {
@@ -61,14 +53,22 @@ private:
     ring::Orientation marks; ///< that the gaps stand at
   };
 
-  struct Field;
+  /// The zone of @p state with its body as the state has it.
+  Zone &zone_of(const ContactState &state) const;
+  BodyOfRevolution::Gap gap_at(const ring::Orientation &marks) const;
+  SlidingTraction sliding_at(const ring::Slip &slip) const;
+  /// Azimuth of the first line [rad]: crest() less whole lines, at most half a line from that of travel.
+  double axis(const ring::Orientation &marks) const;
 
+  const RevolutionSetup setup;
+  const std::shared_ptr<const ContactCompliance> compliance; ///< of the land
+  const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
+
+private:
   /// Elements of the land that lie within @p reach of the contact radius, all of them where that is 0.
   std::unique_ptr<Zone> make_zone(double reach) const;
   /// The zone with its gaps at @p marks; the body's state is anything.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
-  /// The zone of @p state with its body as the state has it.
-  Zone &zone_of(const ContactState &state) const;
   /// Whether the contact on @p zone has come to a border of it that is none of the land.
   bool has_left(const Zone &zone) const;
   /// Solves the contact of @p state on its zone, in the axes of the lines.
@@ -78,8 +78,6 @@ private:
   /// right the last time.
   RevolutionStarts starts_from(const ContactGuess &guess, const ring::Orientation &marks) const;
 
-  BodyOfRevolution::Gap gap_at(const ring::Orientation &marks) const;
-  SlidingTraction sliding_at(const ring::Slip &slip) const;
   /// Nodal values turned counter-clockwise by @p n lines.
   Eigen::VectorXd turned_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
@@ -89,15 +87,8 @@ private:
   /// between lines at one phase and on a line at the next, would not depend smoothly on the phase. Whole
   /// lines are no change.
   long crest_line(const ring::Orientation &marks) const;
-  /// Azimuth of the first line [rad]: crest() less whole lines, at most half a line from that of travel.
-  double axis(const ring::Orientation &marks) const;
-
-  const RevolutionSetup setup;
-  const std::shared_ptr<const ContactCompliance> compliance; ///< of the whole land
-  const std::shared_ptr<const InterfaceLaw> interface;       ///< a hard one as a stiff spring
   /// A band about the contact radius, and the whole land for contacts that leave it, made when one does.
   mutable std::array<std::unique_ptr<Zone>, 2> zones;
-  mutable ComplianceCache finer{ 4 }; ///< of mesh_error()
 };
 
 } // namespace stemware::fem

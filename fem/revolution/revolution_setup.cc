@@ -21,6 +21,15 @@ double RevolutionSetup::plane_strain_compliance() const
   return compliance;
 }
 
+ContactCompliance RevolutionSetup::together(const ContactCompliance &foot,
+                                            const ContactCompliance *disc) const
+{
+  ContactCompliance sum = foot_is_rigid ? foot.scaled(0) : friction_in_foot ? foot : foot.without_friction();
+  if (disc)
+    sum += friction_in_substrate ? *disc : disc->without_friction();
+  return sum;
+}
+
 double RevolutionSetup::line_load(double normal_force) const
 {
   return normal_force / (2 * boost::math::double_constants::pi * profile.contact_radius);

@@ -54,6 +54,10 @@ struct RevolutionSetup
   /// itself yields. Throws std::invalid_argument where nothing yields.
   std::shared_ptr<const InterfaceLaw> interface() const;
 
+  /// Compliance of foot and substrate together, without what is switched off; @p disc: nothing without a
+  /// substrate.
+  ContactCompliance together(const ContactCompliance &foot, const ContactCompliance *disc) const;
+
   /// Load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
 

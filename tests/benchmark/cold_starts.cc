@@ -2,7 +2,7 @@
 // many steps. Build: cmake --preset release -DSTEMWARE_BENCHMARKS=ON, run: build/release/cold_starts
 
 #include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 
 #include <deal.II/base/multithread_info.h>
 
@@ -48,7 +48,7 @@ void press_at_every_moment(const RevolutionSetup &setup, ComplianceCache &cache,
   for (const double m : { 0., 0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1., 1.1, 1.2, 1.3, 1.5, 1.7, 1.8, 1.9, 1.95 })
   {
     ++tally.n_cases;
-    RevolutionFoot foot(setup, cache);
+    MeshedRevolutionFoot foot(setup, cache);
     const double moment = m * weight * 0.015;
     try
     {

@@ -18,7 +18,7 @@
 #include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/benchmark/solid_benchmark.h"
 
@@ -148,7 +148,7 @@ double truth(const Case &study)
   const ContactGoal goal = second_harmonic(study);
   for (;;)
   {
-    RevolutionFoot foot(setup);
+    MeshedRevolutionFoot foot(setup);
     const ContactState state = foot.solve(study.demand, study.slip);
     const MeshError error = foot.mesh_error(state, goal, true).value();
     if (std::abs(error.correction) < enough || setup.halved.size() == 8)

@@ -12,7 +12,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/matrix_free/elastic_operator.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 #include "tests/benchmark/solid_benchmark.h"
@@ -88,7 +88,8 @@ double distance_from_revolution(const Case &study, const ContactLoad &load)
   setup.n_lines = 512;
   ContactDemand demand = study.load;
   demand.n_harmonics = 8;
-  const ContactLoad expected = RevolutionFoot(setup.resolved_for(study.load.normal_force)).solve(demand).load;
+  const ContactLoad expected =
+    MeshedRevolutionFoot(setup.resolved_for(study.load.normal_force)).solve(demand).load;
   double largest = 0;
   for (unsigned int n = 2; n <= 8; ++n)
     largest = std::max(largest, std::abs(load.a(n) - expected.a(n)) / expected.a(0));

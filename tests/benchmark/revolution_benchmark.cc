@@ -2,7 +2,7 @@
 // OPENBLAS_NUM_THREADS=1 build/release/revolution_benchmark
 
 #include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/yaw_dynamics.h"
@@ -59,7 +59,7 @@ BENCHMARK(compliances)->Unit(benchmark::kMillisecond);
 /// A load from the solution 0.01 in m before it, harmonics included; median over m = 0.1 ... 1.8.
 void neighbouring_load(benchmark::State &state)
 {
-  RevolutionFoot foot{ RevolutionSetup() };
+  MeshedRevolutionFoot foot{ RevolutionSetup() };
   for (auto _ : state)
   {
     std::vector<double> times;
@@ -80,7 +80,7 @@ void cold_load(benchmark::State &state)
     std::vector<double> times;
     for (double m = 0.1; m < 1.8; m += 0.05)
     {
-      RevolutionFoot foot(RevolutionSetup(), cache);
+      MeshedRevolutionFoot foot(RevolutionSetup(), cache);
       times.push_back(seconds_of([&] { foot.solve(load_at(m)); }));
     }
     state.SetIterationTime(median(times));
@@ -99,7 +99,7 @@ public:
   }
   double radius() const override { return 0.03; }
 
-  mutable RevolutionFoot foot{ RevolutionSetup() };
+  mutable MeshedRevolutionFoot foot{ RevolutionSetup() };
   mutable unsigned int n_loads = 0;
 };
 

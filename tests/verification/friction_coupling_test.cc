@@ -1,6 +1,6 @@
 // Sliding friction that deforms the foot, and the table. Kinds of reference: another program, symmetries, and
 // Boussinesq's and Cerruti's half-space under strips.
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 #include "tests/verification/half_space_formulas.h"
@@ -172,7 +172,7 @@ TEST(FrictionOfTheTable, DeformsItAsAHalfSpace)
   setup.friction_coefficient = 0.3;
   setup.meridian.n_harmonics = 8;
   setup.n_lines = 64;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const ContactLoad load = foot.solve(load_at(0.4)).load;
   const SlidingAnnulus expected({ setup.profile.land_inner_radius(), setup.profile.land_outer_radius() },
                                 wood, 1e12, 0.3, weight, -load_at(0.4).moment_y);

@@ -2,7 +2,7 @@
 // ones under a rigid foot, the elastic layer, bodies that friction does not couple.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"
 #include "tests/verification/line_contact.h"
@@ -25,7 +25,7 @@ RevolutionSetup hard_on(const std::optional<Substrate> &substrate = {})
 
 ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, double spin_per_speed = 0)
 {
-  return RevolutionFoot(setup.resolved_for(weight)).solve(load, { spin_per_speed, {} }).load;
+  return MeshedRevolutionFoot(setup.resolved_for(weight)).solve(load, { spin_per_speed, {} }).load;
 }
 
 /// Largest difference of harmonics 0 ... 8 over a_0.
@@ -148,7 +148,7 @@ TEST(ElasticLayer, CarriesARigidCrownAsLineContactOnALayer)
   setup.fineness = 3; // a layer asks for more cells than a half-space
   setup.meridian.n_harmonics = 8;
   setup.n_lines = 48;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const double radius = setup.profile.contact_radius;
   const double slenderness =
     std::sqrt(4 * weight / (2 * M_PI * radius) * setup.profile.crown_radius / (M_PI * 5e6)) / radius;

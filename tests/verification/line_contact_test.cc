@@ -3,7 +3,7 @@
 // Kind of the reference: closed form, solved with all harmonics of its own lines (line_contact.h).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/verification/line_contact.h"
 
@@ -39,7 +39,7 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.n_lines = n_lines;
   setup.fineness = 4; // cells of b / 16: a_2 is 0.7 % of a_0, and cells of b / 4 leave 2e-4 a_0 of noise
   static ComplianceCache cache; // the same bodies in every test
-  RevolutionFoot foot(setup.resolved_for(weight), cache);
+  MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;
 }
 

@@ -1,7 +1,7 @@
 // The solid body by geometric multigrid against the body of revolution: other elements, another linear
 // solver, the same interface law.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/nested_contact.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/foot_case.h"
@@ -128,7 +128,7 @@ void expect_agreement(const RevolutionSetup &setup, FootResolution resolution,
   solid_setup.options.linear_solver = LinearSolver::multigrid;
   resolution.edge_halvings = edge_halvings_for(setup.profile, true);
   SolidFoot solid(generate_solid_mesh(setup.profile, resolution), solid_setup);
-  RevolutionFoot revolution(setup.resolved_for(weight));
+  MeshedRevolutionFoot revolution(setup.resolved_for(weight));
   for (const double m : moments)
   {
     ContactDemand demand = load_at(m);
@@ -157,8 +157,9 @@ TEST(MultigridAgreement, HardFlatLandOnTheUsualMeshOfRevolution)
 {
   ContactDemand demand = load_at(1.2);
   demand.n_harmonics = 8;
-  const ContactLoad usual = RevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
+  const ContactLoad usual =
+    MeshedRevolutionFoot(hard_flat_revolution().resolved_for(weight)).solve(demand).load;
   const ContactLoad expected =
-    RevolutionFoot(finer(hard_flat_revolution()).resolved_for(weight)).solve(demand).load;
+    MeshedRevolutionFoot(finer(hard_flat_revolution()).resolved_for(weight)).solve(demand).load;
   EXPECT_LT(largest_difference(usual, expected), 1.2e-4);
 }

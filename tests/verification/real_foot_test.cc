@@ -1,7 +1,7 @@
 // The foot of a wine glass: what its smooth section does to the accuracy, and limits where it is known
 // otherwise.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/geometry/profile_oracle.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -204,7 +204,7 @@ TEST(RealFoot, StandsOnHardTables)
   setup.table = { std::make_shared<HardInterface>(),
                   Substrate{ { 0.3, 0.3 }, ElasticMaterial{ 10e9, 0.3 } } };
   setup.meridian.n_harmonics = 8;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const ContactLoad load = foot.solve(load_at(0.9)).load;
   const stemware::verification::LineContact expected(
     0.9, 64, hertz_half_width(setup, weight) / setup.profile.contact_radius);

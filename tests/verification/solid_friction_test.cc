@@ -2,7 +2,7 @@
 // traction of the one is a column of the matrix of the other; and against another program.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/verification/calculix_foot.h"
@@ -38,7 +38,7 @@ SolidFoot solid_foot(const FrictionCase &given, const FootResolution &resolution
   return SolidFoot(generate_solid_mesh(given.profile, resolution), setup);
 }
 
-RevolutionFoot revolution_foot(const FrictionCase &given)
+MeshedRevolutionFoot revolution_foot(const FrictionCase &given)
 {
   RevolutionSetup setup;
   setup.profile = given.profile;
@@ -46,7 +46,7 @@ RevolutionFoot revolution_foot(const FrictionCase &given)
   setup.friction_coefficient = given.friction;
   setup.meridian.n_harmonics = 16;
   setup.n_lines = 96;
-  return RevolutionFoot(setup.resolved_for(weight));
+  return MeshedRevolutionFoot(setup.resolved_for(weight));
 }
 
 } // namespace

@@ -84,7 +84,7 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
   if (can.is_of_revolution && has_compliance(rigid))
     try
     {
-      loads.push_back(foot_load(compared_load::rigid_foot, rigid, study_foot(rigid, executor.cache)));
+      loads.push_back(foot_load(compared_load::rigid_foot, rigid, study_foot(rigid, executor.make_foot)));
     }
     catch (const BadInput &) // a foot that cannot be made: each row says so
     {

@@ -6,7 +6,6 @@
 #include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/friction_law.h"
 
@@ -172,7 +171,9 @@ std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr
     return std::nullopt;
   Variant one_ring = { "one_ring", "one ring", study };
   one_ring.study.contact.rings = 1;
-  SpinRow row = solve_rows({ one_ring }, foot, {}, executor).front().row;
+  SpinQuestion question;
+  question.near = known_zero(all);
+  SpinRow row = solve_rows({ one_ring }, foot, question, executor).front().row;
   row.harmonics = all.harmonics;
   row.all_harmonics = true;
   if (row.terminal && all.relative_change)
@@ -263,12 +264,12 @@ void add_interpolation_change(const Study &study, const ring::OrbitSpeedTable &s
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                            const std::vector<double> &times)
 {
-  if (study.motion.orbit_speed_file.empty())
+  if (!study.motion.orbit_speeds)
     return std::nullopt;
   // A contact is known to 1e-10 of its load: the step control is not to chase what lies below.
   const double accuracy = study.load.is_from_contact() ? 1e-9 : 1e-10;
   const ring::Motion &motion = study.motion.orbit;
-  const ring::OrbitSpeedTable speeds = read_orbit_speed_file(study.motion.orbit_speed_file);
+  const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
   const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
   const auto torque = [&](double time, double omega)
   { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };

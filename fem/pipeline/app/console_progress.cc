@@ -119,7 +119,7 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
                   fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
   std::shared_ptr<ElasticFoot> foot;
   executor.for_each(
-    1, [&](std::size_t) { foot = study_foot(study, executor.cache, progress); }, is_collective(study));
+    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress); }, is_collective(study));
   if (!foot)
     return foot;
   progress.note("Foot", size_of(foot->body().description()));

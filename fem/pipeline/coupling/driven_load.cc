@@ -5,10 +5,9 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/hand_drive.h"
-
-#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -26,18 +25,19 @@ ring::TimedTorqueFunction driven_torque(const Study &study, const std::shared_pt
     balance.moments.motion = speeds.motion_at(motion, time);
     try
     {
-      const LeaningLoad load = BalancedContact(foot, balance).load(omega);
+      BalancedContact contacts(foot, balance);
+      const LeaningLoad load = contacts.load_of(contacts.contact(omega));
       return ring::wrench(balance.moments.motion, load, omega).torque + load.lean_torque();
     }
     catch (const fem::ContactFailure &failure)
     {
       if (failure.outcome != fem::ContactOutcome::tipping)
         throw;
-      throw BadInput(fmt::format(
-        FMT_STRING("Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the "
-                   "glass falls over; give lower speeds, or more rows where the speed changes."),
-        shortened_path(file), to_short_text(time), to_short_text(balance.moments.motion.orbit_speed),
-        to_short_text(balance.moments.motion.orbit_acceleration)));
+      throw BadInput(filled(
+        "Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass falls "
+        "over; give lower speeds, or more rows where the speed changes.",
+        { shortened_path(file), to_short_text(time), to_short_text(balance.moments.motion.orbit_speed),
+          to_short_text(balance.moments.motion.orbit_acceleration) }));
     }
   };
 }

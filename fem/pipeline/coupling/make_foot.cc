@@ -1,13 +1,13 @@
 #include "fem/pipeline/coupling/make_foot.h"
 
-#include "fem/pipeline/coupling/deforming_friction.h"
-#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/solid_feet.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -15,35 +15,6 @@
 
 namespace stemware::pipeline
 {
-
-namespace
-{
-
-fem::RevolutionSetup revolution_setup(const Study &study)
-{
-  fem::RevolutionSetup setup;
-  setup.profile = study.glass.profile;
-  setup.material = study.glass.material;
-  setup.table = study.table.make();
-  setup.imperfection = imperfection_of(study);
-  set_friction(study, setup);
-  setup.meridian.degree = study.contact.degree;
-  setup.meridian.n_harmonics = study.contact.harmonics;
-  setup.resolution.land_cells = study.contact.resolution.radial_cells;
-  setup.resolution.land_grading = study.contact.land_grading;
-  setup.resolution.refinements = study.contact.refinements;
-  setup.halved = study.contact.halved;
-  setup.n_lines = study.contact.azimuth_lines;
-  setup.fineness = study.contact.fineness;
-  setup.halvings_beyond_focus = study.contact.halvings_beyond_focus;
-  setup.hardness *= study.contact.hardness;
-  setup.foot_is_rigid = study.model.foot_is_rigid;
-  setup.friction_in_foot = study.model.friction_in_foot;
-  setup.friction_in_substrate = study.model.friction_in_substrate;
-  return setup.resolved_for(study.required_resultants().normal_force);
-}
-
-} // namespace
 
 void require_known_body(const Study &study)
 {
@@ -63,7 +34,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     case BodyKind::solid:
       return make_solid_foot(study);
     case BodyKind::revolution:
-      return std::make_shared<fem::RevolutionFoot>(revolution_setup(study), cache);
+      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study), cache);
     }
   }
   catch (const std::invalid_argument &error)
@@ -71,6 +42,13 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     throw BadInput(error.what());
   }
   throw std::logic_error("a body without a foot");
+}
+
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress,
+                                        const ElasticFoot *similar)
+{
+  return study_foot(
+    study, [&](const Study &asked) { return make_foot(asked, cache); }, progress, similar);
 }
 
 bool has_focused_mesh(const Study &study)

@@ -2,8 +2,6 @@
 
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/load_file.h"
-#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/support/failures.h"
@@ -79,10 +77,12 @@ public:
       return { report_at_rest.rings, report_at_rest.tilt };
     const auto known = loads.find(omega);
     if (known != loads.end())
-      return known->second;
-    const auto found = loads.emplace(omega, contacts->load(omega)).first;
+      return known->second.load;
+    const fem::ContactState state = contacts->contact(omega);
+    const auto found =
+      loads.emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load) }).first;
     progress.pieces_done("spins in balance", loads.size(), 0);
-    return found->second;
+    return found->second.load;
   }
   const LoadReport &report() const override { return report_at_rest; }
   bool is_costly() const override { return true; }
@@ -90,17 +90,43 @@ public:
   {
     return omega == 0 ? state_at_rest : contacts->contact(omega);
   }
+  std::vector<double> known_spins() const override
+  {
+    std::vector<double> spins = { 0 };
+    for (const auto &[omega, found] : loads)
+      spins.push_back(omega);
+    std::sort(spins.begin(), spins.end());
+    return spins;
+  }
+  double clearance(double omega) const override
+  {
+    return omega == 0 ? clearance_of(state_at_rest.load) : loads.at(omega).clearance;
+  }
   std::optional<CouplingStatistics> statistics() const override
   {
     return CouplingStatistics{ loads.size(), contacts->n_contact_solutions(), {}, {} };
   }
 
 private:
+  struct Found
+  {
+    LeaningLoad load;
+    double clearance;
+  };
+
+  static double clearance_of(const fem::ContactLoad &load)
+  {
+    constexpr double pi = boost::math::double_constants::pi;
+    // Next to where it vanishes, a load that falls like 1 + cos.
+    return load.contact_fraction < 1 ? -std::pow(pi * (1 - load.contact_fraction), 2) / 2
+                                     : load.least / load.a(0);
+  }
+
   const std::unique_ptr<BalancedContact> contacts;
   const fem::ContactState state_at_rest;
   const LoadReport report_at_rest;
   Progress &progress;
-  mutable std::map<double, LeaningLoad> loads; ///< found so far
+  mutable std::map<double, Found> loads; ///< so far
 };
 
 /// The load of a contact whose marks stay where they are.
@@ -320,24 +346,24 @@ SharedLoad given_first_harmonic(const Study &study)
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }
 
-SharedLoad load_from_file(const std::string &file)
+SharedLoad load_from_file(const LoadSection &section)
 {
-  const ring::RingStack load = read_load_file(file);
+  const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
   if (!(ratio < 2))
-    throw BadInput("The load of " + file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
+    throw BadInput("The load of " + section.file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
                    to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
   return std::make_shared<ConstantLoad>(report_of(load));
 }
 
 } // namespace
 
-std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress,
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot, Progress &progress,
                                         const ElasticFoot *similar)
 {
   if (!study.load.is_from_contact())
     return nullptr;
-  auto foot = std::make_shared<ElasticFoot>(make_foot(study, cache), study.glass.profile.contact_radius);
+  auto foot = std::make_shared<ElasticFoot>(make_foot(study), study.glass.profile.contact_radius);
   if (similar)
     foot->start_like(*similar);
   progress.stage_done("mesh_and_stiffness");
@@ -368,7 +394,7 @@ SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);
   case LoadSource::file:
-    return load_from_file(study.load.file)->truncated(n_harmonics);
+    return load_from_file(study.load)->truncated(n_harmonics);
   }
   throw std::logic_error("a load source without a load");
 }

@@ -5,15 +5,23 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/revolution/compliance_cache.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
 namespace stemware::pipeline
 {
 
-/// The foot of a study; nothing where the load does not come from a contact. Feet that are given the same @p
-/// cache share their compliances; its contacts start from what those of @p similar let expect, the foot of a
-/// study that differs little, if any. Throws as make_foot().
+/// Makes the foot that a study asks for, on its table; answers depend on the study alone.
+using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &)>;
+
+/// The foot of a study, by @p make_foot; nothing where the load does not come from a contact. Its contacts
+/// start from what those of @p similar let expect, the foot of a study that differs little, if any. Throws as
+/// @p make_foot.
+std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &make_foot,
+                                        Progress &progress = silent_progress(),
+                                        const ElasticFoot *similar = nullptr);
+/// The same by make_foot() with @p cache, which feet share; not in the live cut, which has no meshes.
 std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache,
                                         Progress &progress = silent_progress(),
                                         const ElasticFoot *similar = nullptr);

@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/goal_results.h"
 
 #include "fem/pipeline/report/render/table_renderers.h"
-#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_file.h"
 
 namespace stemware::pipeline
 {

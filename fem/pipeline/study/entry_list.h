@@ -8,7 +8,6 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <fmt/format.h>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,8 +31,7 @@ inline const Range not_negative = { "a number not less than 0", [](double value)
 
 inline Range between(double lower, double upper)
 {
-  return { fmt::format(FMT_STRING("a number greater than {} and less than {}"), to_text(lower),
-                       to_text(upper)),
+  return { "a number greater than " + to_text(lower) + " and less than " + to_text(upper),
            [=](double value) { return lower < value && value < upper; } };
 }
 
@@ -111,8 +109,8 @@ public:
       return count && least <= *count && *count <= most ? count : std::nullopt;
     };
     const auto print = [](unsigned int count) { return std::to_string(count); };
-    append(name, value, fmt::format(FMT_STRING("a whole number from {} to {}"), least, most), help, facts,
-           parse, print)
+    append(name, value, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), help,
+           facts, parse, print)
       .unit = "1";
   }
 
@@ -172,9 +170,9 @@ private:
     entry.help = help;
     entry.text = [&value, print] { return print(value); };
     if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
-      entry.json = [&value] { return nlohmann::ordered_json(value); };
+      entry.value = [&value] { return EntryValue(value); };
     else
-      entry.json = [&value, print] { return nlohmann::ordered_json(print(value)); };
+      entry.value = [&value, print] { return EntryValue(print(value)); };
     entry.assign = [&value, parse, &given = study.given_entries, path = entry.path()](const std::string &text)
     {
       const auto parsed = parse(text);

@@ -47,34 +47,12 @@ ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
   }
 }
 
-void check_orbit_speed_file(const Study &study)
+void attach_orbit_speeds(Study &study)
 {
   const std::string &file = study.motion.orbit_speed_file;
-  if (file.empty())
-    return;
-  const ring::OrbitSpeedTable table = read_orbit_speed_file(file);
-  for (const double time : { 0., study.motion.end_time })
-    try
-    {
-      table.speed(time);
-    }
-    catch (const std::out_of_range &)
-    {
-      throw BadInput(
-        fmt::format(FMT_STRING("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s."),
-                    speed_entry(file), to_text(time), to_text(study.motion.end_time)));
-    }
-  const std::string needs = speed_entry(file) + " needs ";
-  require(!study.load.is_static() && study.load.source != LoadSource::file &&
-            study.load.coupling == LoadCoupling::two_way,
-          needs +
-            "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
-  require(study.motion.orbit.has_constant_friction(),
-          needs + "friction with one coefficient; set Motion/Friction law = Coulomb.");
-  require(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
-          needs + "a body of revolution; set Contact/Body = revolution.");
-  require(!study.has_waviness(), needs + "a flat rim on a flat table; leave Glass/Rim waviness and "
-                                         "Table/Waviness empty.");
+  study.motion.orbit_speeds.reset();
+  if (!file.empty())
+    study.motion.orbit_speeds = std::make_shared<const ring::OrbitSpeedTable>(read_orbit_speed_file(file));
 }
 
 } // namespace stemware::pipeline

@@ -13,8 +13,8 @@ struct Study;
 /// (read_column_file()): times increasing, speeds greater than 0. Throws BadInput that names the line.
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 
-/// Refuses a study whose Motion/Orbit speed file cannot be read, does not last from 0 to Motion/End time, or
-/// does not go with the rest of the study. Throws BadInput.
-void check_orbit_speed_file(const Study &study);
+/// Gives a study the speeds of its Motion/Orbit speed file, MotionSection::orbit_speeds, where it names one.
+/// Throws as read_orbit_speed_file().
+void attach_orbit_speeds(Study &study);
 
 } // namespace stemware::pipeline

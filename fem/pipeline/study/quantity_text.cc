@@ -11,7 +11,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
 #include <sstream>
 
@@ -131,11 +130,9 @@ Parts split_number(const std::string &whole)
   boost::replace_first(text, "\u2212", "-"); // a minus copied from a report
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.erase(0, 1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value))
+  const auto [value, n] = leading_number(text);
+  if (n == 0 || !std::isfinite(value))
     return {};
-  const auto n = static_cast<std::size_t>(end - text.data());
   return { text.substr(0, n), boost::trim_copy(text.substr(n)) };
 }
 
@@ -149,7 +146,7 @@ std::optional<double> shifted(const std::string &number, int decimal)
     const auto begin = mark + (number[mark + 1] == '+' ? 2 : 1);
     std::from_chars(number.data() + begin, number.data() + number.size(), exponent);
   }
-  return parse_number(fmt::format(FMT_STRING("{}e{}"), number.substr(0, mark), exponent + decimal));
+  return parse_number(number.substr(0, mark) + "e" + std::to_string(exponent + decimal));
 }
 
 /// Words for quantities of one SI unit, and the units that people use.
@@ -249,13 +246,13 @@ std::string trouble_with_unit(const std::string &text, const std::string &unit)
   if (!given && parts.unit.front() == ',')
     return " has a comma; write decimals with a point, and nothing between thousands.";
   if (!given)
-    return fmt::format(FMT_STRING(" has an unknown unit, \"{}\"; give {}{}{}{}"), shortened(parts.unit), name,
-                       needed ? units_of(*needed) : "", example, alone);
+    return " has an unknown unit, \"" + shortened(parts.unit) + "\"; give " + name +
+           (needed ? units_of(*needed) : "") + example + alone;
   if (given->dimension == known_unit(unit).dimension)
     return "";
   const Kind *found = kind_of(given->dimension);
-  return fmt::format(FMT_STRING(" is {}, but {} is needed{}{}"),
-                     found ? found->name : "a quantity of another kind", name, example, alone);
+  return " is " + (found ? found->name : "a quantity of another kind") + ", but " + name + " is needed" +
+         example + alone;
 }
 
 std::vector<std::string> usual_units(const std::string &unit)

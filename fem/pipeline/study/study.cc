@@ -6,7 +6,6 @@
 #include "fem/pipeline/support/numbers.h"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -84,11 +83,9 @@ fem::Resultants Study::required_resultants() const
     required.moment_y = moment.y();
   }
   const double ratio = pipeline::moment_ratio(required, radius);
-  require(
-    ratio < 2,
-    fmt::format(FMT_STRING("The closure {} asks for a moment ratio of {}, but the foot tips at 2; change the "
-                           "height of the hand or the speed."),
-                ring::to_string(motion.closure), to_short_text(ratio)));
+  require(ratio < 2, "The closure " + ring::to_string(motion.closure) + " asks for a moment ratio of " +
+                       to_short_text(ratio) +
+                       ", but the foot tips at 2; change the height of the hand or the speed.");
   return required;
 }
 

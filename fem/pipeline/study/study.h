@@ -12,8 +12,10 @@
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/rim_circle.h"
 #include "fem/pipeline/study/waviness_text.h"
+#include "ring_model/load/ring_stack.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
+#include "ring_model/orbit_speed_table.h"
 
 #include <map>
 #include <memory>
@@ -28,9 +30,10 @@ struct MotionSection
 {
   ring::Motion orbit;
   ring::Closure closure = ring::Closure::full;
-  bool tilt = true;               ///< the glass leans on its foot; see Study::tilts()
-  double grip_torque = 0;         ///< of the fingers, against the spin [N m]
-  std::string orbit_speed_file;   ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
+  bool tilt = true;             ///< the glass leans on its foot; see Study::tilts()
+  double grip_torque = 0;       ///< of the fingers, against the spin [N m]
+  std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
+  std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< of that file, where there is one
   std::string measured_spin_file; ///< points that are drawn beside the spin-up; empty: none
   double end_time = 2;            ///< of the spin-up [s]
   double euler_step = 1e-3;       ///< largest step of the forward Euler method [s]
@@ -175,6 +178,7 @@ struct LoadSection
   double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: the closure's
   double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
   std::string file;                     ///< Fourier coefficients, used with source = file
+  std::shared_ptr<const ring::RingStack> from_file = {}; ///< the load of that file, used likewise
 
   bool is_from_contact() const { return source == LoadSource::contact; }
   /// Whether the moment is given, instead of following from the moment balance.
@@ -235,7 +239,7 @@ std::string friction_note(const Study &study);
 
 /// Throws BadInput, with one sentence, for values that do not go together, that no physical system has, or
 /// that this version does not know.
-void check_study(const Study &study);
+void check_values(const Study &study);
 
 /// Refuses a study whose rim or table is out of flat for @p verb, which follows one load over the spin: that
 /// of such a study depends on the yaw angle too. Throws BadInput.

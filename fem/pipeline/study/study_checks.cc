@@ -1,13 +1,8 @@
-#include "fem/pipeline/study/measured_spin_file.h"
-#include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_notes.h"
-#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/support/text_file.h"
-
-#include <fmt/format.h>
+#include "fem/pipeline/support/text.h"
 
 namespace stemware::pipeline
 {
@@ -21,13 +16,11 @@ void require_able_body(const Study &study)
   const ContactSection &contact = study.contact;
   const BodyAbilities can = abilities(contact.body);
   require(can.reads_meshes || contact.mesh_file.empty(),
-          fmt::format(FMT_STRING("Contact/Mesh file = {} is read by a solid body only; set Contact/Body = "
-                                 "solid, or leave Mesh file empty."),
-                      shortened_path(contact.mesh_file)));
+          "Contact/Mesh file = " + shortened_path(contact.mesh_file) +
+            " is read by a solid body only; set Contact/Body = solid, or leave Mesh file empty.");
   require(contact.degree <= can.highest_degree,
-          fmt::format(FMT_STRING("Contact/Degree = {} is not allowed for Contact/Body = solid; give 1 or 2, "
-                                 "or set Contact/Body = revolution."),
-                      contact.degree));
+          "Contact/Degree = " + std::to_string(contact.degree) +
+            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
   require(can.stands_on_elastic_disc || !study.table.make().substrate,
           "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
 }
@@ -40,21 +33,22 @@ void require_mat_that_yields(const Study &study)
   if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
     require(
       study.table.foundation_modulus <= most * of_glass,
-      fmt::format(FMT_STRING("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over "
-                             "Glass/Contact radius, but at most {} is allowed; write Table/Interface = hard "
-                             "for a table that does not yield."),
-                  to_text(study.table.foundation_modulus),
-                  to_short_text(study.table.foundation_modulus / of_glass), to_text(most)));
+      filled(
+        "Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, but "
+        "at most {} is allowed; write Table/Interface = hard for a table that does not yield.",
+        { to_text(study.table.foundation_modulus), to_short_text(study.table.foundation_modulus / of_glass),
+          to_text(most) }));
 }
 
 /// The lines resolve a load harmonic by more than two lines for each of its waves.
 void require_resolved_load(const ContactSection &contact)
 {
-  require(
-    !abilities(contact.body).is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
-    fmt::format(FMT_STRING("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; "
-                           "give more lines, or fewer load harmonics."),
-                contact.load_harmonics, 2 * contact.load_harmonics, contact.azimuth_lines));
+  require(!abilities(contact.body).is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
+          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
+                 "lines, or fewer "
+                 "load harmonics.",
+                 { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
+                   std::to_string(contact.azimuth_lines) }));
 }
 
 /// The error of a goal is estimated for feet that are flat, on finer elements.
@@ -82,18 +76,15 @@ void require_load_file(const LoadSection &load)
   if (load.source != LoadSource::file)
   {
     require(load.file.empty(),
-            fmt::format(
-              FMT_STRING(
-                "Load/File = {} is read only with Load/Source = file; set that, or leave Load/File empty."),
-              shortened_path(load.file)));
+            "Load/File = " + shortened_path(load.file) +
+              " is read only with Load/Source = file; set that, or leave Load/File empty.");
     return;
   }
   require(!load.file.empty(),
           "Load/Source = file needs Load/File; name a file with the load's Fourier coefficients.");
   require(!load.is_static(),
-          fmt::format(FMT_STRING("Load/Moment ratio = {} contradicts Load/Source = file, whose load has a "
-                                 "moment of its own; leave Moment ratio at -1."),
-                      to_text(load.moment_ratio)));
+          "Load/Moment ratio = " + to_text(load.moment_ratio) +
+            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
 /// An out-of-flat rim or table needs a body whose gap can turn, a contact to feel it, and a response fine
@@ -112,18 +103,46 @@ void require_known_waviness(const Study &study)
     for (const fem::WavinessHarmonic &harmonic : waviness)
       require(
         harmonic.n <= study.contact.harmonics,
-        fmt::format(
-          FMT_STRING(
-            "{} has a harmonic n = {}, but the foot answers to {}; give at least as many Contact/Harmonics."),
-          entry, harmonic.n, study.contact.harmonics));
+        filled(
+          "{} has a harmonic n = {}, but the foot answers to {}; give at least as many Contact/Harmonics.",
+          { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
   };
   check("Glass/Rim waviness", study.glass.waviness);
   check("Table/Waviness", study.table.waviness);
 }
 
+/// Speeds from a file reach as far as the spin-up, whose load is one that follows them.
+void require_known_speeds(const Study &study)
+{
+  if (!study.motion.orbit_speeds)
+    return;
+  const std::string entry = "Motion/Orbit speed file = " + shortened_path(study.motion.orbit_speed_file);
+  for (const double time : { 0., study.motion.end_time })
+    try
+    {
+      study.motion.orbit_speeds->speed(time);
+    }
+    catch (const std::out_of_range &)
+    {
+      throw BadInput(filled("{} does not reach t = {} s; give speeds from 0 to Motion/End time = {} s.",
+                            { entry, to_text(time), to_text(study.motion.end_time) }));
+    }
+  const std::string needs = entry + " needs ";
+  require(!study.load.is_static() && study.load.source != LoadSource::file &&
+            study.load.coupling == LoadCoupling::two_way,
+          needs +
+            "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
+  require(study.motion.orbit.has_constant_friction(),
+          needs + "friction with one coefficient; set Motion/Friction law = Coulomb.");
+  require(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
+          needs + "a body of revolution; set Contact/Body = revolution.");
+  require(!study.has_waviness(), needs + "a flat rim on a flat table; leave Glass/Rim waviness and "
+                                         "Table/Waviness empty.");
+}
+
 } // namespace
 
-void check_study(const Study &study)
+void check_values(const Study &study)
 {
   require_conceivable(study);
   require_able_body(study);
@@ -133,12 +152,6 @@ void check_study(const Study &study)
   require_resolved_load(study.contact);
   require_goal_with_estimate(study);
   require_load_file(study.load);
-  // Missing files are found here, before anything is computed; what is in them is found when they are read.
-  if (study.load.source == LoadSource::file)
-    require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
-  if (!study.contact.mesh_file.empty())
-    require_regular_file("Contact/Mesh file = " + shortened_path(study.contact.mesh_file),
-                         study.contact.mesh_file);
   try
   {
     study.motion.orbit.validate();
@@ -153,21 +166,17 @@ void check_study(const Study &study)
   {
     throw BadInput(error.what());
   }
-  check_orbit_speed_file(study);
-  if (!study.motion.measured_spin_file.empty())
-    read_measured_spin_file(study.motion.measured_spin_file);
-  require_affordable(study);
+  require_known_speeds(study);
 }
 
 void require_flat(const Study &study, const std::string &verb)
 {
   const auto check = [&](const std::string &entry, const Waviness &waviness)
   {
-    require(
-      waviness.empty(),
-      fmt::format(FMT_STRING("{} makes the load depend on the yaw angle, which stemware {} does not follow; "
-                             "leave it empty, or see the truncations and closures of stemware run."),
-                  entry, verb));
+    require(waviness.empty(), filled("{} makes the load depend on the yaw angle, which stemware {} does not "
+                                     "follow; leave it empty, or see "
+                                     "the truncations and closures of stemware run.",
+                                     { entry, verb }));
   };
   check("Glass/Rim waviness", study.glass.waviness);
   check("Table/Waviness", study.table.waviness);

@@ -7,7 +7,6 @@
 #include "fem/pipeline/support/text.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <optional>
 
 namespace stemware::pipeline
@@ -397,9 +396,8 @@ void refuse_renamed(const std::string &origin, const std::string &path,
   const bool entry_is_gone = std::any_of(all_renamed.begin(), all_renamed.end(), is_gone);
   for (const Renamed &renamed : all_renamed)
     if (renamed.path == path && (renamed.value.empty() || renamed.value == value))
-      throw BadInput(fmt::format(FMT_STRING("{}{}{} is {} of version 0.1; {}."), origin, path,
-                                 value ? " = " + shortened(*value) : "",
-                                 entry_is_gone ? "an entry" : "a value", renamed.instead));
+      throw BadInput(origin + path + (value ? " = " + shortened(*value) : "") + " is " +
+                     (entry_is_gone ? "an entry" : "a value") + " of version 0.1; " + renamed.instead + '.');
 }
 
 /// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
@@ -442,8 +440,8 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
   refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
-  require(entry != entries.end(), fmt::format(FMT_STRING("{}there is no entry \"{}\"{}"), origin,
-                                              shortened(path), suggestion(entries, path)));
+  require(entry != entries.end(),
+          origin + "there is no entry \"" + shortened(path) + '"' + suggestion(entries, path));
   return *entry;
 }
 
@@ -452,9 +450,8 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
   if (entry.assign(value))
     return;
   const std::string trouble = entry.quantity != nullptr ? trouble_with_unit(value, entry.unit) : "";
-  throw BadInput(fmt::format(FMT_STRING("{}{} = {}{}"), origin, entry.path(),
-                             value.empty() ? "(nothing)" : shortened(value),
-                             trouble.empty() ? " is not allowed; give " + entry.allowed + '.' : trouble));
+  throw BadInput(origin + entry.path() + " = " + (value.empty() ? "(nothing)" : shortened(value)) +
+                 (trouble.empty() ? " is not allowed; give " + entry.allowed + '.' : trouble));
 }
 
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
@@ -464,13 +461,10 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
   assign(entry_at(entries, origin, path), origin, value);
 }
 
-nlohmann::ordered_json study_as_json(const Study &study)
+StudyEntry find_entry(const std::string &option, const std::string &path)
 {
-  Study copy = study;
-  nlohmann::ordered_json sections;
-  for (const StudyEntry &entry : study_entries(copy))
-    sections[entry.section][entry.name] = entry.json();
-  return sections;
+  Study study;
+  return entry_at(study_entries(study), option + ": ", path);
 }
 
 } // namespace stemware::pipeline

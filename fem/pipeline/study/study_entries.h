@@ -2,11 +2,10 @@
 
 #include "fem/pipeline/study/study.h"
 
-#include <nlohmann/json.hpp>
-
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace stemware::pipeline
@@ -18,6 +17,9 @@ struct Interval
   double least = 0, most = 0;
   bool contains(double value) const { return least <= value && value <= most; }
 };
+
+/// The present value of an entry: a number, a number of things, or words.
+using EntryValue = std::variant<double, unsigned int, std::string>;
 
 /// One entry of a study file with all that is known of it, tied to the member of a Study that it sets.
 struct StudyEntry
@@ -39,8 +41,8 @@ struct StudyEntry
   std::string plausible_reason; ///< from what to what
   /// Range of a length over the contact radius: a study outside it, most likely in another unit, is refused.
   std::optional<Interval> times_contact_radius;
-  std::function<std::string()> text;            ///< the present value as a study file writes it
-  std::function<nlohmann::ordered_json()> json; ///< the present value as a JSON number or string
+  std::function<std::string()> text; ///< the present value as a study file writes it
+  std::function<EntryValue()> value; ///< the present value
   /// Sets the value from a text; false where it is not allowed.
   std::function<bool(const std::string &)> assign;
 
@@ -65,7 +67,8 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value);
 
-/// Effective values as nested JSON objects: section, entry, value.
-nlohmann::ordered_json study_as_json(const Study &study);
+/// The entry of that path; throws BadInput, with a suggestion, where there is none. @p option is named as
+/// where it comes from. The functions of the entry must not be called.
+StudyEntry find_entry(const std::string &option, const std::string &path);
 
 } // namespace stemware::pipeline

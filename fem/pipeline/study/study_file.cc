@@ -1,9 +1,13 @@
 #include "fem/pipeline/study/study_file.h"
 
 #include "fem/pipeline/study/cookbooks.h"
+#include "fem/pipeline/study/load_file.h"
+#include "fem/pipeline/study/measured_spin_file.h"
+#include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/ranks.h"
@@ -139,6 +143,20 @@ std::vector<std::string *> paths_of(Study &study, bool folders)
 
 } // namespace
 
+void check_study(const Study &study)
+{
+  check_values(study);
+  // Missing files are found here, before anything is computed; what is in them is found when they are read.
+  if (study.load.source == LoadSource::file)
+    require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
+  if (!study.contact.mesh_file.empty())
+    require_regular_file("Contact/Mesh file = " + shortened_path(study.contact.mesh_file),
+                         study.contact.mesh_file);
+  if (!study.motion.measured_spin_file.empty())
+    read_measured_spin_file(study.motion.measured_spin_file);
+  require_affordable(study);
+}
+
 Study read_study(const std::string &file, const std::vector<std::string> &overrides)
 {
   Study study;
@@ -161,7 +179,9 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
   attach_profile(study);
+  attach_orbit_speeds(study);
   check_study(study);
+  attach_load(study);
   study.contact.checkpoint_owner = study_identity(study);
   return study;
 }
@@ -173,14 +193,10 @@ Study with_values(Study study, const std::string &option,
   for (const auto &[path, value] : values)
     assign(entries, option + ": ", path, value);
   attach_profile(study);
+  attach_orbit_speeds(study);
   check_study(study);
+  attach_load(study);
   return study;
-}
-
-StudyEntry find_entry(const std::string &option, const std::string &path)
-{
-  Study study;
-  return entry_at(study_entries(study), option + ": ", path);
 }
 
 std::string unit_of(const std::string &path)
@@ -206,6 +222,15 @@ Study with_paths_from(const std::filesystem::path &folder, Study study)
   for (std::string *path : paths_of(study, true))
     *path = std::filesystem::relative(*path, folder).string();
   return study;
+}
+
+nlohmann::ordered_json study_as_json(const Study &study)
+{
+  Study copy = study;
+  nlohmann::ordered_json sections;
+  for (const StudyEntry &entry : study_entries(copy))
+    std::visit([&](const auto &value) { sections[entry.section][entry.name] = value; }, entry.value());
+  return sections;
 }
 
 std::string study_as_prm(const Study &study)

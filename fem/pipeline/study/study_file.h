@@ -3,6 +3,8 @@
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_entries.h"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -10,6 +12,10 @@
 
 namespace stemware::pipeline
 {
+
+/// Throws BadInput as check_values(), and for a study whose files are not there, or that would take more than
+/// its limits allow.
+void check_study(const Study &study);
 
 /// Reads a study file (.prm or .json; entries that it does not state keep their defaults; an empty name: the
 /// default study; "-": standard input of the first rank, as .json where it begins with a brace), applies @p
@@ -23,10 +29,6 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
 Study with_values(Study study, const std::string &option,
                   const std::vector<std::pair<std::string, std::string>> &values);
 
-/// The entry of that path; throws BadInput, with a suggestion, where there is none. @p option is named as
-/// where it comes from. The functions of the entry must not be called.
-StudyEntry find_entry(const std::string &option, const std::string &path);
-
 /// The unit of the entry of that path, "1" for pure numbers; empty for words, paths, and where there is none.
 std::string unit_of(const std::string &path);
 
@@ -35,6 +37,9 @@ std::vector<std::string> files_of(const Study &study);
 
 /// @p study with its paths as a study file in @p folder has to write them.
 Study with_paths_from(const std::filesystem::path &folder, Study study);
+
+/// Effective values as nested JSON objects: section, entry, value.
+nlohmann::ordered_json study_as_json(const Study &study);
 
 /// The study as a .prm file that gives the same study again.
 std::string study_as_prm(const Study &study);

@@ -2,14 +2,14 @@
 
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/support/text.h"
+
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace stemware::pipeline
 {
@@ -65,8 +65,8 @@ std::vector<std::string> idle_entries(const Study &study)
 std::string idle_note(const std::vector<std::string> &entries)
 {
   return entries.empty() ? ""
-                         : fmt::format(FMT_STRING("{} {} no effect in this study."), fmt::join(entries, ", "),
-                                       entries.size() == 1 ? "has" : "have");
+                         : boost::join(entries, ", ") + (entries.size() == 1 ? " has" : " have") +
+                             " no effect in this study.";
 }
 
 std::string implausible_note(const std::string &path, double value)
@@ -101,7 +101,7 @@ std::string implausible_list(const Study &study)
   for (const StudyEntry &entry : given_entries(copy, true))
     if (entry.quantity != nullptr && is_implausible(entry, *entry.quantity))
       list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
-  return fmt::format(FMT_STRING("{}"), fmt::join(list, ", "));
+  return boost::join(list, ", ");
 }
 
 void require_conceivable(const Study &study)
@@ -115,8 +115,8 @@ void require_conceivable(const Study &study)
     const auto [least, most] = *entry.plausible;
     const double size = std::abs(*entry.quantity);
     require(size <= far * std::max(std::abs(least), most) && (size == 0 || size >= least / far),
-            fmt::format(FMT_STRING("{} is more than a billion times outside {}, {}; check number and unit."),
-                        assignment(entry, *entry.quantity), plausible_text(entry), entry.plausible_reason));
+            filled("{} is more than a billion times outside {}, {}; check number and unit.",
+                   { assignment(entry, *entry.quantity), plausible_text(entry), entry.plausible_reason }));
   }
 }
 
@@ -128,10 +128,11 @@ void require_alike_lengths(const Study &study)
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect(study))
       require(
         range->contains(*entry.quantity / radius),
-        fmt::format(FMT_STRING("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is "
-                               "allowed; give both in one unit."),
-                    entry.path(), to_text(*entry.quantity), to_short_text(*entry.quantity / radius),
-                    to_text(radius), to_text(range->least), to_text(range->most)));
+        filled(
+          "{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give both in one "
+          "unit.",
+          { entry.path(), to_text(*entry.quantity), to_short_text(*entry.quantity / radius), to_text(radius),
+            to_text(range->least), to_text(range->most) }));
 }
 
 } // namespace stemware::pipeline

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -63,8 +62,7 @@ std::string waviness_text(const Waviness &waviness)
   std::string text;
   for (const fem::WavinessHarmonic &harmonic : waviness)
   {
-    text +=
-      fmt::format(FMT_STRING("{}{}: {}"), text.empty() ? "" : ", ", harmonic.n, to_text(harmonic.amplitude));
+    text += (text.empty() ? "" : ", ") + std::to_string(harmonic.n) + ": " + to_text(harmonic.amplitude);
     if (harmonic.azimuth != 0)
       text += " @ " + to_text(harmonic.azimuth);
   }

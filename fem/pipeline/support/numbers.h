@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,16 @@ double rounded(double value, int n_digits);
 /// The finite number that makes up the whole of @p text (a leading + and surrounding blanks are allowed), or
 /// nothing.
 std::optional<double> parse_number(const std::string &text);
+
+/// A number and how many characters of a text it takes.
+struct LeadingNumber
+{
+  double value = 0;
+  std::size_t length = 0; ///< 0: there is none
+};
+
+/// The number that @p text begins with, without blanks and a leading +.
+LeadingNumber leading_number(const std::string &text);
 
 /// The non-negative whole number that makes up the whole of @p text, or nothing.
 std::optional<unsigned int> parse_count(const std::string &text);

@@ -79,6 +79,19 @@ std::string listed(const std::vector<std::string> &words, const std::string &las
   return text;
 }
 
+std::string filled(const std::string &pattern, const std::vector<std::string> &words)
+{
+  std::string text;
+  std::size_t begin = 0;
+  for (const std::string &word : words)
+  {
+    const std::size_t place = pattern.find("{}", begin);
+    text += pattern.substr(begin, place - begin) + word;
+    begin = place + 2;
+  }
+  return text + pattern.substr(begin);
+}
+
 std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words)
 {
   constexpr std::size_t most_slips = 3;

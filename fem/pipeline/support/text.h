@@ -22,6 +22,9 @@ std::size_t width_of(const std::string &text);
 /// "a, b or c": the words with commas between them, and @p last before the last one.
 std::string listed(const std::vector<std::string> &words, const std::string &last = "or");
 
+/// @p pattern with each "{}" replaced by the next one of @p words.
+std::string filled(const std::string &pattern, const std::vector<std::string> &words);
+
 /// The closest of @p words to @p word by edit distance (letters to insert, delete or change; upper and lower
 /// case are equal), if one is at most 3 away.
 std::optional<std::string> likeliest(const std::string &word, const std::vector<std::string> &words);

@@ -4,81 +4,23 @@
 #include "fem/pipeline/support/failures.h"
 #include "ring_model/no_balance.h"
 
-#include <deal.II/base/multithread_info.h>
-
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include <utility>
 
 namespace stemware::pipeline
 {
 
-namespace
+Executor::Executor(FootMaker make_foot, Loop side_by_side)
+    : make_foot(std::move(make_foot))
+    , side_by_side(std::move(side_by_side))
 {
+}
 
-/// deal.II holds TBB of the whole program to its own number of threads, which is one once MPI runs
-/// (ranks.cc).
-class ThreadLimit
+void Executor::for_each(std::size_t n, const Work &work, bool one_by_one) const
 {
-public:
-  explicit ThreadLimit(unsigned int n_threads)
-      : before(dealii::MultithreadInfo::n_threads())
-  {
-    dealii::MultithreadInfo::set_thread_limit(n_threads);
-  }
-  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
-  ThreadLimit(const ThreadLimit &) = delete;
-  ThreadLimit &operator=(const ThreadLimit &) = delete;
-
-private:
-  const unsigned int before;
-};
-
-} // namespace
-
-void Executor::for_each(std::size_t n, const std::function<void(std::size_t)> &work, bool one_by_one) const
-{
-  if (n_threads == 1 || one_by_one)
-  {
-    for (std::size_t i = 0; i < n; ++i)
-      work(i);
-    return;
-  }
-  const ThreadLimit limit(n_threads);
-  tbb::task_arena arena(static_cast<int>(n_threads));
-  std::mutex mutex;
-  std::exception_ptr failure;
-  std::size_t failed = n;
-  std::atomic<bool> has_failed = false;
-  // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
-  // the tables that deal.II fills: they would go on with half of them.
-  const auto guarded = [&](std::size_t i)
-  {
-    if (has_failed)
-      return;
-    try
-    {
-      work(i);
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      has_failed = true;
-      if (i < failed)
-      {
-        failed = i;
-        failure = std::current_exception();
-      }
-    }
-  };
-  // Without the isolation a thread that waits for a loop within one call could begin another call, and then
-  // wait for what it has itself not finished.
-  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { guarded(i); }); };
-  arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
-  if (failure)
-    std::rethrow_exception(failure);
+  if (side_by_side && !one_by_one)
+    return side_by_side(n, work);
+  for (std::size_t i = 0; i < n; ++i)
+    work(i);
 }
 
 std::exception_ptr Executor::failure_of(const std::function<void()> &work) const

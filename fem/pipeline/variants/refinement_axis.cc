@@ -1,5 +1,6 @@
 #include "fem/pipeline/variants/refinement_axis.h"
 
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <algorithm>

@@ -22,7 +22,7 @@ std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_p
     return foot ? foot->twin() : nullptr;
   try
   {
-    return study_foot(variant.study, executor.cache, silent_progress(), foot.get());
+    return study_foot(variant.study, executor.make_foot, silent_progress(), foot.get());
   }
   catch (const std::runtime_error &failure)
   {

@@ -10,7 +10,7 @@ int main()
   const double weight = 0.30 * 9.81, radius = 0.03; // N, m
   RevolutionSetup setup;                            // 70 GPa, a rounded rim, a mat of 1e10 Pa/m
   setup.profile.shape = GlassShape::foot;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
 
   const double moment = 1.2 * weight * radius / 2; // a load a_0 + a_1 cos(theta) would have to pull
   const ContactLoad load = foot.solve({ weight, 0, -moment }).load;

@@ -1,7 +1,7 @@
 // Feet that share their compliances: computed once, for all threads, and with the same digits.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <deal.II/grid/tria.h>
@@ -124,9 +124,9 @@ TEST(ComplianceCache, FeetThatShareAnswerLikeFeetThatDoNot)
   setup.table = { std::make_shared<HardInterface>(), Substrate() };
   setup.meridian = quick_options();
   setup.profile = flat_profile();
-  RevolutionFoot alone(setup);
-  RevolutionFoot sharing(setup, cache);
-  RevolutionFoot sharing_too(setup, cache);
+  MeshedRevolutionFoot alone(setup);
+  MeshedRevolutionFoot sharing(setup, cache);
+  MeshedRevolutionFoot sharing_too(setup, cache);
   EXPECT_EQ(cache.n_computed(), 2u); // foot and disc
   const Resultants load = { weight, 0, -0.3 * weight * 0.015 };
   const ContactLoad expected = alone.solve(load).load;

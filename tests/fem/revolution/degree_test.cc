@@ -2,7 +2,7 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST_P(EveryDegree, HoldsForceAndMomentAndItsOwnBalance)
     setup.table.interface = interface;
     setup.meridian.degree = GetParam();
     setup.meridian.n_harmonics = 8;
-    RevolutionFoot foot(setup.resolved_for(weight));
+    MeshedRevolutionFoot foot(setup.resolved_for(weight));
     const ContactLoad load = foot.solve(load_at(1.2, 0.4)).load;
     EXPECT_NEAR(load.normal_force() / weight, 1, 1e-9);
     EXPECT_NEAR(load.moment().x() / (1.2 * weight * 0.015 * std::sin(0.4)), 1, 1e-8);
@@ -103,7 +103,7 @@ TEST_P(EveryDegree, FrictionMakesTheSecondHarmonic)
   setup.meridian.degree = GetParam();
   setup.meridian.n_harmonics = 4;
   setup.resolution.refinements = GetParam() == 1 ? 2 : 0;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const ContactLoad load = foot.solve(load_at(0.4)).load;
   EXPECT_NEAR(load.a(2) / load.a(0) / 1.43e-2, 1, 0.01);
 }

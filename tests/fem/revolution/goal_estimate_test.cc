@@ -1,7 +1,7 @@
 #include "fem/contact/contact_goal.h"
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/reference_load.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ struct Estimated
 
 Estimated estimated(const RevolutionSetup &setup, double m, std::size_t n, bool with_cells = false)
 {
-  RevolutionFoot foot(setup);
+  MeshedRevolutionFoot foot(setup);
   const ContactState state = foot.solve(demand_of(m), { 10, {} });
   const ContactGoal goal = harmonic_goal(n);
   return { goal.of_load(state.load), foot.mesh_error(state, goal, with_cells).value() };

@@ -1,7 +1,7 @@
 // A glass that leans under its own weight, loads gathered on rings, and how many Newton steps a neighbour
 // takes.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(Tilt, AmplifiesTheMomentOfARigidAnnulus)
       setup.foot_is_rigid = true;
       setup.meridian.n_harmonics = 2;
       setup.n_lines = 32;
-      RevolutionFoot foot(setup.resolved_for(weight));
+      MeshedRevolutionFoot foot(setup.resolved_for(weight));
       ContactDemand demand = load_at(0.5, 0.7);
       demand.tilt_moment = weight * height;
       const ContactLoad load = foot.solve(demand).load;
@@ -67,7 +67,7 @@ TEST(Tilt, IsThatOfTheFirstOfTwoBalances)
   };
   RevolutionSetup setup = on_table(std::make_shared<WinklerInterface>(1e7));
   setup = setup.resolved_for(weight);
-  RevolutionFoot plain(setup);
+  MeshedRevolutionFoot plain(setup);
   const double scale = weight * setup.profile.contact_radius / 2;
   const auto under_moment = [&](double m) { return ContactDemand(weight, 0, -m * scale); };
   for (const auto &[height, between, second] : { Case{ 0.05, 1.6, 1.9 }, Case{ 0.5, 1.2, 1.4 } })
@@ -86,7 +86,7 @@ TEST(Tilt, IsThatOfTheFirstOfTwoBalances)
     }
     ContactDemand demand = under_moment(prescribed);
     demand.tilt_moment = tilt_moment;
-    RevolutionFoot leaning(setup);
+    MeshedRevolutionFoot leaning(setup);
     leaning.solve(under_moment(second)); // Newton's method starts at the second balance
     EXPECT_NEAR(-leaning.solve(demand).load.moment().y() / scale, below, 1e-7) << height;
   }
@@ -97,7 +97,7 @@ TEST(Tilt, IsTheWeightTimesTheLean)
 {
   for (const RevolutionSetup &setup : three_tables())
   {
-    RevolutionFoot foot(setup.resolved_for(weight));
+    MeshedRevolutionFoot foot(setup.resolved_for(weight));
     ContactDemand demand = load_at(1.3, 0.7);
     demand.tilt_moment = weight * 0.08;
     const ContactState state = foot.solve(demand);
@@ -119,7 +119,7 @@ TEST(Rings, CarryTheMomentsOfAState)
 {
   for (const RevolutionSetup &setup : three_tables())
   {
-    RevolutionFoot foot(setup.resolved_for(weight));
+    MeshedRevolutionFoot foot(setup.resolved_for(weight));
     ContactDemand demand = load_at(1.2, 0.4);
     demand.ring_radii = five_rings;
     const ContactState state = foot.solve(demand);
@@ -170,7 +170,7 @@ TEST(RevolutionFoot, NeighboursTakeFewNewtonSteps)
   for (RevolutionSetup setup : three_tables())
   {
     setup.friction_coefficient = 0.3;
-    RevolutionFoot foot(setup.resolved_for(weight));
+    MeshedRevolutionFoot foot(setup.resolved_for(weight));
     const bool is_hard = setup.table.interface->is_hard();
     for (const double m : is_hard ? std::vector<double>{ 0.4 } : std::vector<double>{ 0.4, 1.3, 1.7 })
     {

@@ -2,7 +2,7 @@
 // studies by number. Every one has to converge under every moment.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <gtest/gtest.h>
@@ -180,7 +180,7 @@ TEST_P(StudyWithoutEnd, Converges)
   setup.imperfection.table = study.waviness;
   setup.friction_coefficient = study.friction_coefficient;
   setup.meridian.degree = study.degree;
-  RevolutionFoot foot(setup.resolved_for(force));
+  MeshedRevolutionFoot foot(setup.resolved_for(force));
   // Two rings carry every moment, also none.
   const double radius = study.profile.contact_radius;
   const std::vector<double> rings = { 0.95 * radius, 1.05 * radius };

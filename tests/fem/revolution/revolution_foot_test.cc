@@ -1,7 +1,7 @@
 // The foot as an answer to loads: hard tables, imperfections, warm starts, and the spin that the elastic
 // glass reaches.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -38,7 +38,7 @@ public:
   }
   double radius() const override { return 0.03; }
 
-  RevolutionFoot foot;
+  MeshedRevolutionFoot foot;
   double spin_per_speed = 0;
 };
 
@@ -73,7 +73,7 @@ double terminal_spin(const RevolutionSetup &setup)
 
 TEST(HardwoodTable, HarmonicsWithoutFriction)
 {
-  RevolutionFoot foot(hardwood());
+  MeshedRevolutionFoot foot(hardwood());
   const ContactLoad load = foot.solve(load_at(1.2)).load;
   EXPECT_NEAR(load.a(2) / load.a(0), 0.048, 3e-3);
   EXPECT_NEAR(load.a(3) / load.a(0), -0.112, 3e-3);
@@ -86,7 +86,7 @@ TEST(HardwoodTable, FrictionDecidesTheSecondHarmonic)
 {
   RevolutionSetup setup = hardwood();
   setup.friction_coefficient = 0.3;
-  RevolutionFoot foot(setup);
+  MeshedRevolutionFoot foot(setup);
   const ContactLoad along = foot.solve(load_at(0.5)).load;
   EXPECT_NEAR(along.a(2) / along.a(0) / 0.0256, 1, 0.03);
   const ContactLoad against = foot.solve(load_at(0.5, M_PI)).load;
@@ -98,7 +98,7 @@ TEST(RigidTable, FlatLandLiftsOff)
   RevolutionSetup setup;
   setup.profile = flat_profile();
   setup.table.interface = std::make_shared<HardInterface>();
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const ContactLoad load = foot.solve(load_at(1.3)).load;
   EXPECT_NEAR(load.a(1) / load.a(0), 1.3434, 2e-3);
   EXPECT_NEAR(load.a(2) / load.a(0), 0.1705, 2e-3);
@@ -111,7 +111,7 @@ TEST(RigidTable, ConvergesWherePenaltiesLeaveMoreRoundingThanTheTolerance)
   RevolutionSetup setup;
   setup.table.interface = std::make_shared<HardInterface>();
   setup.meridian.n_harmonics = 8;
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const ContactState state = foot.solve(load_at(1.3));
   EXPECT_LT(state.solution.force_residual, 1e-9);
   EXPECT_LT(state.solution.moment_residual, 1e-9);
@@ -139,7 +139,7 @@ TEST(HardTable, CellsAreHalfTheHertzHalfWidth)
   {
     setup.meridian.n_harmonics = 1;
     const double wanted = hertz_half_width(setup, weight) / 2;
-    const RevolutionFoot foot(setup.resolved_for(weight));
+    const MeshedRevolutionFoot foot(setup.resolved_for(weight));
     const Eigen::VectorXd &radii = foot.elastic_body().contact_compliance().radii;
     const unsigned int degree = foot.elastic_body().contact_compliance().degree;
     double smallest = 1;
@@ -207,11 +207,11 @@ TEST(CoupledSpin, TerminalSpinOfTheElasticGlass)
 TEST(RevolutionFoot, WarmAndColdAgreeInEveryDirection)
 {
   const RevolutionSetup setup;
-  const RevolutionFoot warm(setup);
+  const MeshedRevolutionFoot warm(setup);
   std::optional<ContactState> before;
   for (const double m : { 0.3, 0.6, 1.25, 1.6 })
   {
-    RevolutionFoot cold(setup);
+    MeshedRevolutionFoot cold(setup);
     const ContactState from_rest = cold.solve(load_at(m, 2 * m));
     const ContactState from_before = warm.solve(load_at(m, 2 * m), {}, { before ? &*before : nullptr });
     before = from_before;
@@ -225,12 +225,12 @@ TEST(RevolutionFoot, WarmAndColdAgreeInEveryDirection)
   }
   // From its own solution, where a foot that begins at rest takes several steps.
   EXPECT_EQ(warm.solve(load_at(1.6, 3.2), {}, { &*before }).solution.n_iterations, 1u);
-  EXPECT_GT(RevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
+  EXPECT_GT(MeshedRevolutionFoot(setup).solve(load_at(1.6, 3.2)).solution.n_iterations, 1u);
 }
 
 TEST(RevolutionFoot, SaysThatTheFootTips)
 {
-  RevolutionFoot foot{ RevolutionSetup() };
+  MeshedRevolutionFoot foot{ RevolutionSetup() };
   foot.solve(load_at(0.5));
   try
   {
@@ -247,9 +247,9 @@ TEST(RevolutionFoot, SaysThatTheFootTips)
 TEST(Imperfection, OffsetAndTiltChangeNothing)
 {
   RevolutionSetup setup;
-  RevolutionFoot perfect(setup);
+  MeshedRevolutionFoot perfect(setup);
   setup.imperfection.table = { { 0, 2e-4, 0 }, { 1, 1.1e-4, -0.46 } };
-  RevolutionFoot tilted(setup);
+  MeshedRevolutionFoot tilted(setup);
   const ContactLoad expected = perfect.solve(load_at(1.1)).load;
   const ContactLoad load = tilted.solve(load_at(1.1), { 0, { 0.3, 0.7 } }).load;
   for (unsigned int n = 0; n <= 8; ++n)
@@ -263,10 +263,10 @@ TEST(Imperfection, TurnsWithGlassAndTable)
 {
   RevolutionSetup setup;
   setup.imperfection.glass = { { 2, 3e-7, 0 } };
-  RevolutionFoot glass(setup);
+  MeshedRevolutionFoot glass(setup);
   setup.imperfection.table = { { 2, 3e-7, 0 } };
   setup.imperfection.glass.clear();
-  RevolutionFoot table(setup);
+  MeshedRevolutionFoot table(setup);
   const double angle = 2 * M_PI * 21 / 256;
   const ContactLoad still = glass.solve(load_at(0.4)).load;
   EXPECT_GT(std::abs(still.a(2) / still.a(0)), 1e-3);
@@ -292,7 +292,7 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
     setup.table.interface = interface;
     setup.imperfection.glass = { { 2, 3e-7, 0 } };
     setup.meridian.n_harmonics = 8;
-    RevolutionFoot foot(setup.resolved_for(weight));
+    MeshedRevolutionFoot foot(setup.resolved_for(weight));
     const ContactState first = foot.solve(load_at(0.4), { 0, { 0.5, 0 } });
     const double peak = foot.pressure_map(first).cuts[3][4].pressure;
     const std::string fields = foot.fields(first).front().text;
@@ -311,7 +311,7 @@ TEST(RevolutionFoot, StatesOutliveTheNextSolution)
 
 TEST(RevolutionFoot, PointForcesStandInTheSlipFrame)
 {
-  RevolutionFoot foot{ RevolutionSetup() };
+  MeshedRevolutionFoot foot{ RevolutionSetup() };
   EXPECT_FALSE(foot.capabilities().is_collective);
   const Resultants load = load_at(0.8, 2.);
   const ContactState state = foot.solve(load);

@@ -1,7 +1,7 @@
 // The picture of a foot of revolution: its fields against the contact solution, the balance of forces, and
 // the solid body's picture.
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/foot_case.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/fem/vtu_file.h"
@@ -19,7 +19,7 @@ using namespace stemware::revolution_tests;
 using stemware::fem_tests::FootCase;
 using stemware::fem_tests::VtuFile;
 
-VtuFile picture_of(RevolutionFoot &foot, const ContactState &state)
+VtuFile picture_of(MeshedRevolutionFoot &foot, const ContactState &state)
 {
   const std::vector<FieldFile> files = foot.fields(state);
   EXPECT_EQ(files.size(), 1u);
@@ -82,7 +82,7 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
   {
     RevolutionSetup setup;
     setup.friction_coefficient = friction;
-    RevolutionFoot foot(setup);
+    MeshedRevolutionFoot foot(setup);
     const ContactState state = foot.solve(load_at(1.3, 0.7));
     const VtuFile file = picture_of(foot, state);
     const Eigen::VectorXd &normal_displacement = state.solution.normal_displacement;
@@ -113,7 +113,7 @@ TEST(RevolutionFields, StressesCarryTheLoadThroughTheFoot)
   RevolutionSetup setup;
   setup.friction_coefficient = friction;
   setup.resolution.refinements = 1;
-  RevolutionFoot foot(setup);
+  MeshedRevolutionFoot foot(setup);
   const Resultants load = load_at(0.8, 0.7);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);
@@ -139,7 +139,7 @@ TEST(RevolutionFields, PressureCarriesTheLoad)
     {
       RevolutionSetup setup;
       setup.profile.crown_radius = crown;
-      RevolutionFoot foot(setup.resolved_for(weight));
+      MeshedRevolutionFoot foot(setup.resolved_for(weight));
       const Resultants load = load_at(m, 0.7);
       const ContactState state = foot.solve(load);
       const VtuFile file = picture_of(foot, state);
@@ -158,7 +158,7 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
   RevolutionSetup setup;
   setup.profile = profile;
   setup.resolution = equal_cells(1);
-  RevolutionFoot foot(setup);
+  MeshedRevolutionFoot foot(setup);
   const Resultants load = load_at(0.4);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);
@@ -213,7 +213,7 @@ TEST(RevolutionFields, EqualRunsGiveEqualFiles)
 {
   const auto written = []
   {
-    RevolutionFoot foot{ RevolutionSetup() };
+    MeshedRevolutionFoot foot{ RevolutionSetup() };
     const ContactState state = foot.solve(load_at(0.5, 0.7));
     return foot.fields(state).front().text;
   };
@@ -225,7 +225,7 @@ TEST(RevolutionFields, PressureOfARigidTableCarriesTheLoad)
   RevolutionSetup setup;
   setup.profile = flat_profile();
   setup.table.interface = std::make_shared<HardInterface>();
-  RevolutionFoot foot(setup.resolved_for(weight));
+  MeshedRevolutionFoot foot(setup.resolved_for(weight));
   const Resultants load = load_at(0.6, 0.7);
   const ContactState state = foot.solve(load);
   const VtuFile file = picture_of(foot, state);

@@ -2,7 +2,7 @@
 // neither these elements nor an estimate, and the meshes that are made of them.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/conforming_mapping.h"
 #include "fem/solid/solid_foot.h"
@@ -94,7 +94,7 @@ double of_body_of_revolution(const GlassProfile &profile, double friction, doubl
   const ContactGoal goal = second_harmonic();
   for (;;)
   {
-    RevolutionFoot foot(setup);
+    MeshedRevolutionFoot foot(setup);
     const ContactState state = foot.solve(demand_of(1.2), { 10, {} });
     const MeshError error = foot.mesh_error(state, goal, true).value();
     if (std::abs(error.correction) < left)
@@ -161,7 +161,7 @@ TEST(MeshEstimate, HoldsUnderAHardFlatLand)
   setup.n_lines = 512;
   setup = setup.resolved_for(weight);
   setup.corner_halvings += 2;
-  const double truth = second_harmonic().of_load(RevolutionFoot(setup).solve(demand_of(1.2)).load);
+  const double truth = second_harmonic().of_load(MeshedRevolutionFoot(setup).solve(demand_of(1.2)).load);
   const Estimated found = estimated(mesh_on(MPI_COMM_WORLD, setup.profile, { 12, 2, 1, 1 }), setup.profile, 2,
                                     0, setup.table.interface);
   EXPECT_NEAR(found.error.correction / (truth - found.value), 1, 0.2);

@@ -2,7 +2,7 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/mesh_io.h"
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/reference_load.h"
 #include "tests/fem/temporary_file.h"
@@ -130,7 +130,7 @@ TEST(SolidFoot, TakesTheFirstOfTwoBalances)
   const auto under_moment = [&](double m) { return ContactDemand(weight, 0, -m * scale); };
   RevolutionSetup revolved;
   revolved.table.interface = mat;
-  RevolutionFoot oracle(revolved.resolved_for(weight));
+  MeshedRevolutionFoot oracle(revolved.resolved_for(weight));
   const double lean = std::abs(oracle.solve(under_moment(second)).solution.motion(1));
   ContactDemand demand = under_moment(second - weight * height * lean / scale);
   demand.tilt_moment = weight * height;

@@ -1,6 +1,6 @@
 // A foot that is not of revolution, from a mesh file: its load depends on where the moment points. Oracle:
 // the same gap imposed on the body of revolution.
-#include "fem/revolution/revolution_foot.h"
+#include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/reference_load.h"
@@ -45,7 +45,7 @@ TEST(SolidFoot, AnswersAsAThreeLobedRimDoesInEachDirection)
   of_revolution.friction_coefficient = setup.friction_coefficient;
   of_revolution.imperfection.glass = { lobes };
   of_revolution.n_lines = 192;
-  RevolutionFoot revolution(of_revolution.resolved_for(weight));
+  MeshedRevolutionFoot revolution(of_revolution.resolved_for(weight));
 
   double least = 1, largest = -1;
   for (const double angle : { 0., 0.7, 1.4 })

@@ -36,7 +36,7 @@ struct SolvedStudy
 /// The budget of a study.
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
-  const auto foot = pipeline::study_foot(study, executor.cache);
+  const auto foot = pipeline::study_foot(study, executor.make_foot);
   const pipeline::SharedLoad load = pipeline::find_load(study, foot);
   return pipeline::find_budget(
     study, foot, pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor),
@@ -46,7 +46,7 @@ inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipelin
 /// The result of a study as a case of a sweep.
 inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
 {
-  return pipeline::case_result(study, pipeline::study_foot(study, executor.cache), executor);
+  return pipeline::case_result(study, pipeline::study_foot(study, executor.make_foot), executor);
 }
 
 } // namespace stemware::test

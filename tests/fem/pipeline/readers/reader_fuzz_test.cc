@@ -3,8 +3,8 @@
 // can be had again; under the preset `sanitize` the readers run with the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/sweep/case_log.h"
-#include "fem/pipeline/coupling/load_file.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/study/load_file.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/manifest.h"

@@ -1,4 +1,4 @@
-#include "fem/pipeline/coupling/load_file.h"
+#include "fem/pipeline/study/load_file.h"
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
@@ -93,6 +93,13 @@ ring::RingStack read_load_file(const std::string &file)
   require(coefficients.a.size() >= 2,
           setting + " holds no first harmonic; give at least the rows \"0 a b\" and \"1 a b\".");
   return { coefficients.a, coefficients.b, *coefficients.radius };
+}
+
+void attach_load(Study &study)
+{
+  study.load.from_file.reset();
+  if (study.load.source == LoadSource::file)
+    study.load.from_file = std::make_shared<const ring::RingStack>(read_load_file(study.load.file));
 }
 
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/study/study.h"
 #include "ring_model/load/ring_stack.h"
 
 #include <string>
@@ -17,5 +18,9 @@ namespace stemware::pipeline
 /// with # are ignored, so that the harmonics.dat of a results folder can be read. Throws BadInput with one
 /// sentence that names the line.
 ring::RingStack read_load_file(const std::string &file);
+
+/// Gives a study whose load comes from a file the load of that file, LoadSection::from_file. Throws as
+/// read_load_file().
+void attach_load(Study &study);
 
 } // namespace stemware::pipeline

@@ -1,0 +1,33 @@
+#include "fem/pipeline/coupling/revolution_setup.h"
+
+#include "fem/pipeline/coupling/deforming_friction.h"
+#include "fem/pipeline/coupling/orientation.h"
+
+namespace stemware::pipeline
+{
+
+fem::RevolutionSetup revolution_setup(const Study &study)
+{
+  fem::RevolutionSetup setup;
+  setup.profile = study.glass.profile;
+  setup.material = study.glass.material;
+  setup.table = study.table.make();
+  setup.imperfection = imperfection_of(study);
+  set_friction(study, setup);
+  setup.meridian.degree = study.contact.degree;
+  setup.meridian.n_harmonics = study.contact.harmonics;
+  setup.resolution.land_cells = study.contact.resolution.radial_cells;
+  setup.resolution.land_grading = study.contact.land_grading;
+  setup.resolution.refinements = study.contact.refinements;
+  setup.halved = study.contact.halved;
+  setup.n_lines = study.contact.azimuth_lines;
+  setup.fineness = study.contact.fineness;
+  setup.halvings_beyond_focus = study.contact.halvings_beyond_focus;
+  setup.hardness *= study.contact.hardness;
+  setup.foot_is_rigid = study.model.foot_is_rigid;
+  setup.friction_in_foot = study.model.friction_in_foot;
+  setup.friction_in_substrate = study.model.friction_in_substrate;
+  return setup.resolved_for(study.required_resultants().normal_force);
+}
+
+} // namespace stemware::pipeline

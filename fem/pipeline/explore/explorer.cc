@@ -1,0 +1,244 @@
+#include "fem/pipeline/explore/explorer.h"
+
+#include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/variants/model_variants.h"
+#include "fem/revolution/revolution_foot.h"
+#include "ring_model/no_balance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// How far the half-width of a focused contact may go from the one that its mesh was made for: as many cells
+/// again, or half as many (docs/explore.md has the band).
+constexpr double farthest = 1.5;
+
+/// Entries whose change the compliances survive: they scale with the moduli, and know nothing of what moves.
+bool is_live(const std::string &path)
+{
+  static const std::vector<std::string> outside_motion = {
+    "Glass/Crown radius",       "Glass/Young modulus",
+    "Table/Interface",          "Table/Foundation modulus",
+    "Table/Reference pressure", "Table/Decay length",
+    "Table/Disc Young modulus", "Contact/Rings",
+    "Contact/Azimuth lines",    "Contact/Load harmonics",
+    "Contact/Friction coupling"
+  };
+  if (path == "Motion/Orbit speed file")
+    return false;
+  return path.rfind("Motion/", 0) == 0 || path == "Load/Coupling" || path == "Load/Moment ratio" ||
+         path == "Load/Moment direction" ||
+         std::find(outside_motion.begin(), outside_motion.end(), path) != outside_motion.end();
+}
+
+} // namespace
+
+void Explorer::take(std::shared_ptr<const fem::ContactCompliance> given, bool is_disc)
+{
+  (is_disc ? disc_compliance : compliance) = std::move(given);
+}
+
+void Explorer::set(const std::string &path, const std::string &value)
+{
+  const std::vector<StudyEntry> entries = study_entries(present);
+  const StudyEntry &entry = entry_at(entries, "", path);
+  require(!is_ready || is_live(path) || entry.text() == value,
+          path + " needs another mesh than this page has; `stemware run` makes one.");
+  assign(entry, "", value);
+}
+
+void Explorer::ready(double fineness)
+{
+  present.contact.fineness = fineness;
+  base = present;
+  is_ready = true;
+}
+
+MeshFit Explorer::fit() const
+{
+  const fem::MeridianResolution now = revolution_setup(present).resolution;
+  const fem::MeridianResolution then = revolution_setup(base).resolution;
+  const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
+  if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
+      differ(now.focus_radius, then.focus_radius) || now.has_focus() != then.has_focus())
+    return MeshFit::foreign;
+  if (!now.has_focus() || !differ(now.focus_size, then.focus_size))
+    return MeshFit::same;
+  const double ratio = now.focus_size / then.focus_size;
+  return std::max(ratio, 1 / ratio) > farthest ? MeshFit::foreign : MeshFit::near;
+}
+
+std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
+{
+  const auto of =
+    [](const std::shared_ptr<const fem::ContactCompliance> &given, double modulus, double modulus_now)
+  { return modulus == modulus_now ? *given : given->scaled(modulus / modulus_now); };
+  const fem::RevolutionSetup setup = revolution_setup(study);
+  const fem::ContactCompliance own =
+    of(compliance, base.glass.material.young_modulus, study.glass.material.young_modulus);
+  std::optional<fem::ContactCompliance> below;
+  if (setup.table.substrate)
+    below =
+      of(disc_compliance, base.table.disc_material.young_modulus, study.table.disc_material.young_modulus);
+  return std::make_shared<fem::RevolutionFoot>(
+    setup, std::make_shared<const fem::ContactCompliance>(setup.together(own, below ? &*below : nullptr)));
+}
+
+Executor Explorer::executor() const
+{
+  return Executor([this](const Study &asked) { return make_foot(asked); });
+}
+
+LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
+{
+  std::shared_ptr<ElasticFoot> last = std::move(foot);
+  const std::optional<ring::KnownZero> last_spin = std::exchange(near, {});
+  rows.clear();
+  check_values(present);
+  require_standing(present);
+  LiveAnswer answer;
+  answer.fit = fit();
+  require(answer.fit != MeshFit::foreign,
+          "The contact would be of another width, which the mesh of this page does not "
+          "resolve; `stemware run` makes one that does.");
+  const bool warm = !cold && last;
+  foot = study_foot(present, executor().make_foot, silent_progress(), warm ? last.get() : nullptr);
+  if (warm && last->has_rings())
+    foot->set_rings(last->ring_radii(), last->n_harmonics());
+  SpinQuestion question = spin_question(present);
+  question.with_slope = cold;
+  if (warm)
+    question.near = last_spin;
+
+  const SharedLoad load = find_load(present, foot);
+  answer.all = attempt_spin_row(*load, question);
+  answer.contact_radius = foot->radius();
+  if (n_harmonics < foot->n_harmonics())
+  {
+    question.near = known_zero(answer.all);
+    const SharedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
+    answer.first_n = attempt_spin_row(*cut, question);
+    answer.first_n->harmonics = n_harmonics;
+    rows.push_back({ *answer.first_n, cut });
+  }
+  answer.all.all_harmonics = true;
+  rows.push_back({ answer.all, load });
+  const Study paper = paper_study(present);
+  answer.paper = attempt_spin_row(*find_load(paper, nullptr), spin_question(paper));
+  answer.contact = load->contact(answer.all.last_spin().value_or(0));
+  near = known_zero(answer.all);
+  if (!near && warm && last_spin && answer.all.omega_terminal())
+    near = ring::KnownZero{ *answer.all.omega_terminal(), last_spin->slope };
+  return answer;
+}
+
+std::optional<LiveCurves> Explorer::curves()
+{
+  if (rows.empty() || !rows.back().row.last_spin())
+    return std::nullopt;
+  LiveCurves curves;
+  std::vector<LoadedRow> loads = rows;
+  const std::vector<double> shown = shown_spins(present, loads);
+  interpolate_loads(shown.front(), shown.back(), all_harmonics, executor(), loads);
+  curves.torque = torque_curve(present, loads, all_harmonics);
+  const Study paper = paper_study(present);
+  std::string reason;
+  curves.of_paper =
+    friction_torques(*find_load(paper, nullptr), paper.motion.orbit, curves.torque.omega, reason);
+  curves.time = output_times(present.motion.end_time);
+  const auto spins = [&](const LoadedRow &row)
+  {
+    std::vector<double> spins;
+    try
+    {
+      for (const ring::YawSample &sample :
+           spin_up(*row.load, present.motion.orbit, curves.time, present.motion.grip_torque))
+        spins.push_back(sample.omega);
+    }
+    catch (const ring::NoBalance &) // the glass falls over on the way
+    {
+      spins.assign(curves.time.size(), std::nan(""));
+    }
+    return spins;
+  };
+  curves.spin = spins(loads.back());
+  if (loads.size() > 1)
+    curves.spin_n = spins(loads.front());
+  curves.spin_paper = paper_spin_up(present, curves.time);
+  return curves;
+}
+
+std::vector<BudgetRow> Explorer::budget()
+{
+  if (rows.empty())
+    return {};
+  std::vector<SpinRow> by_harmonics;
+  for (const LoadedRow &row :
+       rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor()))
+    by_harmonics.push_back(row.row);
+  return budget_rows(present, foot, by_harmonics, executor());
+}
+
+std::vector<double> packed(const fem::ContactCompliance &compliance)
+{
+  std::vector<double> numbers = { static_cast<double>(compliance.n_nodes()),
+                                  static_cast<double>(compliance.degree),
+                                  static_cast<double>(compliance.n_harmonics()),
+                                  static_cast<double>(compliance.n_meridian_unknowns),
+                                  compliance.is_cut_inside ? 1. : 0.,
+                                  compliance.is_cut_outside ? 1. : 0. };
+  const auto add = [&](const auto &values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
+  add(compliance.radii);
+  const auto add_harmonic = [&](const fem::HarmonicCompliance &harmonic)
+  {
+    for (Eigen::Index j = 0; j < harmonic.normal.cols(); ++j)
+      add(harmonic.normal.col(j).tail(harmonic.normal.rows() - j));
+    add(harmonic.radial.reshaped());
+    add(harmonic.azimuthal.reshaped());
+  };
+  for (const fem::HarmonicCompliance &harmonic : compliance.harmonics)
+    add_harmonic(harmonic);
+  add_harmonic(compliance.beyond);
+  return numbers;
+}
+
+fem::ContactCompliance unpacked(const double *numbers)
+{
+  fem::ContactCompliance compliance;
+  const auto n = static_cast<Eigen::Index>(numbers[0]);
+  compliance.degree = static_cast<unsigned int>(numbers[1]);
+  compliance.harmonics.resize(static_cast<std::size_t>(numbers[2]) + 1);
+  compliance.n_meridian_unknowns = static_cast<unsigned int>(numbers[3]);
+  compliance.is_cut_inside = numbers[4] != 0;
+  compliance.is_cut_outside = numbers[5] != 0;
+  numbers += 6;
+  compliance.radii = Eigen::Map<const Eigen::VectorXd>(numbers, n);
+  numbers += n;
+  const auto read_harmonic = [&](fem::HarmonicCompliance &harmonic)
+  {
+    harmonic.normal.resize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j; i < n; ++i)
+        harmonic.normal(i, j) = harmonic.normal(j, i) = *numbers++;
+    for (Eigen::MatrixXd *matrix : { &harmonic.radial, &harmonic.azimuthal })
+    {
+      *matrix = Eigen::Map<const Eigen::MatrixXd>(numbers, n, n);
+      numbers += n * n;
+    }
+  };
+  for (fem::HarmonicCompliance &harmonic : compliance.harmonics)
+    read_harmonic(harmonic);
+  read_harmonic(compliance.beyond);
+  return compliance;
+}
+
+} // namespace stemware::pipeline

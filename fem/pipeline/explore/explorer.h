@@ -1,0 +1,100 @@
+#pragma once
+
+#include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/revolution/contact_compliance.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// How the mesh that an Explorer's compliances come from suits a study.
+enum class MeshFit
+{
+  same,   ///< `stemware run` would make the same mesh
+  near,   ///< it would make one of other cells; the answer has a band
+  foreign ///< the contact would not be resolved
+};
+
+/// The answer to a study as a page shows it.
+struct LiveAnswer
+{
+  MeshFit fit = MeshFit::same;
+  SpinRow all;                    ///< all harmonics
+  std::optional<SpinRow> first_n; ///< the first n alone, where so few were asked
+  SpinRow paper;                  ///< the paper's rigid ring
+  /// The contact where the spin-up ends, or at rest where there is no spin; nothing without one.
+  std::optional<fem::ContactState> contact;
+  double contact_radius = 0; ///< [m]
+};
+
+/// Curves of a LiveAnswer; NaN where there is no balance.
+struct LiveCurves
+{
+  TorqueCurve torque;             ///< of all harmonics, and of the first n
+  std::vector<double> of_paper;   ///< tau_z of the paper's ring at the same spins [N m]
+  std::vector<double> time;       ///< [s]
+  std::vector<double> spin;       ///< omega(t), all harmonics [rad/s]
+  std::vector<double> spin_n;     ///< the first n alone; empty where all were asked [rad/s]
+  std::vector<double> spin_paper; ///< of the paper's ring [rad/s]
+};
+
+/// A study that somebody changes while it is solved again and again, on compliances that are given: no mesh
+/// is made. What the mesh would have to follow is refused.
+class Explorer
+{
+public:
+  /// The foot alone, with its Young modulus as the study has it now, or the disc under it.
+  void take(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
+
+  /// Gives an entry of the study another value; throws BadInput for entries and values that there are not,
+  /// and, once ready(), for entries that the compliances depend on.
+  void set(const std::string &path, const std::string &value);
+
+  /// The study with its values so far is the one that the compliances were made for, on a mesh of @p fineness
+  /// (ContactSection::fineness).
+  void ready(double fineness);
+
+  const Study &study() const { return present; }
+  /// How the mesh suits the study as it is now.
+  MeshFit fit() const;
+
+  /// Solves the study with @p n_harmonics, from the last answer, or, where @p cold, as `stemware run` does.
+  /// Throws BadInput with one sentence for what is refused, and what contacts and balances throw at rest.
+  LiveAnswer solve(unsigned int n_harmonics, bool cold);
+
+  /// Curves of the last answer; nothing where it has no spin.
+  std::optional<LiveCurves> curves();
+
+  /// The chain of models from the paper's to the last answer's.
+  std::vector<BudgetRow> budget();
+
+  /// The pressure of @p contact, that of the last answer.
+  fem::PressureMap pressure(const fem::ContactState &contact) const
+  {
+    return foot->body().pressure_map(contact);
+  }
+
+private:
+  std::shared_ptr<fem::Foot> make_foot(const Study &study) const;
+  Executor executor() const;
+
+  Study present, base;
+  bool is_ready = false;
+  std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
+  std::shared_ptr<ElasticFoot> foot;   ///< of the last answer
+  std::vector<LoadedRow> rows;         ///< of the last answer, that of all harmonics last
+  std::optional<ring::KnownZero> near; ///< its spin
+};
+
+/// A compliance as numbers in a row, and back: nodes, degree, highest harmonic, unknowns, whether the land
+/// goes on inside and outside, the radii, then of each harmonic, and of those beyond, the lower triangle of
+/// `normal` by columns, `radial` and `azimuthal`.
+std::vector<double> packed(const fem::ContactCompliance &compliance);
+fem::ContactCompliance unpacked(const double *numbers);
+
+} // namespace stemware::pipeline

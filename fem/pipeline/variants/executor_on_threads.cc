@@ -1,0 +1,83 @@
+#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/variants/executor.h"
+
+#include <deal.II/base/multithread_info.h>
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// deal.II holds TBB of the whole program to its own number of threads, which is one once MPI runs
+/// (ranks.cc).
+class ThreadLimit
+{
+public:
+  explicit ThreadLimit(unsigned int n_threads)
+      : before(dealii::MultithreadInfo::n_threads())
+  {
+    dealii::MultithreadInfo::set_thread_limit(n_threads);
+  }
+  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
+  ThreadLimit(const ThreadLimit &) = delete;
+  ThreadLimit &operator=(const ThreadLimit &) = delete;
+
+private:
+  const unsigned int before;
+};
+
+/// Executor::for_each() on @p n_threads.
+void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &work)
+{
+  const ThreadLimit limit(n_threads);
+  tbb::task_arena arena(static_cast<int>(n_threads));
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::size_t failed = n;
+  std::atomic<bool> has_failed = false;
+  // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
+  // the tables that deal.II fills: they would go on with half of them.
+  const auto guarded = [&](std::size_t i)
+  {
+    if (has_failed)
+      return;
+    try
+    {
+      work(i);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      has_failed = true;
+      if (i < failed)
+      {
+        failed = i;
+        failure = std::current_exception();
+      }
+    }
+  };
+  // Without the isolation a thread that waits for a loop within one call could begin another call, and then
+  // wait for what it has itself not finished.
+  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { guarded(i); }); };
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
+  if (failure)
+    std::rethrow_exception(failure);
+}
+
+} // namespace
+
+Executor::Executor(fem::ComplianceCache &cache, unsigned int n_threads)
+    : Executor([&cache](const Study &study) { return pipeline::make_foot(study, cache); })
+{
+  if (n_threads > 1)
+    side_by_side = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };
+}
+
+} // namespace stemware::pipeline

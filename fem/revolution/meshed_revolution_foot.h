@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fem/revolution/compliance_cache.h"
+#include "fem/revolution/revolution_foot.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// A foot of revolution with the meridional meshes that its compliance comes from: it knows its fields, and
+/// what its meshes leave.
+class MeshedRevolutionFoot : public RevolutionFoot
+{
+public:
+  using RevolutionFoot::RevolutionFoot;
+  /// Computes the compliances. Throws std::invalid_argument for a setup that is not allowed.
+  explicit MeshedRevolutionFoot(const RevolutionSetup &setup);
+  /// Takes the compliances from @p cache, which other feet share.
+  MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
+
+  std::shared_ptr<const Foot> twin() const override;
+  std::vector<FieldFile> fields(const ContactState &state) const override;
+  std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
+  /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
+  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
+                                      bool with_cells) const override;
+
+private:
+  struct Field;
+
+  mutable ComplianceCache finer{ 4 }; ///< of mesh_error()
+};
+
+} // namespace stemware::fem

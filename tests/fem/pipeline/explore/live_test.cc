@@ -1,0 +1,187 @@
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/explore/explore_api.h"
+#include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/explore/live_bodies.h"
+#include "fem/pipeline/study/study_entries.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+/// The study of these values as the program has it.
+Study study_of(const Values &values)
+{
+  Study study;
+  for (const auto &[path, value] : values)
+    assign(study_entries(study), "", path, value);
+  return study;
+}
+
+/// Gives the page a study and its compliances.
+void open_page(const Values &values, const LiveBodies &bodies)
+{
+  explore_begin();
+  for (const auto &[path, value] : values)
+    EXPECT_STREQ(explore_set(path.c_str(), value.c_str()), "{}");
+  explore_take(packed(bodies.foot).data(), 0);
+  if (bodies.disc)
+    explore_take(packed(*bodies.disc).data(), 1);
+  explore_ready(1);
+}
+
+nlohmann::json solved(unsigned int n_harmonics = 0, bool cold = true)
+{
+  return nlohmann::json::parse(explore_solve(n_harmonics, cold));
+}
+
+/// The spin by the program: the same study on a foot with meshes of its own.
+double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_harmonics)
+{
+  fem::ComplianceCache cache;
+  const auto foot = study_foot(study, cache);
+  return spin_row(*find_load(study, foot, silent_progress(), n_harmonics), spin_question(study))
+    .terminal->omega;
+}
+
+/// Moves one entry after the other, each back before the next, and compares cold answers with the program's.
+void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
+{
+  fem::ComplianceCache cache;
+  open_page(base, live_bodies(study_of(base), cache));
+  EXPECT_NEAR(solved()["all"]["omega"].get<double>(), spin_by_the_program(study_of(base)), 1e-10);
+  for (const auto &[path, value] : moves)
+  {
+    Study before = study_of(base);
+    const std::string text = entry_at(study_entries(before), "", path).text();
+    EXPECT_STREQ(explore_set(path.c_str(), value.c_str()), "{}") << path;
+    const nlohmann::json answer = solved();
+    Values moved = base;
+    moved.emplace_back(path, value);
+    ASSERT_EQ(answer.value("error", ""), "") << path;
+    EXPECT_EQ(answer["fit"], fit) << path;
+    EXPECT_NEAR(answer["all"]["omega"].get<double>(), spin_by_the_program(study_of(moved)), 1e-10)
+      << path << " = " << value;
+    EXPECT_STREQ(explore_set(path.c_str(), text.c_str()), "{}") << path;
+  }
+}
+
+const Values hard = { { "Table/Interface", "hard" } };
+const Values bare_wood = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
+
+TEST(Live, TwentyChangedEntriesHaveTheProgramsSpins)
+{
+  expect_the_programs_spins({},
+                            { { "Motion/Friction coefficient", "0.2" },
+                              { "Motion/Orbit speed", "25 cm/s" },
+                              { "Motion/Force offset", "-30 mm" },
+                              { "Motion/Force offset", "-70 mm" },
+                              { "Motion/Mass", "200 g" },
+                              { "Motion/Centre of mass height", "0.1" },
+                              { "Motion/Orbit radius", "0.2" },
+                              { "Motion/Orbit sense", "clockwise" },
+                              { "Motion/Yaw inertia", "5e-4" },
+                              { "Motion/Closure", "hand" },
+                              { "Motion/Tilt", "neglected" },
+                              { "Motion/Grip torque", "1e-3" },
+                              { "Motion/Friction law", "Stribeck" },
+                              { "Glass/Crown radius", "6 mm" },
+                              { "Glass/Young modulus", "60 GPa" },
+                              { "Table/Foundation modulus", "1e11" },
+                              { "Contact/Friction coupling", "none" },
+                              { "Contact/Rings", "3" },
+                              { "Contact/Load harmonics", "12" },
+                              { "Load/Coupling", "one-way" } },
+                            "same");
+}
+
+TEST(Live, OnHardAndElasticTablesToo)
+{
+  expect_the_programs_spins(hard, { { "Motion/Friction coefficient", "0.2" } }, "same");
+  expect_the_programs_spins(bare_wood, { { "Motion/Force offset", "-30 mm" } }, "same");
+}
+
+TEST(Live, TheFirstHarmonicsAlone)
+{
+  fem::ComplianceCache cache;
+  open_page({}, live_bodies(Study(), cache));
+  for (const unsigned int n : { 1u, 2u })
+    EXPECT_NEAR(solved(n)["first_n"]["omega"].get<double>(), spin_by_the_program(Study(), n), 1e-9) << n;
+}
+
+TEST(Live, MovesOneAfterTheOtherEndWhereColdOnesDo)
+{
+  fem::ComplianceCache cache;
+  open_page({}, live_bodies(Study(), cache));
+  solved();
+  for (const char *const mu : { "0.29", "0.27", "0.35" })
+  {
+    EXPECT_STREQ(explore_set("Motion/Friction coefficient", mu), "{}");
+    const double live = solved(0, false)["all"]["omega"].get<double>();
+    EXPECT_NEAR(live, solved(0, true)["all"]["omega"].get<double>(), 1e-7) << mu;
+  }
+}
+
+TEST(Live, WhatThePageDoesNotResolveIsRefused)
+{
+  fem::ComplianceCache cache;
+  const LiveBodies bodies = live_bodies(Study(), cache);
+  open_page({}, bodies);
+  const auto refusal = [](const char *path, const char *value)
+  {
+    const auto reply = nlohmann::json::parse(explore_set(path, value));
+    return reply.value("error", "") + solved().value("error", "");
+  };
+  EXPECT_NE(refusal("Glass/Contact radius", "31 mm").find("another mesh"), std::string::npos);
+  EXPECT_NE(refusal("Table/Foundation modulus", "1e14").find("another width"), std::string::npos);
+  open_page(hard, live_bodies(study_of(hard), cache));
+  EXPECT_NE(refusal("Motion/Mass", "1 kg").find("another width"), std::string::npos);
+
+  // A part of the land so narrow that the contact comes to its border.
+  LiveBodies narrow = bodies;
+  narrow.foot = bodies.foot.part(6, 5);
+  open_page({}, narrow);
+  EXPECT_NE(solved().value("error", "").find("leaves the part of the land"), std::string::npos);
+}
+
+TEST(Live, AGlassThatTipsSaysSo)
+{
+  fem::ComplianceCache cache;
+  open_page({}, live_bodies(Study(), cache));
+  explore_set("Motion/Force offset", "-300 mm"); // at rest
+  EXPECT_TRUE(solved().value("tips", false));
+  explore_set("Motion/Force offset", "-150 mm"); // on its way
+  EXPECT_TRUE(solved()["all"].value("falls", false));
+}
+
+TEST(Live, CurvesAndBudget)
+{
+  fem::ComplianceCache cache;
+  open_page({}, live_bodies(Study(), cache));
+  const double omega = solved(1)["all"]["omega"].get<double>();
+  const auto curves = nlohmann::json::parse(explore_curves());
+  EXPECT_NEAR(curves["omega"].back().get<double>(), omega, 0.02 * std::abs(omega));
+  EXPECT_EQ(curves["of_n"].size(), curves["spin"].size());
+  const auto budget = nlohmann::json::parse(explore_budget());
+  EXPECT_NEAR(budget["rows"].back()["omega"].get<double>(), omega, 1e-9);
+  EXPECT_GT(nlohmann::json::parse(explore_pressure(64))["cuts"].size(), 60u);
+}
+
+} // namespace
+
+} // namespace stemware::pipeline
