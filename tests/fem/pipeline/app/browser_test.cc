@@ -225,7 +225,7 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
     for (const auto &figure : page["figures"])
     {
       shown.insert(figure["name"].get<std::string>());
-      EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(width, 500u)) << figure;
+      EXPECT_GT(figure["width"].get<double>(), 0.85 * std::min(width, 430u)) << figure;
       EXPECT_LE(figure["width"].get<double>(), width) << figure;
       const bool is_flat = figure["name"] == "legend" || figure["name"] == "sliding";
       EXPECT_TRUE(is_flat || figure["height"].get<double>() > 0.3 * figure["width"].get<double>()) << figure;
