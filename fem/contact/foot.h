@@ -6,6 +6,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/pressure_map.h"
 #include "fem/geometry/mesh_io.h"
+#include "fem/geometry/section_view.h"
 #include "ring_model/load/slip.h"
 
 #include <algorithm>
@@ -127,6 +128,13 @@ public:
   /// Displacement, stress and contact pressure of any state of this foot as VTU files: what this rank has to
   /// write. Nothing of a foot without a mesh.
   virtual std::vector<FieldFile> fields(const ContactState & /*state*/) const { return {}; }
+
+  /// The section of any state of this foot through its axis, at azimuth @p theta [rad] of the slip frame
+  /// where x > 0, relative to the stem's cut; empty where this foot cannot tell.
+  virtual std::vector<StressedPatch> section(const ContactState & /*state*/, double /*theta*/) const
+  {
+    return {};
+  }
 
   /// Error of @p goal in @p state, a contact of this foot, that is due to the mesh alone; nothing where this
   /// foot cannot tell. @p with_cells: with the cells' shares.

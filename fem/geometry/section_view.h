@@ -15,6 +15,18 @@ namespace stemware::fem
 /// Corners (r, z) of a piece of a section [m], in turn.
 using SectionPolygon = std::vector<std::array<double, 2>>;
 
+/// A place of a loaded section: its coordinate across the axis and height, how far it goes [m], and the
+/// stress of von Mises [Pa].
+struct StressedPoint
+{
+  double x = 0, z = 0;
+  double move_x = 0, move_z = 0;
+  double von_mises = 0;
+};
+
+/// A grid of places over a cell of a loaded section, row by row.
+using StressedPatch = std::vector<std::vector<StressedPoint>>;
+
 /// The cells of a meridional mesh, edges straight.
 std::vector<SectionPolygon> section_cells(const dealii::Triangulation<2, 2> &triangulation);
 

@@ -38,7 +38,7 @@ PointValue value_at(const FEValues<2> &fe_values, unsigned int q, const Vector<d
 MeridianField::MeridianField(const MeridianSpace &space, const ElasticMaterial &material,
                              const ForceModes &forces)
     : meridian(space)
-    , material(material)
+    , glass(material)
     , displacements(static_cast<std::size_t>(forces.normal.cols()))
 {
   const bool has_sliding = forces.radial.size() > 0;
@@ -91,8 +91,8 @@ MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_
   result.conjugate = Eigen::MatrixXd::Zero(3 * n_points, n_modes());
   std::vector<MeridianSpace::Dof> dofs(fe_values.dofs_per_cell);
   cell->get_dof_indices(dofs);
-  const double lambda = material.lame_lambda();
-  const double shear = material.shear_modulus();
+  const double lambda = glass.lame_lambda();
+  const double shear = glass.shear_modulus();
   const double on_axis = 1e-9 * meridian.contact_radius(0);
   for (unsigned int mode = 0; mode < n_modes(); ++mode)
   {

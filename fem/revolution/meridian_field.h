@@ -38,11 +38,12 @@ public:
   const dealii::Vector<double> &displacement(unsigned int mode) const { return displacements[mode]; }
 
   const MeridianSpace &space() const { return meridian; }
+  const ElasticMaterial &material() const { return glass; }
   unsigned int n_modes() const { return static_cast<unsigned int>(displacements.size()); }
 
 private:
   const MeridianSpace &meridian;
-  const ElasticMaterial material;
+  const ElasticMaterial glass;
   std::vector<dealii::Vector<double>> displacements; ///< amplitudes per mode; empty for modes without force
 };
 

@@ -24,6 +24,7 @@ public:
 
   std::shared_ptr<const Foot> twin() const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
+  std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
   /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
@@ -39,6 +40,8 @@ private:
   std::shared_ptr<const ContactCompliance> of_whole_land() const override;
 
   std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
+  struct Field;
+
   mutable ComplianceCache finer{ 4 }; ///< of mesh_error()
 };
 

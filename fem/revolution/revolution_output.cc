@@ -25,9 +25,24 @@ using Patch = DataOutBase::Patch<3, 3>;
 /// Rows of a patch's data.
 constexpr unsigned int displacement_row = 0;
 constexpr unsigned int stress_row = 3;
-constexpr unsigned int pressure_row = 12;
-constexpr unsigned int point_row = 13;
-constexpr unsigned int n_rows = 16;
+constexpr unsigned int strain_row = 12;
+constexpr unsigned int von_mises_row = 21;
+constexpr unsigned int pressure_row = 22;
+constexpr unsigned int point_row = 23;
+constexpr unsigned int n_rows = 26;
+
+/// Strain of isotropic elasticity under a stress.
+Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &material)
+{
+  const double nu = material.poisson_ratio;
+  return ((1 + nu) * stress - nu * stress.trace() * Eigen::Matrix3d::Identity()) / material.young_modulus;
+}
+
+double von_mises(const Eigen::Matrix3d &stress)
+{
+  const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
+  return std::sqrt(1.5) * deviator.norm();
+}
 
 /// deal.II's writers on patches that no mesh has made.
 class PatchWriter : public DataOutInterface<3, 3>
@@ -45,7 +60,8 @@ private:
   {
     std::vector<std::string> names(3, "displacement");
     names.insert(names.end(), 9, "stress");
-    names.push_back("contact_pressure");
+    names.insert(names.end(), 9, "strain");
+    names.insert(names.end(), { "von_mises_stress", "contact_pressure" });
     return names;
   }
 
@@ -53,10 +69,12 @@ private:
                          DataComponentInterpretation::DataComponentInterpretation>>
   get_nonscalar_data_ranges() const override
   {
-    return { { displacement_row, stress_row - 1, "displacement",
-               DataComponentInterpretation::component_is_part_of_vector },
-             { stress_row, pressure_row - 1, "stress",
-               DataComponentInterpretation::component_is_part_of_tensor } };
+    return {
+      { displacement_row, stress_row - 1, "displacement",
+        DataComponentInterpretation::component_is_part_of_vector },
+      { stress_row, strain_row - 1, "stress", DataComponentInterpretation::component_is_part_of_tensor },
+      { strain_row, von_mises_row - 1, "strain", DataComponentInterpretation::component_is_part_of_tensor }
+    };
   }
 
   const std::vector<Patch> patches;
@@ -267,10 +285,13 @@ private:
       conjugate(1), in_phase(3), conjugate(2),        //
       in_phase(5), conjugate(2), in_phase(4);
     stress = (axes * stress * axes.transpose()).eval();
+    const Eigen::Matrix3d strain = strain_of(stress, field.material());
 
     Eigen::Matrix<double, n_rows, 1> rows;
     rows.segment<3>(displacement_row) = displacement;
     rows.segment<9>(stress_row) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(stress.data());
+    rows.segment<9>(strain_row) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(strain.data());
+    rows(von_mises_row) = von_mises(stress);
     rows(pressure_row) = 0;
     rows.segment<3>(point_row) = point;
     return rows;
@@ -298,6 +319,45 @@ void write_revolution_fields(const MeridianField &field, const PressureField &pr
   flags.print_date_and_time = false; // equal runs give equal files
   writer.set_flags(flags);
   writer.write_vtu(file);
+}
+
+std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)
+{
+  constexpr unsigned int n_points = 2; // of a cell in each direction
+  std::vector<Point<2>> unit_points;
+  for (unsigned int j = 0; j < n_points; ++j)
+    for (unsigned int i = 0; i < n_points; ++i)
+      unit_points.emplace_back(i / (n_points - 1.), j / (n_points - 1.));
+  std::vector<StressedPatch> patches;
+  for (const auto &cell : field.space().dof_handler().active_cell_iterators())
+  {
+    const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, Quadrature<2>(unit_points));
+    for (const int side : { 1, -1 })
+    {
+      // The modes at the azimuth, and their conjugates.
+      Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
+      for (unsigned int mode = 0; mode < field.n_modes(); ++mode)
+      {
+        const double angle = FourierBasis::harmonic(mode) * (azimuth + (side < 0 ? numbers::PI : 0));
+        modes(mode) = FourierBasis::is_sine(mode) ? std::sin(angle) : std::cos(angle);
+        conjugates(mode) = mode == 0 ? 0 : FourierBasis::is_sine(mode) ? -std::cos(angle) : std::sin(angle);
+      }
+      const Eigen::VectorXd in_phase = amplitudes.in_phase * modes,
+                            conjugate = amplitudes.conjugate * conjugates;
+      StressedPatch patch(n_points);
+      for (unsigned int p = 0; p < unit_points.size(); ++p)
+      {
+        const auto at = in_phase.segment<6>(6 * p);
+        const auto across = conjugate.segment<3>(3 * p);
+        Eigen::Matrix3d stress;
+        stress << at(2), across(1), at(5), across(1), at(3), across(2), at(5), across(2), at(4);
+        patch[p / n_points].push_back({ side * amplitudes.points[p][0], amplitudes.points[p][1], side * at(0),
+                                        at(1), von_mises(stress) });
+      }
+      patches.push_back(std::move(patch));
+    }
+  }
+  return patches;
 }
 
 } // namespace stemware::fem

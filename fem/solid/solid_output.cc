@@ -47,6 +47,53 @@ private:
   const ElasticMaterial material;
 };
 
+/// Strain from displacement gradients.
+class Strain : public DataPostprocessorTensor<3>
+{
+public:
+  Strain()
+      : DataPostprocessorTensor<3>("strain", update_gradients)
+  {
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &strains) const override
+  {
+    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          strains[p](Tensor<2, 3>::component_to_unrolled_index(TableIndices<2>(i, j))) =
+            (input.solution_gradients[p][i][j] + input.solution_gradients[p][j][i]) / 2;
+  }
+};
+
+/// Stress of von Mises from displacement gradients [Pa].
+class VonMises : public DataPostprocessorScalar<3>
+{
+public:
+  explicit VonMises(const ElasticMaterial &material)
+      : DataPostprocessorScalar<3>("von_mises_stress", update_gradients)
+      , material(material)
+  {
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &stresses) const override
+  {
+    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
+    {
+      SymmetricTensor<2, 3> strain;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          strain[i][j] = (input.solution_gradients[p][i][j] + input.solution_gradients[p][j][i]) / 2;
+      stresses[p](0) = 2 * material.shear_modulus() * std::sqrt(1.5) * deviator(strain).norm();
+    }
+  }
+
+private:
+  const ElasticMaterial material;
+};
+
 /// The vertical component of a vector field whose other two are not used: a scalar that lives on the contact
 /// nodes.
 class ContactPressure : public DataPostprocessorScalar<3>
@@ -152,6 +199,8 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
 
   const RestoredMotion restored(motion);
   const Stress stress(system->glass());
+  const Strain strain;
+  const VonMises von_mises(system->glass());
   const ContactPressure contact_pressure;
   DataOut<3> data_out;
   DataOutBase::VtkFlags flags;
@@ -161,6 +210,8 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
   data_out.set_flags(flags);
   data_out.add_data_vector(dof_handler, displacement, restored);
   data_out.add_data_vector(dof_handler, displacement, stress);
+  data_out.add_data_vector(dof_handler, displacement, strain);
+  data_out.add_data_vector(dof_handler, displacement, von_mises);
   data_out.add_data_vector(dof_handler, pressure, contact_pressure);
   data_out.build_patches(system->mapping(), dof_handler.get_fe().degree, DataOut<3>::curved_inner_cells);
   const MPI_Comm &communicator = dof_handler.get_communicator();

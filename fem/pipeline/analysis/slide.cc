@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <set>
 
 namespace stemware::pipeline
 {
@@ -276,7 +277,7 @@ std::vector<std::string> idle_in_slide(const Study &study, SlidingBodyKind body)
     "Motion/Gravity", "Glass/Contact radius"
   };
   std::vector<std::string> idle;
-  for (const std::string &entry : study.given_entries)
+  for (const auto &[entry, text] : study.given_entries)
   {
     const bool is_of_contact = entry.rfind("Motion/", 0) != 0 || entry == "Motion/Tilt";
     if (of_every_body.count(entry) == 0 && !(body == SlidingBodyKind::glass && is_of_contact))

@@ -62,7 +62,7 @@ void converge(const ConvergeOptions &options)
   stopwatch.finish("levels");
 
   // 3. Orders, limits and bands.
-  publish(options, study, tabulate(options, result), folder, stopwatch);
+  publish(options, study, tabulate(study, result), folder, stopwatch);
 }
 
 } // namespace

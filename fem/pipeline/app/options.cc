@@ -163,6 +163,7 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
+  study.name = options.study_name();
   require_known_body(study);
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();

@@ -12,7 +12,8 @@ namespace stemware::pipeline
 namespace
 {
 
-FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest)
+FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest,
+                         const std::optional<fem::ContactState> &at_end)
 {
   FootReport report;
   report.foot = foot.body().description();
@@ -24,6 +25,20 @@ FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem:
     report.fields = foot.body().fields(at_rest);
   if (is_first_rank())
     report.section = foot_section(study);
+  if (foot.body().capabilities().is_collective || !is_first_rank())
+    return report;
+  // Outside is away from the orbit's centre, which lies on the left of a counter-clockwise orbit.
+  constexpr double right_angle = 1.5707963267948966;
+  report.stressed_section = foot.body().section(at_rest, -study.motion.orbit.sense_sign() * right_angle);
+  if (at_end && at_end->slip.spin_per_speed != at_rest.slip.spin_per_speed)
+  {
+    report.footprint_at_end = foot.body().pressure_map(*at_end);
+    for (fem::FieldFile file : foot.body().fields(*at_end))
+    {
+      file.name.insert(file.name.find('.'), "_at_terminal_spin");
+      report.fields.push_back(file);
+    }
+  }
   return report;
 }
 
@@ -39,7 +54,7 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
     at_end ? report_of(*at_end, foot->radius(), study.tilts()) : report_of(load.at(last_spin));
   report.tilt = report.load_at_end.tilt;
   if (at_rest)
-    report.foot = describe_foot(study, *foot, *at_rest);
+    report.foot = describe_foot(study, *foot, *at_rest, at_end);
   report.coupling = load.statistics();
   return report;
 }

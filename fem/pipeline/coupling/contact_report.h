@@ -41,8 +41,12 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  fem::PressureMap footprint;                    ///< at rest
-  std::vector<fem::FieldFile> fields = {};       ///< of the state at rest; those that this rank writes
+  fem::PressureMap footprint; ///< at rest
+  /// At the end of the spin-up; nothing where the load is the same at every spin, or of a collective foot.
+  std::optional<fem::PressureMap> footprint_at_end = {};
+  /// At rest, along the line to the orbit's centre, x > 0 outside; empty where the foot cannot tell.
+  std::vector<fem::StressedPatch> stressed_section = {};
+  std::vector<fem::FieldFile> fields = {};       ///< of both states; those that this rank writes
   std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
 };
 

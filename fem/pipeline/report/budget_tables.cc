@@ -33,16 +33,6 @@ std::optional<std::string> reason_or_nothing(const std::string &reason)
   return reason.empty() ? std::nullopt : std::optional(reason);
 }
 
-/// Titles of rows as comments of a data file: "\n# row 1: the paper's model".
-template <typename Row, typename Title>
-std::string row_comments(const std::vector<Row> &rows, Title title)
-{
-  std::string comments;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    comments += fmt::format(FMT_STRING("\n# row {}: {}"), i + 1, title(rows[i]));
-  return comments;
-}
-
 } // namespace
 
 std::string label_of(const ChainStep &step)
@@ -152,21 +142,6 @@ Table without_table(const Study &study, const Budget &budget)
                1e-9),
              column(quantity::budget_state, rows, &Row::reason),
              column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) } };
-}
-
-std::string budget_file_text(const Study &study, const Budget &budget)
-{
-  const Table chain = budget_table(study, budget)
-                        .with("From the paper's model to the study's; the rows are" +
-                                row_comments(budget.rows, [](const BudgetRow &row)
-                                             { return label_of(row.step) + ", " + title_of(row, "<="); }),
-                              "harmonics_kept omega_terminal difference band formal torques[]");
-  const Table without =
-    without_table(study, budget)
-      .with("The complete model without one thing at a time; the rows are" +
-              row_comments(budget.without, [](const WithoutRow &row) { return "without " + row.name; }),
-            "omega_terminal difference");
-  return data_tables({ chain, without });
 }
 
 Budget chain_alone(std::vector<BudgetRow> rows)

@@ -35,10 +35,6 @@ std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 /// The complete model with one thing left out at a time, beside the complete model.
 Table without_table(const Study &study, const Budget &budget);
 
-/// budget.dat: the chain and the list "without" as two blocks of numbers, whose comments say what the rows
-/// are.
-std::string budget_file_text(const Study &study, const Budget &budget);
-
 /// The chain of models alone as a budget.
 Budget chain_alone(std::vector<BudgetRow> rows);
 

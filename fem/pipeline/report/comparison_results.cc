@@ -3,6 +3,7 @@
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -220,6 +221,12 @@ Results tabulate(const Study &study, const Comparison &comparison)
 {
   const Budget budget = chain_alone(comparison.budget);
   Document document = { findings_of(study, comparison), facts_of(study, comparison) };
+  const auto spin = [&](Closure closure, const std::string &load)
+  { return comparison.find(closure, load)->omega_terminal(); };
+  add_head(study,
+           { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
+             { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
+           document);
   add_chain(study, budget, document);
   document.plots["comparison"] = [&] { return comparison_plot(comparison); };
   document.plots["harmonic_effect"] = [&] { return harmonic_effect_plot(comparison); };

@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -268,7 +269,8 @@ std::optional<Table> effectivity_table(const AxisResult &axis, const std::vector
     return std::nullopt;
   return Table{ "What the " + axis.axis.name +
                   " leaves out: by a dual problem, and measured two levels further on",
-                { column(quantity::quantity_name, names), column(quantity::mesh_level, levels),
+                { column(quantity::quantity_name, names),
+                  column(quantity::mesh_level.with(&Quantity::heading, "halvings"), levels),
                   column(quantity::mesh_correction, corrections), column(quantity::mesh_error, errors),
                   column(quantity::effectivity, ratios) } };
 }
@@ -307,18 +309,18 @@ Table level_table(const AxisResult &result, const std::vector<BandedQuantity> &q
   return table;
 }
 
-Results tabulate(const StudyOptions &options, const RefinementResult &result)
+Results tabulate(const Study &study, const RefinementResult &result)
 {
   const std::size_t index = index_of(result.quantities, "omega_terminal");
   const BandedQuantity &spin = result.quantities[index];
   const AxisResult &first = result.axes.front();
   Document document = { findings_of(result) };
-  document.facts = { { "study_name", options.study_name() },
-                     { "with_band", with_band(spin.quantity.value, spin.band) },
+  document.facts = { { "with_band", with_band(spin.quantity.value, spin.band) },
                      { "order", json_number(first.quantities[index].judged.order) },
                      { "first_axis", first.axis.name },
                      { "richardson", format::to_spread(spin.richardson, spin.band) },
                      { "axes", Json::array() } };
+  add_head(study, { { "this glass", spin.quantity.value } }, document);
   for (const AxisResult &axis : result.axes)
   {
     const std::string &key = axis.axis.key;

@@ -35,8 +35,9 @@ std::pair<std::string, std::string> parted(const std::string &text, char mark)
 class Reading
 {
 public:
-  explicit Reading(const Document &document)
+  Reading(const Document &document, const nlohmann::ordered_json &facts)
       : document(document)
+      , facts(facts)
   {
     results.findings = document.findings;
     results.fields = document.fields;
@@ -67,7 +68,9 @@ private:
   {
     if (on_console)
       return results.console.back().text;
-    return results.report.sections.empty() ? results.report.answer : section().text;
+    if (!results.report.sections.empty())
+      return section().text;
+    return in_inputs ? results.report.inputs : results.report.answer;
   }
 
   void add_text(const std::string &line)
@@ -81,7 +84,12 @@ private:
   {
     const auto &[word, rest] = command;
     if (word == "plot")
-      section().plots.push_back(named(document.plots, rest)());
+      add_plot(rest);
+    else if (word == "drawing")
+      (results.report.sections.empty() ? results.report.pictures : section().plots)
+        .push_back(drawing_from(rest, facts));
+    else if (word == "inputs" || word == "answer")
+      in_inputs = word == "inputs";
     else if (word == "table")
       add_table(rest);
     else if (word == "file")
@@ -102,6 +110,15 @@ private:
     std::string &text = present_text();
     if (!text.empty())
       text += on_console ? "\n" : "\n\n";
+  }
+
+  void add_plot(const std::string &what)
+  {
+    const auto [name, label] = parted(what, '|');
+    Plot plot = named(document.plots, name)();
+    if (!label.empty())
+      plot.label = label;
+    section().plots.push_back(plot);
   }
 
   void add_table(const std::string &what)
@@ -139,6 +156,8 @@ private:
   }
 
   const Document &document;
+  const nlohmann::ordered_json &facts;
+  bool in_inputs = false;
   bool on_console = false;
 };
 
@@ -149,7 +168,7 @@ Results shown(const Document &document, const std::string &name)
   nlohmann::ordered_json facts = document.findings.summary;
   facts.update(document.facts);
   std::istringstream lines(filled_text(name + ".txt", facts));
-  Reading reading(document);
+  Reading reading(document, facts);
   for (std::string line; std::getline(lines, line);)
     if (boost::trim(line); !line.empty())
       reading.add(line);

@@ -29,7 +29,12 @@ struct Document
 ///   # HEADING                        a section; "#> HEADING" is folded
 ///   text                             lines are joined by a blank, those that begin with , ; . or ) by
 ///                                    nothing; a line "@p" parts paragraphs
-///   @plot NAME
+///   @inputs                          what follows is the line of inputs under the title, until "@answer"
+///   @drawing NAME                    templates/NAME.svg, filled likewise; in front of the first section a
+///                                    picture of the head
+///   @plot NAME | WORDS               with what is to be seen, in numbers, for those who do not see it;
+///   without
+///                                    words the caption says it
 ///   @table NAME                      all columns under the table's own title
 ///   @table NAME: KEY KEY | TITLE     these columns under this title (Table::with())
 ///   @file FILE = NAME | WORDS        a file of the text, table or columns NAME, listed with WORDS unless

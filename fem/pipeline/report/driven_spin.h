@@ -7,7 +7,7 @@
 namespace stemware::pipeline
 {
 
-/// driven_spin_up.dat.
+/// driven_spin_up.csv.
 Table driven_spin_table(const DrivenSpinUp &driven);
 
 /// "driven" of summary.json.

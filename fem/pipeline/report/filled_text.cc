@@ -1,5 +1,6 @@
 #include "fem/pipeline/report/filled_text.h"
 
+#include "fem/pipeline/report/render/html_page.h"
 #include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/support/shared_files.h"
 
@@ -129,7 +130,9 @@ private:
 std::string filled_text(const std::string &name, const Json &facts)
 {
   kainjow::mustache::mustache page(text_of(compiled_pages(), name));
-  page.set_custom_escape([](const std::string &text) { return text; }); // renderers escape
+  const bool is_drawing = name.find(".svg") != std::string::npos;
+  page.set_custom_escape([=](const std::string &text) // renderers escape what is no drawing
+                         { return is_drawing ? html_text(text) : text; });
   if (!page.is_valid())
     throw std::logic_error("The template " + name + " is not valid: " + page.error_message());
   Facts context(facts);

@@ -8,8 +8,10 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -49,6 +51,11 @@ void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
   write_text_file(folder / "figures/style.gnuplot", plot_file_text("style.gnuplot"));
   for (const Plot &plot : plots)
   {
+    if (!plot.drawing.empty())
+    {
+      write_text_file(folder / plot_file(plot, "svg"), plot.drawing);
+      continue;
+    }
     write_text_file(folder / plot_file(plot, "gp"), script_of(plot));
     if (!plot.data.empty())
       write_text_file(folder / plot_file(plot, "dat"), plot.data);
@@ -132,9 +139,12 @@ std::string plot_file_text(const std::string &name)
   return text_of(compiled_plots(), name);
 }
 
-std::string draw_plots(const std::vector<Plot> &plots, const fs::path &folder)
+std::string draw_plots(const std::vector<Plot> &pictures, const fs::path &folder)
 {
-  write_scripts(plots, folder);
+  write_scripts(pictures, folder);
+  std::vector<Plot> plots;
+  std::copy_if(pictures.begin(), pictures.end(), std::back_inserter(plots),
+               [](const Plot &picture) { return picture.drawing.empty(); });
   const auto gnuplot = find_program("gnuplot");
   if (!gnuplot)
     return missing_plotter();

@@ -17,9 +17,10 @@ std::string missing_plotter();
 /// or else as it was compiled in. Throws std::logic_error for a file that there is not.
 std::string plot_file_text(const std::string &name);
 
-/// Writes figures/style.gnuplot and the scripts and data of @p plots into @p folder, then lets gnuplot draw
-/// all of them, SVG and PDF side by side. A plot that fails costs the others nothing. Returns one or more
-/// sentences on what could not be drawn and why; empty when everything was. Throws OutputFailure.
+/// Writes figures/style.gnuplot, the drawings among @p plots and the scripts and data of the others into
+/// @p folder, then lets gnuplot draw those, SVG and PDF side by side. A plot that fails costs the others
+/// nothing. Returns one or more sentences on what could not be drawn and why; empty when everything was.
+/// Throws OutputFailure.
 std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
 
 /// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the

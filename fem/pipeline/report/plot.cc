@@ -1,6 +1,8 @@
 #include "fem/pipeline/report/plot.h"
 
+#include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/report/gnuplot.h"
+#include "fem/pipeline/report/render/html_page.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
@@ -74,9 +76,23 @@ Plot plot_from(const std::string &name, const PlotValues &values, const std::str
       plot.caption += (plot.caption.empty() ? "" : " ") + line.substr(2);
     else
       plot.script += line + '\n';
-  static const std::regex data_file("\"([a-z_/]+[.]dat)\"");
+  static const std::regex data_file("\"([a-z_/]+[.](?:dat|csv))\"");
   if (std::smatch found; data.empty() && std::regex_search(plot.script, found, data_file))
     plot.data_file = found[1];
+  return plot;
+}
+
+Plot drawing_from(const std::string &name, const nlohmann::ordered_json &facts)
+{
+  Plot plot = { name, "", "" };
+  plot.drawing = filled_text(name + ".svg", facts);
+  const auto content = [&](const std::string &tag)
+  {
+    const auto begin = plot.drawing.find("<" + tag + ">") + tag.size() + 2;
+    return plain_text(plot.drawing.substr(begin, plot.drawing.find("</" + tag + ">") - begin));
+  };
+  plot.label = content("title");
+  plot.caption = content("desc");
   return plot;
 }
 

@@ -6,11 +6,9 @@
 #include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/report/render/table_renderers.h"
-#include "fem/pipeline/support/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -44,6 +42,14 @@ Json largest_step_facts(const Study &study, const Budget &budget)
            { "formal", row->standing == Standing::formal } };
 }
 
+/// How many truncations change the terminal spin.
+long n_changes(const SpinStudy &spin)
+{
+  return std::count_if(spin.rows.begin(), spin.rows.end(),
+                       [](const SpinRow &row)
+                       { return row.relative_change && std::abs(*row.relative_change) > 1e-12; });
+}
+
 /// The paper's answer, to stand beside the study's; null where the study is the paper's model.
 Json paper_facts(const Study &study, const Budget &budget)
 {
@@ -53,17 +59,6 @@ Json paper_facts(const Study &study, const Budget &budget)
   Json facts = spin_facts(study, omega);
   facts["spins"] = is_spin(study, omega);
   return facts;
-}
-
-/// "tilt +0.16, grip 0": what the terminal spin changes by without one thing at a time [rad/s].
-std::string left_out(const Study &study, const Budget &budget)
-{
-  std::vector<std::string> parts;
-  for (const WithoutRow &row : budget.without)
-    if (row.difference)
-      parts.push_back(row.name + " " +
-                      format::signed_significant<2>(is_spin(study, *row.difference) ? *row.difference : 0));
-  return parts.empty() ? "" : listed(parts, "and");
 }
 
 /// How the glass ends: falling, held, stays or spinning, one of which is there.
@@ -81,6 +76,7 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
       { "spinning", is_spinning ? spin_facts(study, omega) : Json(nullptr) },
       { "held", held },
       { "stays", !all.fall && !is_spinning && held.empty() },
+      { "omega_end", all.last_spin().value_or(0) },
       { "moves", is_spin(study, all.last_spin().value()) },
       { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },
       { "moment_ratio_at_rest", all.at_rest.value().moment_ratio },
@@ -126,6 +122,11 @@ Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
            { "torque_at_rest",
              without_rounding(all.at_rest.value().friction.torque, 1e-9 * friction * moment) },
            { "closed_form", without_rounding(friction * load.moment.x(), 1e-9 * friction * moment) },
+           { "line_load", load.rings.a(0) / load.rings.radius() },
+           { "second_harmonic", load.rings.n_harmonics() > 1
+                                  ? Json(std::hypot(load.rings.a(2), load.rings.b(2)) / load.rings.a(0))
+                                  : Json(nullptr) },
+           { "contact_width", 2 * load.half_width() },
            { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
            { "has_higher_harmonics", load.rings.n_harmonics() > 1 } };
 }
@@ -169,20 +170,6 @@ Json several_spins_facts(const SpinStudy &spin)
                                        [](const ring::TerminalSpin &one) { return one.stable; }) } };
 }
 
-const char *kind_of_load(LoadSource source)
-{
-  switch (source)
-  {
-  case LoadSource::contact:
-    return "the load of its elastic foot";
-  case LoadSource::first_harmonic:
-    return "a first-harmonic load";
-  case LoadSource::file:
-    return "a given load";
-  }
-  throw std::logic_error("a load source without a name");
-}
-
 } // namespace
 
 Json run_facts(const Study &study, const ContactReport &report, const SpinStudy &spin,
@@ -196,16 +183,18 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
   Json fields = Json::array();
   if (report.foot)
     for (const fem::FieldFile &file : report.foot->fields)
+    {
       if (file.name == "contact.vtu" || file.name == "contact.pvtu") // and not a piece of the latter
-        fields.push_back(file.name);
+        fields.push_back({ { "name", file.name }, { "state", "at rest" } });
+      if (file.name.find("_at_terminal_spin") != std::string::npos)
+        fields.push_back({ { "name", file.name }, { "state", "at the terminal spin" } });
+    }
   const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
   facts.update(
     { { "quick", spin.is_quick() },
-      { "kind_of_load", kind_of_load(study.load.source) },
       { "paper", paper_facts(study, budget) },
       { "effect", spin.rows.size() > 1 ? effect_facts(study, budget.harmonics) : Json(nullptr) },
       { "largest_step", largest_step_facts(study, budget) },
-      { "left_out", left_out(study, budget) },
       { "scattered_profile", profile_facts(study, report.load, spin.profile_scatter, band) },
       { "lift_off", lift_offs(study, report, spin) },
       { "thin_layer", thin_layer_facts(study, report.load.half_width()) },
@@ -217,6 +206,9 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
                                  !budget.omega.empty() && !spin.all().fall },
       { "has_without", !budget.without.empty() },
       { "has_truncations", report.load.rings.n_harmonics() > 1 && spin.spins_up() },
+      { "has_truncation_curve", n_changes(spin) > 2 },
+      { "has_footprint_at_end", report.foot && report.foot->footprint_at_end && spin.all().terminal },
+      { "has_stresses", report.foot && !report.foot->stressed_section.empty() },
       { "has_section", report.foot && !report.foot->section.empty() },
       { "has_bands", !bands.empty() },
       { "mesh_for_goal", goal && band_of_mesh(study, bands) },

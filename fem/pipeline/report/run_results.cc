@@ -5,6 +5,7 @@
 #include "fem/pipeline/report/driven_spin.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/goal_results.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/profile_results.h"
@@ -14,6 +15,7 @@
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/report/terminal_spins.h"
+#include "fem/pipeline/study/measured_spin_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +106,13 @@ double moment_at_rest(const ContactReport &report, const SpinStudy &spin)
   return spin.phases ? spin.all().at_rest.value().load.moment().x() : report.load.moment.x();
 }
 
+/// The points that are drawn beside the spin-up.
+std::vector<MeasuredSpin> measured_spins(const Study &study)
+{
+  const std::string &file = study.motion.measured_spin_file;
+  return file.empty() ? std::vector<MeasuredSpin>() : read_measured_spin_file(file);
+}
+
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
@@ -120,6 +129,9 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "time_constant", json_number(all.time_constant()) },
            { "terminal_spins", terminal_spins_summary(spin) },
            { "driven", spin.spin_up.driven ? driven_spin_summary(*spin.spin_up.driven) : Json(nullptr) },
+           { "measured", study.motion.measured_spin_file.empty()
+                           ? Json(nullptr)
+                           : Json{ { "points", measured_spins(study).size() } } },
            { "no_lift_off", has_no_lift_off(report) },
            { "force_at_terminal", at_terminal(all,
                                               [](const RingState &state) {
@@ -211,9 +223,24 @@ void add_foot(const Study &study, const FootReport &foot, Document &document)
 {
   document.tables["contact"] = contact_list(foot);
   document.tables["contact_history"] = history_table(foot.at_rest.history);
-  document.texts["footprint"] = footprint_text(foot.footprint);
+  document.tables["footprint"] = footprint_table(foot.footprint);
+  if (foot.footprint_at_end)
+    document.tables["footprint_at_end"] = footprint_table(*foot.footprint_at_end);
   const double radius = study.glass.profile.contact_radius;
-  document.plots["footprint"] = [&foot, radius] { return footprint_plot(foot.footprint, radius); };
+  double largest = fem::largest_pressure(foot.footprint);
+  if (foot.footprint_at_end)
+    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both
+  document.plots["footprint"] = [&foot, radius, largest]
+  {
+    Plot plot = footprint_plot(foot.footprint, radius, largest);
+    return plot.as(plot.name, "At rest. " + plot.caption);
+  };
+  document.plots["footprint_at_end"] = [&foot, radius, largest]
+  {
+    Plot plot = footprint_plot(foot.footprint_at_end.value(), radius, largest);
+    return plot.as("footprint_at_end", "At the terminal spin. " + plot.caption);
+  };
+  document.plots["section_stress"] = [&foot] { return section_stress_plot(foot.stressed_section); };
   if (foot.section.empty())
     return;
   FootLengths lengths = measured(foot.section, radius);
@@ -224,8 +251,8 @@ void add_foot(const Study &study, const FootReport &foot, Document &document)
   lengths.load_outer_radius = band.outer;
   document.plots["section"] = [&foot, lengths] { return section_plot(foot.section, lengths); };
   document.plots["rim"] = [lengths] { return rim_plot(lengths); };
-  document.plots["foot_from_below"] = [&foot, &study, lengths]
-  { return view_from_below_plot(foot.footprint, lengths, study.motion.orbit); };
+  document.plots["foot_from_above"] = [&foot, &study, lengths]
+  { return view_from_above_plot(foot.footprint, lengths, study.motion.orbit); };
   if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
   {
     document.plots["rim_circle"] = [&] { return rim_circle_plot(*circle); };
@@ -235,22 +262,29 @@ void add_foot(const Study &study, const FootReport &foot, Document &document)
 }
 
 /// omega(t) as the report draws it.
-Plot spin_up_of(const SpinStudy &spin)
+Plot spin_up_of(const Study &study, const SpinStudy &spin)
 {
   const SpinUpCurves &curves = spin.spin_up;
   std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
   if (!curves.first_harmonic.empty())
     spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
   spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
-  return spin_up_plot(curves.time, spin_ups, spin.all());
+  return spin_up_plot(curves.time, spin_ups, spin.all(), measured_spins(study));
 }
 
 void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
 {
   auto &plots = document.plots;
+  plots["slip"] = [&]
+  {
+    std::vector<SlidingState> states = { { "at rest", report.load.rings, 0 } };
+    if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
+      states.push_back({ "at the terminal spin", report.load_at_end.rings, *omega });
+    return slip_plot(study.motion.orbit, study.glass.profile.contact_radius, states);
+  };
   plots["torque"] = [&] { return torque_plot(spin.torque, spin.rows); };
   plots["phases"] = [&] { return phase_plot(spin.phases.value()); };
-  plots["spin_up"] = [&] { return spin_up_of(spin); };
+  plots["spin_up"] = [&] { return spin_up_of(study, spin); };
   plots["driven_spin_up"] = [] { return plot_from("driven_spin_up"); };
   plots["orbit_speed"] = [] { return plot_from("orbit_speed"); };
   plots["truncation"] = [&] { return truncation_plot(truncation_table(spin)); };
@@ -276,7 +310,22 @@ void add_budget(const Study &study, const SpinStudy &spin, Document &document)
   document.tables["scattered_steps"] = document.tables["named_steps"];
   add_scatter_row(spin.profile_scatter, "console_title", document.tables["scattered_steps"]);
   document.tables["without"] = without_table(study, spin.budget);
-  document.texts["budget"] = budget_file_text(study, spin.budget);
+  document.tables["without"]["reason"].name = "why there is none";
+  document.tables["budget"] = budget_table(study, spin.budget);
+}
+
+/// The study's glass on its orbit, and the paper's rigid ring beside it.
+std::vector<TurningGlass> turning_glasses(const ContactReport &report, const SpinStudy &spin)
+{
+  const SpinRow &all = spin.all();
+  std::vector<TurningGlass> glasses = { { "this glass", all.omega_terminal(), report.load_at_end.rings } };
+  const std::vector<double> &paper = spin.spin_up.paper;
+  if (!spin.is_quick() && spin.budget.rows.front().omega_terminal)
+    glasses.push_back({ "the paper's rigid ring", spin.budget.rows.front().omega_terminal, {}, true });
+  else if (paper.size() > 10 &&
+           std::abs(paper.back() - paper[paper.size() * 9 / 10]) <= 1e-2 * std::abs(paper.back()))
+    glasses.push_back({ "the paper's rigid ring", paper.back(), {}, true }); // its spin-up has ended
+  return glasses;
 }
 
 } // namespace
@@ -286,6 +335,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
 {
   Document document = { findings_of(study, report, spin, bands, goal),
                         run_facts(study, report, spin, bands, goal) };
+  add_head(study, turning_glasses(report, spin), document, report.load.rings);
   add_spin(study, report, spin, document);
   if (!spin.is_quick())
     add_budget(study, spin, document);

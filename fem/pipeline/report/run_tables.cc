@@ -143,20 +143,19 @@ Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
              column(quantity::lambda, pointwise, &fem::AzimuthLoad::density) } };
 }
 
-std::string footprint_text(const fem::PressureMap &footprint)
+Table footprint_table(const fem::PressureMap &footprint)
 {
-  std::string text =
-    std::string("# Pressure of the foot on the table at rest, where there is some: ") +
-    (footprint.is_grid ? "a grid, one block for each azimuth" : "points, one block for each contact line") +
-    "\n# 1: r (m)\n# 2: theta (rad)\n# 3: pressure (Pa)\n";
+  std::vector<double> radius, azimuth, pressure;
   for (const auto &cut : footprint.cuts)
-  {
     for (const fem::PressurePoint &point : cut)
-      text +=
-        to_text(point.radius) + ' ' + to_text(point.azimuth) + ' ' + to_short_text(point.pressure) + '\n';
-    text += '\n';
-  }
-  return text;
+    {
+      radius.push_back(point.radius);
+      azimuth.push_back(point.azimuth);
+      pressure.push_back(point.pressure);
+    }
+  return { "Pressure of the foot on the table, where there is some",
+           { numbers("r", "m", radius), numbers("theta", "rad", azimuth),
+             numbers("pressure", "Pa", pressure) } };
 }
 
 Table torque_table(const TorqueCurve &curve)

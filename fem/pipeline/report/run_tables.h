@@ -32,8 +32,8 @@ std::string load_file_text(const ring::RingStack &load);
 /// lambda(theta) at rest where the contact was solved.
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise);
 
-/// p(r, theta) as text: one block of rows a cut, blank lines between them, what gnuplot takes for a grid.
-std::string footprint_text(const fem::PressureMap &footprint);
+/// p(r, theta): a row for each place, cut by cut.
+Table footprint_table(const fem::PressureMap &footprint);
 
 /// tau_z, T_x and T_y over the spin.
 Table torque_table(const TorqueCurve &curve);

@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/slide_results.h"
 
 #include "fem/pipeline/report/common_sections.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -134,6 +135,51 @@ bool drifts(const SlideStudy &slide)
   return std::abs(slide.stop().state.y) > 1e-9 * slide.stop().state.distance;
 }
 
+/// The body on its path, in points of a page 540 wide, at equal steps in time; y there points down.
+Json sliding_facts(const SlideStudy &slide)
+{
+  constexpr double width = 540, rest = 1.5; // seconds at the stop, before it is pushed again
+  constexpr unsigned int n_frames = 60;
+  const double radius = slide.inertia.outer_radius, end = slide.stop().state.time;
+  double least_y = 0, most_y = 0, most_x = 0;
+  for (const SlidePoint &point : slide.points)
+  {
+    least_y = std::min(least_y, point.state.y);
+    most_y = std::max(most_y, point.state.y);
+    most_x = std::max(most_x, point.state.x);
+  }
+  const double scale = (width - 20) / (most_x + 2 * radius);
+  const auto x = [=](double metres) { return 10 + scale * (metres + radius); };
+  const auto y = [=](double metres) { return 10 + scale * (most_y + radius - metres); };
+  Json facts = { { "height", 2 * 10 + scale * (most_y - least_y + 2 * radius) + 24 },
+                 { "rim", scale * radius },
+                 { "dot", std::max(3., 0.14 * scale * radius) },
+                 { "seconds", end + rest },
+                 { "real_seconds", end },
+                 { "frames", Json::array() } };
+  std::string path;
+  std::size_t i = 0;
+  for (unsigned int frame = 0; frame <= n_frames; ++frame)
+  {
+    const double time = end * frame / n_frames;
+    while (i + 2 < slide.points.size() && slide.points[i + 1].state.time < time)
+      ++i;
+    const ring::SlidingState &a = slide.points[i].state, &b = slide.points[i + 1].state;
+    const double t = b.time > a.time ? std::clamp((time - a.time) / (b.time - a.time), 0., 1.) : 1;
+    const auto between = [=](double from, double to) { return from + t * (to - from); };
+    const double at_x = x(between(a.x, b.x)), at_y = y(between(a.y, b.y));
+    facts["frames"].push_back({ { "percent", 100 * time / (end + rest) },
+                                { "x", at_x },
+                                { "y", at_y },
+                                { "turn", -between(a.yaw, b.yaw) * 360 / turn } });
+    path += fmt::format(FMT_STRING("{}{:.1f},{:.1f}"), frame == 0 ? "M" : " L", at_x, at_y);
+  }
+  facts["path"] = path;
+  facts["start"] = facts["frames"].front();
+  facts["stop"] = facts["frames"].back();
+  return facts;
+}
+
 } // namespace
 
 Plot path_plot(const SlideStudy &slide)
@@ -150,8 +196,17 @@ Plot path_plot(const SlideStudy &slide)
     y.push_back(state.y);
     yaw.push_back(state.yaw);
   }
-  return plot_from(
-    "path", { { "radius", slide.inertia.outer_radius }, { "x_at", x }, { "y_at", y }, { "yaw_at", yaw } });
+  // As high as the path is wide needs it, beside what axes and their names take.
+  const auto [lowest, highest] = std::minmax_element(y.begin(), y.end());
+  const auto [first, last] = std::minmax_element(x.begin(), x.end());
+  const double diameter = 2 * slide.inertia.outer_radius;
+  const double height =
+    std::clamp(160 + 420 * (*highest - *lowest + diameter) / (*last - *first + diameter), 240., 540.);
+  return plot_from("path", { { "height", height },
+                             { "radius", slide.inertia.outer_radius },
+                             { "x_at", x },
+                             { "y_at", y },
+                             { "yaw_at", yaw } });
 }
 
 Results tabulate(const Study &study, const SlideStudy &slide)
@@ -169,6 +224,8 @@ Results tabulate(const Study &study, const SlideStudy &slide)
                      { "spin_ends_first", eps == 0 && slide.question.spin != 0 },
                      { "sliding_ends_first", !std::isfinite(eps) },
                      { "has_load_error", slide.load_error > 0 } };
+  add_head(study, {}, document);
+  document.facts["sliding"] = sliding_facts(slide);
   document.tables = { { "path", path_table(slide) }, { "body", body_table(slide) } };
   document.plots = { { "path", [&] { return path_plot(slide); } },
                      { "drift", [] { return plot_from("drift"); } },

@@ -2,9 +2,12 @@
 
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +106,51 @@ Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
 
 // ---- report
 
+/// The swept entries by their paths, in words: "200 g … 400 g".
+std::map<std::string, std::string> swept_words(const SweepPlan &plan)
+{
+  std::map<std::string, std::string> words;
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+  {
+    const SweptEntry &entry = plan.entries[i];
+    const auto value_words = [&](const std::string &value)
+    {
+      const std::optional<double> number = parse_number(value);
+      return number ? in_words(*number, entry.unit) : value;
+    };
+    std::string &text = words[entry.path];
+    if (plan.is_random())
+    {
+      Study base = plan.base;
+      text = "about " + in_words(base, entry_at(study_entries(base), "", entry.path));
+    }
+    else
+      text = value_words(entry.values.front()) + (entry.values.size() > 2 ? " … " : ", ") +
+             value_words(entry.values.back());
+  }
+  return words;
+}
+
+/// The glasses with the least and the largest terminal spin, where all cases go round one orbit.
+std::vector<TurningGlass> extreme_glasses(const SweepPlan &plan, const SweepFindings &findings)
+{
+  const QuantityFindings *spin = findings.about("terminal spin");
+  for (const SweptEntry &entry : plan.entries)
+    if (entry.path.rfind("Motion/Orbit", 0) == 0 || entry.path == "Glass/Contact radius")
+      return {};
+  if (spin == nullptr)
+    return {};
+  const bool one_sense = spin->least * spin->most >= 0;
+  const bool least_is_fast = std::abs(spin->least) > std::abs(spin->most);
+  const auto title = [&](bool is_least)
+  {
+    return !one_sense                  ? (is_least ? "fastest clockwise" : "fastest counter-clockwise")
+           : is_least == least_is_fast ? "the fastest"
+                                       : "the slowest";
+  };
+  return { { title(true), spin->least }, { title(false), spin->most } };
+}
+
 /// Varied entries with their units and values.
 Table plan_table(const SweepPlan &plan)
 {
@@ -113,7 +161,7 @@ Table plan_table(const SweepPlan &plan)
     std::string values;
     if (plan.is_random())
       values = plan.spreads[i].description();
-    else if (entry.values.size() > 8)
+    else if (entry.values.size() > (entry.by_factors ? 4 : 8))
       values = std::to_string(entry.values.size()) + " values from " + entry.values.front() + " to " +
                entry.values.back() + (entry.by_factors ? ", by equal factors" : "");
     else
@@ -243,6 +291,7 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
 {
   const std::vector<QuantityFindings> main = main_quantities(findings), people = for_people(findings);
   const std::size_t n = plan.cases.size();
+  const std::map<std::string, std::string> swept = swept_words(plan);
   const bool has_shares = findings.n_cases - findings.n_failed >= least_samples_of_shares;
   Document document = { findings_of(plan, findings), sweep_facts(plan, findings) };
   document.facts.update(
@@ -255,6 +304,12 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
       { "has_bands", std::any_of(main.begin(), main.end(), has_band) },
       { "pictures", Json::array() },
       { "sensitivities", Json::array() } });
+  add_head(plan.base, extreme_glasses(plan, findings), document, {}, swept);
+  Json varied = Json::array();
+  for (const auto &[path, words] : swept)
+    varied.push_back({ { "entry", path.substr(path.find('/') + 1) }, { "words", words } });
+  document.facts["varied"] = varied;
+  document.facts["has_orbits"] = !document.facts["orbits"]["glasses"].empty();
   for (const Plot &plot : plan.is_random() ? sample_plots(plan, cases, findings) : grid_plots(plan, cases))
   {
     document.plots[plot.name] = [plot] { return plot; };

@@ -3,6 +3,7 @@
 #include "fem/pipeline/report/budget_tables.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
@@ -101,7 +102,7 @@ std::vector<SpinCurve> shown_spin_ups(const TruncationStudy &study)
   return curves;
 }
 
-/// truncation.dat.
+/// truncation.csv.
 Table truncation_file(const TruncationStudy &study)
 {
   return truncation_table(study, study.rows)
@@ -154,12 +155,15 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   const Budget budget = chain_alone(truncations.budget);
   Document document = { findings_of(load, truncations, budget_summary(study, budget)),
                         facts_of(study, truncations) };
+  std::vector<TurningGlass> glasses = { { "all harmonics", truncations.all().omega_terminal() },
+                                        { "the first alone", truncations.rows.front().omega_terminal() } };
+  add_head(study, glasses, document, load.rings);
   add_chain(study, budget, document);
   document.plots["truncation"] = [&] { return truncation_plot(truncations, truncation_file(truncations)); };
   document.plots["torque"] = [&] { return torque_plot(truncations.torque, truncations.rows); };
   document.plots["spin_up"] = [&]
   {
-    return spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(),
+    return spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(), {},
                         "Spin-up from rest, n harmonics kept, beside the paper's result.");
   };
   document.plots["deviation"] = [&] { return deviation_plot(truncations.rows); };

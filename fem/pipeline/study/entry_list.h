@@ -179,7 +179,7 @@ private:
       if (!parsed)
         return false;
       value = *parsed;
-      given.insert(path);
+      given[path] = text;
       return true;
     };
     for (const Fact &fact : facts)

@@ -17,8 +17,8 @@
 #include "ring_model/motion.h"
 #include "ring_model/orbit_speed_table.h"
 
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -34,9 +34,10 @@ struct MotionSection
   double grip_torque = 0;       ///< of the fingers, against the spin [N m]
   std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
   std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< of that file, where there is one
-  double end_time = 2;                                            ///< of the spin-up [s]
-  double euler_step = 1e-3; ///< largest step of the forward Euler method [s]
-  double step_limit = 1e6;  ///< estimated steps of the spin-up above which a study is refused
+  std::string measured_spin_file; ///< points that are drawn beside the spin-up; empty: none
+  double end_time = 2;            ///< of the spin-up [s]
+  double euler_step = 1e-3;       ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;        ///< estimated steps of the spin-up above which a study is refused
 };
 
 /// Subsection Glass: shape and material of the foot, by default the foot of a wine glass.
@@ -208,7 +209,9 @@ struct Study
   ContactSection contact;
   LoadSection load;
   ModelChoices model;
-  std::set<std::string> given_entries; ///< "Section/Entry" of those that a study file or an option has set
+  /// "Section/Entry" of those that a study file or an option has set, with the text that they were given.
+  std::map<std::string, std::string> given_entries;
+  std::string name = "default"; ///< that people know it by: of its file; not an entry
 
   /// Whether rim or table are out of flat: the load then depends on where their marks stand.
   bool has_waviness() const { return model.waviness && (!glass.waviness.empty() || !table.waviness.empty()); }

@@ -86,6 +86,11 @@ void add_motion(EntryList &list, MotionSection &motion)
     "(other units too) and a row for each time, from 0 to End time at least. All else belongs to Orbit "
     "speed. A relative "
     "path starts at the study file");
+  list.path(
+    "Measured spin file", motion.measured_spin_file,
+    "Spins of a real glass, to be drawn beside the spin-up; nothing is fitted to them. A CSV file with the "
+    "header \"t (s), omega (rad/s)\" (other units too) and a row for each point, clockwise negative. A "
+    "relative path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
     { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },

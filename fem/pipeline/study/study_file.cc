@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/load_file.h"
+#include "fem/pipeline/study/measured_spin_file.h"
 #include "fem/pipeline/study/orbit_speed_file.h"
 #include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/profile_file.h"
@@ -151,6 +152,8 @@ void check_study(const Study &study)
   if (!study.contact.mesh_file.empty())
     require_regular_file("Contact/Mesh file = " + shortened_path(study.contact.mesh_file),
                          study.contact.mesh_file);
+  if (!study.motion.measured_spin_file.empty())
+    read_measured_spin_file(study.motion.measured_spin_file);
   require_affordable(study);
 }
 

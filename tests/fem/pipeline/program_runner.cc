@@ -1,11 +1,13 @@
 #include "tests/fem/pipeline/program_runner.h"
 
 #include "fem/pipeline/app/program.h"
+#include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -280,8 +282,21 @@ nlohmann::json read_summary(const fs::path &results)
   return summary;
 }
 
+/// The columns of a table under one line of names; not a number where a field is empty.
+std::vector<std::vector<double>> csv_columns(const std::string &text)
+{
+  const auto rows = parse_csv(text);
+  std::vector<std::vector<double>> columns(rows.at(0).size());
+  for (std::size_t r = 1; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      columns[c].push_back(rows[r].at(c).empty() ? std::nan("") : std::stod(rows[r][c]));
+  return columns;
+}
+
 std::vector<std::vector<double>> read_columns(const fs::path &table)
 {
+  if (table.extension() == ".csv")
+    return csv_columns(read_text(table));
   std::vector<std::vector<double>> columns;
   std::istringstream lines(read_text(table));
   for (std::string line; std::getline(lines, line);)

@@ -86,7 +86,7 @@ std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 /// The summary of a folder of results; a departure from the schema fails the test that reads it.
 nlohmann::json read_summary(const std::filesystem::path &results);
 
-/// Columns of a table of results by position, as numbers.
+/// Columns of a table of results by position, as numbers: of CSV or of columns parted by blanks.
 std::vector<std::vector<double>> read_columns(const std::filesystem::path &table);
 
 /// Contents of all files below a folder by relative path, without timings.json, and without what tells the

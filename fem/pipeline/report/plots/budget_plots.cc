@@ -105,6 +105,8 @@ Plot harmonic_torque_plot(const Budget &budget)
 
 Plot one_way(Plot plot)
 {
+  if (!plot.drawing.empty())
+    return plot;
   plot.caption += std::string(plot.caption.empty() || plot.caption.back() == '.' ? "" : ".") +
                   " One-way: the load of rest is kept at every spin.";
   plot.script = "note = \"one-way: load of rest kept\"\n" + plot.script;

@@ -1,8 +1,9 @@
 # How far ω(t) of fewer harmonics is from that of all.
 load "figures/style.gnuplot"
+eval from_csv
 
-# spin_up.dat: time, then the spin with harmonics[i], the last of which are all
-data = "spin_up.dat"
+# spin_up.csv: time, then the spin with harmonics[i], the last of which are all
+data = "spin_up.csv"
 difference(i) = abs(column(i + 1) - column(n_harmonics + 1))
 shown = ""
 do for [i=1:n_harmonics - 1] {

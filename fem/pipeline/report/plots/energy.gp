@@ -1,7 +1,8 @@
 # Where the energy goes: the sum of both is that of the push.
 load "figures/style.gnuplot"
+eval from_csv
 set xlabel "t (s)"
 set ylabel "energy (mJ)"
-plot "path.dat" using 1:(1e3 * $14) with lines title "kinetic energy", \
-     "path.dat" using 1:(1e3 * $15) with lines title "friction loss", \
-     "path.dat" using 1:(1e3 * ($14 + $15)) with lines title "sum"
+plot "path.csv" using 1:(1e3 * $14) with lines title "kinetic energy", \
+     "path.csv" using 1:(1e3 * $15) with lines title "friction loss", \
+     "path.csv" using 1:(1e3 * ($14 + $15)) with lines title "sum"

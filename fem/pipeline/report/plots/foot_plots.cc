@@ -125,7 +125,7 @@ Plot rim_plot(const FootLengths &lengths)
   return plot;
 }
 
-Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius, double largest)
 {
   const PressureUnit unit = unit_of(footprint);
   std::vector<std::vector<std::vector<double>>> cuts;
@@ -136,8 +136,11 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
       cuts.back().push_back({ point.azimuth / degree, (point.radius - contact_radius) / micrometre,
                               point.pressure / unit.pascals });
   }
+  PlotValues values = pressure_values(footprint);
+  if (largest > 0)
+    values.push_back({ "largest", largest / unit.pascals }); // instead of its own
   Plot plot =
-    plot_from("footprint", pressure_values(footprint),
+    plot_from("footprint", values,
               grouped_data("Pressure of the foot on the table",
                            { "theta (degrees)", "r - R (µm)", "pressure (" + unit.name + ")" }, cuts));
   if (fem::has_cells(footprint))
@@ -145,7 +148,48 @@ Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius)
   return plot;
 }
 
-Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
+Plot section_stress_plot(const std::vector<fem::StressedPatch> &section)
+{
+  constexpr double share_of_radius = 0.04, megapascal = 1e6;
+  double edge = 0, top = 0, move = 0, stress = 0;
+  for (const fem::StressedPatch &patch : section)
+    for (const auto &row : patch)
+      for (const fem::StressedPoint &point : row)
+      {
+        edge = std::max(edge, std::abs(point.x));
+        top = std::max(top, point.z);
+        move = std::max(move, std::hypot(point.move_x, point.move_z));
+        stress = std::max(stress, point.von_mises);
+      }
+  const double magnification =
+    move > 0 ? std::pow(10, std::round(std::log10(share_of_radius * edge / move))) : 1;
+  std::string data =
+    "# Section of the loaded foot, cell by cell\n# 1: x (mm)\n# 2: z (mm)\n# 3: x, moved (mm)\n"
+    "# 4: z, moved (mm)\n# 5: stress of von Mises (MPa)\n";
+  for (const fem::StressedPatch &patch : section)
+  {
+    for (const auto &row : patch)
+    {
+      for (const fem::StressedPoint &point : row)
+        data += fmt::format(FMT_STRING("{:.6g} {:.6g} {:.6g} {:.6g} {:.5g}\n"), 1e3 * point.x, 1e3 * point.z,
+                            1e3 * (point.x + magnification * point.move_x),
+                            1e3 * (point.z + magnification * point.move_z), point.von_mises / megapascal);
+      data += '\n';
+    }
+    data += '\n';
+  }
+  Plot plot =
+    plot_from("section_stress",
+              { { "edge", 1e3 * edge }, { "top", 1e3 * top }, { "largest", stress / megapascal } }, data);
+  plot.caption = fmt::format(
+    FMT_STRING(
+      "The loaded foot at rest, cut along the line to the orbit's centre; displacements are drawn {:g} times "
+      "larger, up to {:.2g} µm. Largest stress of von Mises {:.3g} MPa."),
+    magnification, 1e6 * move, stress / megapascal);
+  return plot;
+}
+
+Plot view_from_above_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
                           const ring::Motion &motion)
 {
   constexpr double share_of_radius = 0.12;
@@ -160,10 +204,11 @@ Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &
                   { "magnification", magnification },
                   { "orbit_radius", 1000 * motion.orbit_radius },
                   { "side", motion.orbit_sense == ring::OrbitSense::counterclockwise ? 1. : -1. } });
-  Plot plot = plot_from("foot_from_below", values);
+  Plot plot = plot_from("foot_from_above", values);
   plot.caption = fmt::format(
-    FMT_STRING("The foot seen from below before it spins: where it presses on the table. Distances from the "
-               "rim, the thin circle, are drawn {:g} times larger; v is the direction of travel."),
+    FMT_STRING(
+      "Where the foot presses on the table before it spins, seen from above, through the glass. "
+      "Distances from the rim, the thin circle, are drawn {:g} times larger; v is the direction of travel."),
     magnification);
   return plot;
 }

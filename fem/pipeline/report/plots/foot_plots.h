@@ -37,12 +37,16 @@ Plot section_plot(const std::vector<fem::SectionPolygon> &cells, const FootLengt
 Plot rim_plot(const FootLengths &lengths);
 
 /// p(r, theta) as colours along and across the rim; @p contact_radius [m] is where r - R is zero. The
-/// footprint must have a point under pressure.
-Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius);
+/// footprint must have a point under pressure. The scale ends at @p largest [Pa]; 0: at its own largest.
+Plot footprint_plot(const fem::PressureMap &footprint, double contact_radius, double largest = 0);
 
-/// The pressure of footprint_plot() seen from below, its distance from the rim drawn larger, with the
-/// direction of travel and the side of the orbit's centre. The footprint must have a point under pressure.
-Plot view_from_below_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
+/// The section of a loaded foot with its stresses, its displacements drawn larger.
+Plot section_stress_plot(const std::vector<fem::StressedPatch> &section);
+
+/// The pressure of footprint_plot() seen from above, through the glass, its distance from the rim drawn
+/// larger, with the direction of travel and the side of the orbit's centre. The footprint must have a point
+/// under pressure.
+Plot view_from_above_plot(const fem::PressureMap &footprint, const FootLengths &lengths,
                           const ring::Motion &motion);
 
 /// The points of the land and the circle through them, heights drawn larger.

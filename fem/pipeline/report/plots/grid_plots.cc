@@ -27,9 +27,13 @@ struct Drawing
   bool is_spin = false;
 };
 
-CaseValue value_of(const std::string &quantity)
+CaseValue value_of(const std::string &quantity, double scale = 1)
 {
-  return [index = quantity_index(quantity)](const CaseResult &result) { return result.values[index]; };
+  return [index = quantity_index(quantity), scale](const CaseResult &result) -> std::optional<double>
+  {
+    const std::optional<double> &value = result.values[index];
+    return value ? std::optional(scale * *value) : std::nullopt;
+  };
 }
 
 CaseValue amplitude_of(unsigned int n)
@@ -55,8 +59,8 @@ std::vector<Drawing> drawings()
              amplitude_of(3) },
            { "contact_fraction", "share of the rim that carries load", "Share of the rim that carries load",
              value_of("contact fraction") },
-           { "torque_at_rest", heading_with_unit(quantity::tau_at_rest),
-             "Torque of friction on the glass that does not spin yet", value_of("torque at rest") } };
+           { "torque_at_rest", "τ_z at rest (mN m)", "Torque of friction on the glass that does not spin yet",
+             value_of("torque at rest", 1e3) } };
 }
 
 double nan_where_missing(const std::optional<double> &value)
@@ -68,6 +72,17 @@ double value_in(const FinishedCases &cases, std::size_t index, const CaseValue &
 {
   const CaseResult &result = cases.at(index);
   return nan_where_missing(result.is_solved() ? value(result) : std::nullopt);
+}
+
+/// " from -3.2 to -2.7 in 7 cases".
+std::string extent_of(const FinishedCases &cases, const CaseValue &quantity)
+{
+  std::vector<double> values;
+  for (const auto &[index, result] : cases)
+    if (const double value = value_in(cases, index, quantity); std::isfinite(value))
+      values.push_back(value);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return fmt::format(FMT_STRING(" from {:.4g} to {:.4g} in {} cases"), *least, *most, values.size());
 }
 
 /// Whether there is something to see: values, and not all of them the same.
@@ -186,6 +201,13 @@ Plot curves_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles 
   return plot;
 }
 
+/// A number to three digits, a word as it is.
+std::string rounded(const std::string &value)
+{
+  const std::optional<double> number = parse_number(value);
+  return number ? fmt::format(FMT_STRING("{:.3g}"), *number) : value;
+}
+
 /// A curve for each value of the other entry.
 Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles &roles,
                  const Drawing &drawing)
@@ -195,9 +217,33 @@ Plot family_plot(const SweepPlan &plan, const FinishedCases &cases, const Roles 
     curves = { { "", drawing.value } };
   else
     for (const std::string &value : plan.entries[*roles.across].values)
-      curves.push_back(
-        { label_of(plan.entries[*roles.across]) + " = " + value, drawing.value, curves.size() });
-  return curves_plot(plan, cases, roles, drawing, curves);
+      curves.push_back({ rounded(value), drawing.value, curves.size() });
+  Plot plot = curves_plot(plan, cases, roles, drawing, curves);
+  if (roles.across) // one legend for all pictures
+    plot.script = "legend = 0\n" + plot.script;
+  return plot;
+}
+
+/// The legend of family_plot(): its curves under the name of the entry and its unit.
+Plot legend_of(const SweptEntry &entry)
+{
+  constexpr unsigned int n_columns = 4, width = 120, height = 24;
+  nlohmann::ordered_json curves = nlohmann::ordered_json::array();
+  std::string words;
+  for (unsigned int i = 0; i < entry.values.size(); ++i)
+  {
+    const std::string text = rounded(entry.values[i]);
+    curves.push_back({ { "type", 1 + i % 8 },
+                       { "x", i % n_columns * width },
+                       { "y", 46 + i / n_columns * height },
+                       { "text", text } });
+    words += (words.empty() ? "" : ", ") + text;
+  }
+  const auto n_rows = (entry.values.size() + n_columns - 1) / n_columns;
+  return drawing_from("legend", { { "entry", label_of(entry) },
+                                  { "curves", curves },
+                                  { "words", words },
+                                  { "height", 36 + n_rows * height } });
 }
 
 /// Terminal spins of the models side by side, over one entry.
@@ -255,7 +301,7 @@ Plot map_of(const SweepPlan &plan, const FinishedCases &cases, const Drawing &dr
                                 { label_of(across), label_of(up), drawing.label, "left bound of the cell",
                                   "right bound", "lower bound", "upper bound" },
                                 lines))
-    .as(drawing.name, drawing.caption);
+    .as(drawing.name, drawing.caption + ". White lines: where the scale has its numbers.");
 }
 
 } // namespace
@@ -272,7 +318,7 @@ std::string label_of(const SweptEntry &entry)
 
 std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
 {
-  constexpr std::size_t most_curves = 7;
+  constexpr std::size_t most_curves = 7, least_of_map = 4;
   const std::vector<SweptEntry> &entries = plan.entries;
   const bool has_two = entries.size() == 2;
   Roles roles;
@@ -284,20 +330,26 @@ std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases)
     return {};
   if (has_two)
     roles.across = 1 - roles.along;
+  const std::size_t n_across = has_two ? entries[*roles.across].values.size() : 1;
   const bool as_map =
-    has_two && is_numeric(entries[*roles.across]) && entries[*roles.across].values.size() > most_curves;
+    has_two && is_numeric(entries[*roles.across]) &&
+    (n_across > most_curves || std::min(n_across, entries[roles.along].values.size()) >= least_of_map);
 
   std::vector<Plot> plots;
+  if (has_two && !as_map)
+    plots.push_back(legend_of(entries[*roles.across]));
   const bool changes_sign = find_out(plan, cases).spin_changes_sign();
   for (const Drawing &drawing : drawings())
     if (!is_worth_drawing(cases, drawing.value) || (changes_sign && drawing.name == "harmonic_effect"))
       continue;
-    else if (as_map)
-      plots.push_back(map_of(plan, cases, drawing));
-    else if (!has_two && drawing.name == "terminal_spin")
-      plots.push_back(model_plot(plan, cases, drawing));
     else
-      plots.push_back(family_plot(plan, cases, roles, drawing));
+    {
+      plots.push_back(as_map ? map_of(plan, cases, drawing)
+                      : !has_two && drawing.name == "terminal_spin"
+                        ? model_plot(plan, cases, drawing)
+                        : family_plot(plan, cases, roles, drawing));
+      plots.back().label = drawing.label + extent_of(cases, drawing.value);
+    }
   if (std::any_of(cases.begin(), cases.end(), [](const auto &one) { return one.second.falls_over(); }))
     for (Plot &plot : plots)
       plot.caption += " Where a case has no terminal spin, the glass falls over on the way.";

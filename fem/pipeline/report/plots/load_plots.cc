@@ -68,10 +68,44 @@ Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> 
                         numbers("lambda / a_0", "1", over_mean(is_pointwise ? whole : series(load))) } };
   return plot_from("load",
                    { { "side", sense == ring::OrbitSense::counterclockwise ? 1. : -1. },
+                     { "turn", std::abs(load.b(1)) > 1e-9 * load.a(0) ? std::copysign(1., load.b(1)) : 0. },
                      { "mean", load.a(0) / load.radius() },
                      { "n_all", double(load.n_harmonics()) },
                      { "is_pointwise", is_pointwise } },
                    data_tables({ truncations, all }));
+}
+
+Plot slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states)
+{
+  constexpr unsigned int n_places = 24;
+  std::vector<std::string> titles;
+  std::vector<Table> blocks;
+  for (const SlidingState &state : states)
+  {
+    titles.push_back(state.title);
+    const double mean = motion.friction_at_rest() * state.load.a(0);
+    std::vector<std::vector<double>> rows;
+    for (unsigned int i = 0; i < n_places; ++i)
+    {
+      const double theta = whole_turn * i / n_places;
+      const double slip_x = motion.orbit_speed - state.omega * radius * std::sin(theta),
+                   slip_y = state.omega * radius * std::cos(theta), slip = std::hypot(slip_x, slip_y);
+      const double share =
+        slip > 0 ? -motion.friction_at(slip) * std::max(0., state.load(theta)) / (mean * slip) : 0;
+      const double torque = share * (slip_y * std::cos(theta) - slip_x * std::sin(theta));
+      rows.push_back({ theta, slip_x / motion.orbit_speed, slip_y / motion.orbit_speed, share * slip_x,
+                       share * slip_y, torque < 0 ? -1. : 1. });
+    }
+    blocks.push_back(number_rows(state.title,
+                                 { { "theta", "rad" },
+                                   { "slip along v, over v", "1" },
+                                   { "slip to the left, over v", "1" },
+                                   { "friction along v, over that of the mean load", "1" },
+                                   { "friction to the left", "1" },
+                                   { "-1: it turns the glass clockwise", "1" } },
+                                 rows));
+  }
+  return plot_from("slip", { { "title", titles } }, data_tables(blocks));
 }
 
 Plot line_load_plot(const ring::RingStack &load, ring::OrbitSense sense)

@@ -9,7 +9,8 @@ colour_low = low - margin; colour_high = high + margin
 if (x_logarithmic) set logscale x
 if (y_logarithmic) set logscale y
 # Contour lines first: the table of their points would heed the formats of the axes.
-set contour base; unset surface; set cntrparam levels auto 8
+step = tic_step(colour_high - colour_low, 4) # as the scale has it
+set contour base; unset surface; set cntrparam levels incremental step * ceil(colour_low / step), step, colour_high
 set table $contours
 splot data using 1:2:3 notitle
 unset table

@@ -1,6 +1,7 @@
 # The speed of the hand.
 load "figures/style.gnuplot"
+eval from_csv
 set xlabel "t (s)"
 set ylabel "v (m/s)"; set yrange [0:*]
 set key width 1
-plot "driven_spin_up.dat" using 1:2 with lines notitle
+plot "driven_spin_up.csv" using 1:2 with lines notitle

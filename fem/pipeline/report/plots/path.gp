@@ -1,7 +1,8 @@
 # The path seen from above, with the outline of the body and a mark that turns with it.
 load "figures/style.gnuplot"
+eval from_csv
 
-data = "path.dat"
+data = "path.csv"
 set xlabel "x (mm)"
 set ylabel "y (mm)"
 set size ratio -1

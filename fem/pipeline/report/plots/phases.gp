@@ -1,7 +1,8 @@
 load "figures/style.gnuplot"
+eval from_csv
 
-# phases.dat: 1 and 2: marks of the glass and of the table, 3: torque at rest, 4: at the mean spin
-data = "phases.dat"
+# phases.csv: 1 and 2: marks of the glass and of the table, 3: torque at rest, 4: at the mean spin
+data = "phases.csv"
 set xlabel "θ from the direction of travel (degrees)"
 set ylabel "torque τ_{z} (mN m)"
 set xzeroaxis lt 8

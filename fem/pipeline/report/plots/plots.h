@@ -8,12 +8,14 @@
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/study/measured_spin_file.h"
 #include "ring_model/load/ring_stack.h"
+#include "ring_model/motion.h"
 
 #include <string>
 #include <vector>
 
-/// The plots of the reports. Some are drawn from the results' own files: torque.dat, truncation.dat ...
+/// The plots of the reports. Some are drawn from the results' own files: torque.csv, truncation.csv ...
 namespace stemware::pipeline
 {
 
@@ -37,6 +39,17 @@ Plot harmonic_torque_plot(const Budget &budget);
 /// @p plot with a remark in it and at the end of its caption: the load is the one of rest at every spin.
 Plot one_way(Plot plot);
 
+/// A state of the ring whose friction is to be shown.
+struct SlidingState
+{
+  std::string title;
+  ring::RingStack load;
+  double omega = 0; ///< [rad/s]
+};
+
+/// How the rim slips in each state and the friction on it, seen from above; @p radius of the rim [m].
+Plot slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states);
+
 /// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
 /// and the arc of the rim that carries load. Where @p pointwise (sorted by azimuth) is given, it is drawn
 /// instead of all harmonics, and tells which arc carries load; else that is where the series is positive. An
@@ -57,7 +70,7 @@ Plot higher_harmonics_plot(const ring::RingStack &load, bool is_pointwise);
 Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// tau_z(omega) of all harmonics and of truncations, with the terminal spins of @p rows, the last of which
-/// has all harmonics; from torque.dat, torque_table() of @p curve.
+/// has all harmonics; from torque.csv, torque_table() of @p curve.
 Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows);
 
 /// omega(t) of one model of a glass [rad/s].
@@ -68,23 +81,25 @@ struct SpinCurve
   unsigned int line_type; ///< of figures/style.gnuplot
 };
 
-/// omega(t) of several models of one glass, over the time [s], in rad/s and in turns per second; the terminal
-/// spin and the time constant of @p all harmonics are marked where they exist.
+/// omega(t) of several models of one glass, over the time [s], in rad/s and in turns per second, the last one
+/// the paper's; the terminal spin and the time constant of @p all harmonics are marked where they exist, and
+/// so are the points that were @p measured.
 Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinCurve> &curves, const SpinRow &all,
+                  const std::vector<MeasuredSpin> &measured = {},
                   const std::string &caption = "Spin-up of the glass from rest.");
 
 /// tau_z by the place of the mark of the glass, or of the table where the rim is flat, at rest and at the
-/// mean spin in the long run; from phases.dat.
+/// mean spin in the long run; from phases.csv.
 Plot phase_plot(const PhaseStudy &phases);
 
 /// How fast the terminal spin approaches that of all harmonics, where it changes by more than @p rounding of
-/// itself; from truncation.dat, which holds @p truncations.
+/// itself; from truncation.csv, which holds @p truncations.
 Plot truncation_plot(const Table &truncations, double rounding = 1e-12);
 
 /// truncation_plot() beside the a-priori bound on the torque as a bound on the spin, to first order.
 Plot truncation_plot(const TruncationStudy &study, const Table &truncations);
 
-/// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows; from spin_up.dat.
+/// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows; from spin_up.csv.
 Plot deviation_plot(const std::vector<SpinRow> &rows);
 
 /// A load of `compare` by the name that it is shown with, which says what is one-way.

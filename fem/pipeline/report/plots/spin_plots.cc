@@ -21,7 +21,7 @@ double spin_unit_of(const TorqueCurve &curve)
   return 0;
 }
 
-/// The position, from 1 on, of the column with that key in truncation.dat.
+/// The position, from 1 on, of the column with that key in truncation.csv.
 double place_in(const Table &table, const std::string &key)
 {
   const auto found = std::find_if(table.columns.begin(), table.columns.end(),
@@ -67,7 +67,7 @@ Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows)
 }
 
 Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinCurve> &curves, const SpinRow &all,
-                  const std::string &caption)
+                  const std::vector<MeasuredSpin> &measured, const std::string &caption)
 {
   Table table = { "Spin-up from rest", { numbers("time", "s", time) } };
   std::vector<std::string> titles;
@@ -79,13 +79,21 @@ Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinCurve> 
     line_types.push_back(curve.line_type);
   }
   const double time_constant = all.time_constant().value_or(0);
+  std::vector<double> measured_time, measured_omega;
+  for (const MeasuredSpin &point : measured)
+  {
+    measured_time.push_back(point.time);
+    measured_omega.push_back(point.omega);
+  }
   Plot plot = plot_from("spin_up",
                         { { "curve", titles },
                           { "line_type", line_types },
                           { "terminal", all.omega_terminal().value_or(std::nan("")) },
+                          { "measured_time", measured_time },
+                          { "measured_omega", measured_omega },
                           { "time_constant", time_constant } },
                         data_table(table));
-  plot.caption = caption;
+  plot.caption = caption + (measured.empty() ? "" : " Points: measured, Motion/Measured spin file.");
   if (all.omega_terminal() && time_constant > 0 && time_constant < time.back())
     plot.caption += " Dotted: the time constant with which the terminal spin is approached.";
   return plot;

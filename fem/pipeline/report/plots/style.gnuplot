@@ -49,6 +49,9 @@ find_extent(what) = 'undefine E_*; stats data using (' . what . ') nooutput name
   'n_found = exists("E_records") ? E_records : 0; ' . \
   'low = n_found > 0 ? E_min : -1; high = n_found > 0 ? E_max : 1'
 
+# For templates that draw a file of the results: columns parted by commas, under a line with their names.
+from_csv = 'set datafile separator ","; set datafile columnheaders'
+
 # In how many rows a condition holds, as n_found; a condition on what is not a number does not.
 find_count(condition) = 'undefine E_*; stats data using (' . condition . ') nooutput name "E"; ' . \
   'n_found = exists("E_sum") ? E_sum : 0'
@@ -80,8 +83,8 @@ widest_row(i) = i < 1 ? 0 : larger(strlen(row[i]), widest_row(i - 1))
 left_of_rows(points) = (points * widest_row(n_row) + 15) / 540.
 set_rows = 'set ytics () scale 0 font ",14"; set for [i=1:n_row] ytics add (row[i] n_row + 1 - i); ' . \
   'set yrange [0.4:n_row + 0.6]; set for [i=1:n_row] label i row_text[i] at screen 0.97, first n_row + 1 - i right font ",14"; ' . \
-  'set lmargin at screen (left_of_rows(7.3) < 0.5 ? left_of_rows(7.3) : 0.5); ' . \
-  'set rmargin at screen 0.83; set tmargin 5; set bmargin 4; ' . \
+  'set lmargin at screen (left_of_rows(7.9) < 0.5 ? left_of_rows(7.9) : 0.5); ' . \
+  'set rmargin at screen 0.80; set tmargin 5; set bmargin 4; ' . \
   'set label 90 "rad/s" at screen 0.97, graph 1 right offset 0,0.6 font ",12" textcolor rgb "#555555"; ' . \
   'unset border; set border 1; set grid x noytics; set key at screen 0.02, screen 0.985 left top vertical maxrows 3 samplen 1.6'
 

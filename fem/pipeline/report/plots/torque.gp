@@ -1,9 +1,10 @@
 # Friction's torque against the spin, n harmonics kept; points: the terminal spins, where friction's, the lean and the
 # fingers' torque add up to zero.
 load "figures/style.gnuplot"
+eval from_csv
 
-# torque.dat: the spin, columns 3 and 9, 10, ...: friction's torque of all harmonics and of harmonics[i]
-data = "torque.dat"
+# torque.csv: the spin, columns 3 and 9, 10, ...: friction's torque of all harmonics and of harmonics[i]
+data = "torque.csv"
 eval find_extent("$1")
 set xlabel "spin ω (rad/s)"; set xrange [low:high]
 set ylabel "torque τ_{z} (mN m)"

@@ -1,7 +1,8 @@
 # What leaving out the harmonics beyond some number does to the terminal spin.
 load "figures/style.gnuplot"
+eval from_csv
 
-data = "truncation.dat"
+data = "truncation.csv"
 change(c) = abs(column(c)) > rounding ? abs(column(c)) : NaN # smaller ones say nothing
 bound(c) = c > 0 && column(c) > rounding * bound_scale ? column(c) / bound_scale : NaN
 eval find_count("bound(bound_column) > 0"); has_bound = n_found > 0

@@ -19,6 +19,13 @@ const CompiledTexts &compiled_pages();
 namespace
 {
 
+/// Entities of characters that mean something to HTML; the one that all begin with comes last.
+const std::vector<std::pair<std::string, std::string>> entities = { { "&lt;", "<" },
+                                                                    { "&gt;", ">" },
+                                                                    { "&quot;", "\"" },
+                                                                    { "&#39;", "'" },
+                                                                    { "&amp;", "&" } };
+
 /// An element with its content.
 std::string element(const std::string &tag, const std::string &content)
 {
@@ -57,17 +64,31 @@ std::string figure(const Plot &plot, const std::map<std::string, std::string> &p
   const auto picture = pictures.find(plot.name);
   const bool drawn = picture != pictures.end();
   std::string files;
-  if (drawn)
-    files = link(stem + "svg", "SVG") + " · " + link(stem + "pdf", "PDF") + " · ";
-  if (const std::string data = plot.data.empty() ? plot.data_file : stem + "dat"; !data.empty())
-    files += link(data, "data") + " · ";
-  files += link(stem + "gp", "script");
+  if (!plot.drawing.empty())
+    files = link(stem + "svg", "SVG");
+  else
+  {
+    if (drawn)
+      files = link(stem + "svg", "SVG") + " · " + link(stem + "pdf", "PDF") + " · ";
+    if (const std::string data = plot.data.empty() ? plot.data_file : stem + "dat"; !data.empty())
+      files += link(data, "data") + " · ";
+    files += link(stem + "gp", "script");
+  }
   return element(
-    "figure id=\"" + plot.name + "\"",
+    "figure id=\"" + plot.name + (plot.drawing.empty() ? "\"" : "\" class=\"drawing\""),
     "\n" +
-      (drawn ? inline_svg(picture->second, plot.name, plot.caption)
+      (drawn ? inline_svg(picture->second, plot.name, plot.label.empty() ? plot.caption : plot.label)
              : element("p class=\"missing\"", "This plot has not been drawn.")) +
       element("figcaption", flowing_text(plot.caption) + " <span class=\"files\">" + files + "</span>"));
+}
+
+/// Pictures side by side where there is room; nothing without one.
+std::string figure_row(const std::vector<Plot> &plots, const std::map<std::string, std::string> &pictures)
+{
+  std::string figures;
+  for (const Plot &plot : plots)
+    figures += figure(plot, pictures);
+  return figures.empty() ? "" : element("div class=\"figures\"", "\n" + figures);
 }
 
 std::string file_list(const std::vector<FileNote> &files)
@@ -80,11 +101,7 @@ std::string file_list(const std::vector<FileNote> &files)
 
 std::string section(const ReportSection &section, const std::map<std::string, std::string> &pictures)
 {
-  std::string figures, content = paragraphs(section.text);
-  for (const Plot &plot : section.plots)
-    figures += figure(plot, pictures);
-  if (!figures.empty())
-    content += element("div class=\"figures\"", "\n" + figures);
+  std::string content = paragraphs(section.text) + figure_row(section.plots, pictures);
   for (const Table &table : section.tables)
     content += html_table(table);
   content += file_list(section.files);
@@ -116,14 +133,22 @@ void remove_element(std::string &text, const std::string &tag)
 
 std::string html_text(const std::string &text)
 {
-  std::string safe = text;
-  for (const auto &[character, entity] : { std::pair("&", "&amp;"), // first: the others bring it along
-                                           { "<", "&lt;" },
-                                           { ">", "&gt;" },
-                                           { "\"", "&quot;" },
-                                           { "'", "&#39;" } })
-    boost::replace_all(safe, character, entity);
+  std::string safe;
+  for (const char character : text)
+  {
+    const auto found = std::find_if(entities.begin(), entities.end(),
+                                    [=](const auto &entity) { return entity.second[0] == character; });
+    safe += found == entities.end() ? std::string(1, character) : found->first;
+  }
   return safe;
+}
+
+std::string plain_text(const std::string &html)
+{
+  std::string text = html;
+  for (const auto &[entity, character] : entities)
+    boost::replace_all(text, entity, character);
+  return text;
 }
 
 std::string html_formula(const std::string &text)
@@ -154,8 +179,11 @@ std::string inline_svg(const std::string &svg, const std::string &name, const st
 std::string html_page(const Report &report, const std::map<std::string, std::string> &pictures,
                       const std::string &notice)
 {
-  std::string content =
-    element("h1", html_formula(report.title)) + element("p class=\"answer\"", flowing_text(report.answer));
+  std::string content = element("h1", html_formula(report.title));
+  if (!report.inputs.empty())
+    content += element("p class=\"inputs\"", flowing_text(report.inputs));
+  content +=
+    figure_row(report.pictures, pictures) + element("p class=\"answer\"", flowing_text(report.answer));
   if (!notice.empty())
     content += element("p class=\"notice\" role=\"note\"", html_text(notice));
   for (const ReportSection &item : report.sections)

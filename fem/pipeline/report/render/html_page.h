@@ -16,6 +16,9 @@ std::string html_page(const Report &report, const std::map<std::string, std::str
 /// A text without what means something to HTML, in elements and in quoted attributes.
 std::string html_text(const std::string &text);
 
+/// The text behind html_text().
+std::string plain_text(const std::string &html);
+
 /// html_text() with the subscripts of with_subscripts().
 std::string html_formula(const std::string &text);
 

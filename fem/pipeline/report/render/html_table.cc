@@ -60,7 +60,9 @@ std::string html_table(const Table &table)
         (is_number(cells[row]) ? html_number(cells[row]) : with_true_minus(html_formula(cells[row]))) +
         "</td>";
   }
-  std::string html = "<div class=\"wide\"><table>\n";
+  const std::string name = html_text(table.title.empty() ? "table" : table.title);
+  std::string html =
+    "<div class=\"wide\" tabindex=\"0\" role=\"group\" aria-label=\"" + name + "\"><table>\n";
   if (!table.title.empty())
     html += "<caption>" + html_formula(table.title) + "</caption>\n";
   if (has_header)

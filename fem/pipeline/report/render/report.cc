@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 void write_report(const Report &report, const fs::path &folder)
 {
-  std::vector<Plot> plots;
+  std::vector<Plot> plots = report.pictures;
   for (const ReportSection &section : report.sections)
     plots.insert(plots.end(), section.plots.begin(), section.plots.end());
   const std::string notice = draw_plots(plots, folder);

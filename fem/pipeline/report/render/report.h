@@ -35,6 +35,8 @@ struct Report
   std::string title;
   std::string answer; ///< first paragraph: one or two sentences with the numbers that were asked for
   std::vector<ReportSection> sections;
+  std::string inputs = "";         ///< a line under the title: what was computed
+  std::vector<Plot> pictures = {}; ///< between the inputs and the answer
 };
 
 /// Writes report.html, one page that needs nothing else (CSS and SVG inside, no address outside), and

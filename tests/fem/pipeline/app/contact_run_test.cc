@@ -111,14 +111,13 @@ TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
   const ScratchFolder scratch;
   const auto summary = run_fully(scratch, {});
   EXPECT_EQ(summary["files"].get<std::vector<std::string>>(), names_in(scratch / "results"));
-  for (const char *table : { "load.dat", "load_lines.dat", "footprint.dat", "harmonics.dat", "rings.dat",
-                             "torque.dat", "spin_up.dat", "truncation.dat", "contact_history.dat" })
+  for (const char *table : { "load.csv", "load_lines.csv", "footprint.csv", "harmonics.dat", "rings.csv",
+                             "torque.csv", "spin_up.csv", "truncation.csv", "contact_history.csv" })
   {
     const std::string text = read_text(scratch / "results" / table);
-    EXPECT_NE(text.find("\n# 1: "), std::string::npos) << table;
     const auto columns = read_columns(scratch / "results" / table);
     ASSERT_GE(columns.size(), 2u) << table;
-    EXPECT_NE(text.find("# " + std::to_string(columns.size()) + ": "), std::string::npos) << table;
+    EXPECT_NE(text.substr(0, 400).find("("), std::string::npos) << table; // units stand in the heading
     for (const auto &column : columns)
       EXPECT_EQ(column.size(), columns[0].size()) << table;
   }

@@ -42,10 +42,10 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   for (const char *key : { "a2", "b8", "tau_at_rest", "tau_at_spin_1", "tau_at_spin_2", "time_constant",
                            "contact_fraction", "minimum", "ring_radius" })
     EXPECT_TRUE(bands.contains(key)) << key;
-  for (const char *file : { "report.html", "error_bands.dat", "converge_meridional_mesh.dat",
-                            "converge_degree.dat", "converge_harmonics.dat", "converge_azimuth_lines.dat" })
+  for (const char *file : { "report.html", "error_bands.csv", "converge_meridional_mesh.csv",
+                            "converge_degree.csv", "converge_harmonics.csv", "converge_azimuth_lines.csv" })
     EXPECT_TRUE(std::filesystem::exists(results / file)) << file;
-  const auto rows = read_columns(results / "converge_meridional_mesh.dat");
+  const auto rows = read_columns(results / "converge_meridional_mesh.csv");
   EXPECT_EQ(rows.front(), (std::vector<double>{ 0, 1, 2 }));
   EXPECT_NE(ended.out.find("Terminal spin "), std::string::npos);
   EXPECT_NE(ended.out.find(" ± "), std::string::npos);

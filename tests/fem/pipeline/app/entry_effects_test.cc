@@ -30,7 +30,7 @@ struct Effect
 {
   std::string entry; ///< Section/Entry
   std::string value;
-  std::string changed; ///< place in summary.json of what must change, or "/spin_up.dat" for that file; empty
+  std::string changed; ///< place in summary.json of what must change, or "/spin_up.csv" for that file; empty
                        ///< where the entry has no effect, as its help says
   EntryValues base = {};  ///< other entries, if they are not those of the quick study
   std::string stays = {}; ///< place of a number that must not change
@@ -87,6 +87,7 @@ const std::vector<Effect> effects = {
   { "Motion/Orbit speed", "0.3", "/ring/omega_terminal" },
   { "Motion/Orbit sense", "clockwise", "/ring/omega_terminal" },
   { "Motion/Orbit speed file", "speeds.csv", "/ring/driven", two_way },
+  { "Motion/Measured spin file", "measured.csv", "/ring/measured", {}, "/ring/omega_terminal" },
   { "Motion/Friction coefficient", "0.2", "/ring/tau_at_rest" },
   { "Motion/Friction law", "Stribeck", "/ring/omega_terminal", slow_decay },
   { "Motion/Static friction coefficient", "0.5", "/ring/omega_terminal", stribeck },
@@ -96,8 +97,8 @@ const std::vector<Effect> effects = {
   { "Motion/Closure", "paper", "/load/moment/1" },
   { "Motion/Tilt", "neglected", "/load/moment_ratio" },
   { "Motion/Grip torque", "1e-3", "/ring/omega_terminal" },
-  { "Motion/End time", "1", "/spin_up.dat", {}, "/ring/omega_terminal" },
-  { "Motion/Euler step", "0.01", "/spin_up.dat", {}, "/ring/omega_terminal" },
+  { "Motion/End time", "1", "/spin_up.csv", {}, "/ring/omega_terminal" },
+  { "Motion/Euler step", "0.01", "/spin_up.csv", {}, "/ring/omega_terminal" },
   { "Motion/Step limit", "1e7", nothing, {}, "/ring/omega_terminal" },
   { "Glass/Shape", "foot", second_harmonic },
   { "Glass/Profile file", "thin.csv", second_harmonic, drawn({}) },
@@ -190,8 +191,8 @@ Json results_of(const Study &study, const test::ScratchFolder &scratch)
       tabulate(study, describe(study, foot, *load, spin.all().terminal->omega), spin, {});
     Json all = results.findings.summary;
     for (const ResultFile &file : results.files)
-      if (file.name == "spin_up.dat")
-        all["spin_up.dat"] = data_table(std::get<Table>(file.content));
+      if (file.name == "spin_up.csv")
+        all["spin_up.csv"] = data_table(std::get<Table>(file.content));
     return all;
   }
   // A solid body needs MPI, which the program starts and ends.
@@ -215,7 +216,8 @@ Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder 
   if (with_value)
     values.emplace_back(effect.entry, effect.value);
   for (auto &[entry, value] : values)
-    if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file")
+    if (entry == "Load/File" || entry == "Glass/Profile file" || entry == "Motion/Orbit speed file" ||
+        entry == "Motion/Measured spin file")
       value = scratch / value;
   return with_values(Study(), "the list of effects", values);
 }
@@ -256,6 +258,7 @@ void EntryEffects::SetUpTestSuite()
   const test::ScratchFolder &scratch = shared->scratch;
   scratch.write("one.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.1 0.1\n");
   scratch.write("speeds.csv", "t (s), v (m/s)\n0, 0.2\n3, 0.4\n");
+  scratch.write("measured.csv", "t (s), omega (rad/s)\n0.5, -3\n1, -3.5\n");
   scratch.write("two.dat", "# ring radius: 0.03 (m)\n0 0.4 0\n1 0.2 0.1\n");
   const std::string plate = "0,0.002\n0.027,0.0015\n0.03,0\n0.033,0.0015\n0.034,0.002\n";
   scratch.write("thick.csv", plate + "0.034,0.006\n0.006,0.006\n0.006,0.02\n0,0.02\n");

@@ -82,9 +82,9 @@ TEST(FirstHarmonicRun, ReversedOrbitMirrorsEverything)
 {
   const ScratchFolder scratch;
   const auto there = run_ring(scratch, { "Motion/Orbit sense=counterclockwise" });
-  const auto torque_there = read_columns(scratch / "results/torque.dat");
+  const auto torque_there = read_columns(scratch / "results/torque.csv");
   const auto back = run_ring(scratch, { "Motion/Orbit sense=clockwise" });
-  const auto torque_back = read_columns(scratch / "results/torque.dat");
+  const auto torque_back = read_columns(scratch / "results/torque.csv");
   const auto expect_mirrored = [](const nlohmann::json &one, const nlohmann::json &other, double sign)
   { EXPECT_NEAR(other.get<double>(), sign * one.get<double>(), 1e-14); };
   expect_mirrored(there["ring"]["omega_terminal"], back["ring"]["omega_terminal"], -1);
@@ -103,7 +103,7 @@ TEST(FirstHarmonicRun, SpinUpPassesThroughTheReference)
 {
   const ScratchFolder scratch;
   run_ring(scratch, { "Motion/Closure=paper", "Motion/Yaw inertia=1.35e-4", "Motion/End time=0.2" });
-  const auto columns = read_columns(scratch / "results/spin_up.dat");
+  const auto columns = read_columns(scratch / "results/spin_up.csv");
   EXPECT_DOUBLE_EQ(columns[0][100], 0.1);
   EXPECT_NEAR(columns[1][100], -1.8314764495450, 1e-9);
   EXPECT_NEAR(columns[1][200], -2.5963912211184, 1e-9);

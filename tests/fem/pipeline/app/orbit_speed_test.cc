@@ -14,26 +14,6 @@ namespace stemware::test
 namespace
 {
 
-/// Columns of a data file without its comments.
-std::vector<std::vector<double>> columns_of_table(const std::string &text, std::size_t n_columns)
-{
-  std::vector<std::vector<double>> columns(n_columns);
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-  {
-    if (line.empty() || line.front() == '#')
-      continue;
-    std::istringstream words(line);
-    for (std::vector<double> &column : columns)
-    {
-      double value = 0;
-      words >> value;
-      column.push_back(value);
-    }
-  }
-  return columns;
-}
-
 /// Time, v, dv/dt and omega of a run with that speed file.
 std::vector<std::vector<double>> driven(const std::string &speeds, std::vector<std::string> settings,
                                         std::vector<double> *steady = nullptr)
@@ -48,8 +28,8 @@ std::vector<std::vector<double>> driven(const std::string &speeds, std::vector<s
   const Ended ended = stemware(scratch, command);
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   if (steady)
-    *steady = columns_of_table(read_text(scratch / "out/spin_up.dat"), 2)[1];
-  return columns_of_table(read_text(scratch / "out/driven_spin_up.dat"), 4);
+    *steady = read_columns(scratch / "out/spin_up.csv")[1];
+  return read_columns(scratch / "out/driven_spin_up.csv");
 }
 
 /// omega at equally spaced times up to @p end by the classical Runge-Kutta scheme, for the first harmonic in
@@ -162,7 +142,7 @@ TEST(OrbitSpeed, SaysWhatTheReadingOfTheRowsMatters)
                         "Motion/Orbit speed file=" + scratch.write("v.csv", given.str()) });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const nlohmann::json said = read_summary(scratch / "out")["ring"]["driven"];
-  const std::vector<double> cubic = columns_of_table(read_text(scratch / "out/driven_spin_up.dat"), 4)[3],
+  const std::vector<double> cubic = read_columns(scratch / "out/driven_spin_up.csv")[3],
                             lines = driven(dense.str(), { "Load/Source=first harmonic" })[3];
   const double most = largest_difference(cubic, lines), at_end = std::abs(cubic.back() - lines.back());
   EXPECT_GT(most, 1e-2); // rad/s: far more than any band

@@ -57,8 +57,8 @@ TEST(QuickRun, HasTheAnswerAndTheCurvesOfAFullRun)
     const double expected = full.at(place);
     EXPECT_NEAR(quick.at(place).get<double>(), expected, 1e-7 * std::abs(expected)) << key;
   }
-  expect_equal_tables(runs, "torque.dat", 1e-7);
-  expect_equal_tables(runs, "spin_up.dat", 1e-7);
+  expect_equal_tables(runs, "torque.csv", 1e-7);
+  expect_equal_tables(runs, "spin_up.csv", 1e-7);
 }
 
 TEST(QuickRun, SaysFirstWhatItLacks)
@@ -73,14 +73,14 @@ TEST(QuickRun, SaysFirstWhatItLacks)
   }
   const std::string sentence = "This was a quick run, without the budget of effects and without error bands.";
   const std::string report = read_text(runs.scratch / "quick/report.html");
-  EXPECT_LT(report.find(sentence), report.find("rad/s"));
+  EXPECT_LT(report.find(sentence), report.find("rad/s", report.find("class=\"answer\"")));
   EXPECT_EQ(report.find("Terminal spin in models of increasing detail"), std::string::npos);
   EXPECT_EQ(read_text(runs.scratch / "full/report.html").find(sentence), std::string::npos);
   const auto names = names_in(runs.scratch / "quick");
-  EXPECT_EQ(std::count(names.begin(), names.end(), "budget.dat"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "budget.csv"), 0);
   // What a quick run leaves out, a run in its place adds; and the other way round.
   EXPECT_EQ(stemware(runs.scratch, { "run", "study.prm", "--quick", "--output", "full" }).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(runs.scratch / "full/budget.dat"));
+  EXPECT_FALSE(std::filesystem::exists(runs.scratch / "full/budget.csv"));
 }
 
 } // namespace

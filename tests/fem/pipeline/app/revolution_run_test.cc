@@ -166,7 +166,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
   const double pi = std::acos(-1.);
   const GlassRun lifted({ "Load/Moment ratio=1.5" });
   const auto summary = lifted.summary();
-  const auto lines = lifted.table("load_lines.dat");
+  const auto lines = lifted.table("load_lines.csv");
   const std::size_t n_lines = lines[0].size();
   ASSERT_EQ(n_lines, 256u);
   double force = 0, moment = 0, loaded = 0;
@@ -187,7 +187,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
               1e-12);
 
   // The footprint is a grid of lines and radii; its pressure adds up to the load of each line.
-  const auto print = lifted.table("footprint.dat");
+  const auto print = lifted.table("footprint.csv");
   const std::size_t n_radii = print[0].size() / n_lines;
   ASSERT_EQ(n_radii * n_lines, print[0].size());
   for (std::size_t i = 0; i < n_lines; ++i)

@@ -119,7 +119,7 @@ TEST(SlideVerb, LeavesTablesAndAReportWithThePath)
   for (const char *figure : { "path", "drift", "speeds", "slip_ratio", "energy" })
     EXPECT_NE(page.find(std::string("<figure id=\"") + figure), std::string::npos) << figure;
   EXPECT_NE(page.find("to the right"), std::string::npos);
-  EXPECT_NE(read_text(folder / "path.dat").find("friction loss"), std::string::npos);
+  EXPECT_NE(read_text(folder / "path.csv").find("friction loss"), std::string::npos);
 }
 
 TEST(SlideVerb, RefusesWhatCannotSlide)

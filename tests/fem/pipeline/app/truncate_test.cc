@@ -144,8 +144,8 @@ TEST_F(TruncatedGlass, RowsAreThoseOfRun)
                   std::max(1e-9 * std::abs(number(run[i], key)), rounding))
         << key << " of " << run[i]["harmonics"];
   }
-  const auto spin_up = read_columns(scratch / "run/spin_up.dat");
-  const auto by_harmonics = read_columns(results() / "spin_up.dat");
+  const auto spin_up = read_columns(scratch / "run/spin_up.csv");
+  const auto by_harmonics = read_columns(results() / "spin_up.csv");
   ASSERT_EQ(by_harmonics.size(), run.size() + 1);
   for (std::size_t i = 0; i < spin_up[0].size(); ++i)
     EXPECT_NEAR(by_harmonics.back()[i], spin_up[1][i], 1e-7) << "t = " << spin_up[0][i];
@@ -209,7 +209,7 @@ TEST(Truncate, OneWayRowsByPlainQuadrature)
   const ScratchFolder scratch;
   const Json summary =
     summary_of(scratch, "truncate", { "Load/Moment ratio=1.3", "Load/Coupling=one-way", "Contact/Rings=1" });
-  const auto spin_up = read_columns(scratch / "truncate/spin_up.dat");
+  const auto spin_up = read_columns(scratch / "truncate/spin_up.csv");
   const Json &rows = summary["truncation"];
   ASSERT_EQ(spin_up.size(), rows.size() + 1);
   const std::vector<double> omega = summary["torque_at"].get<std::vector<double>>();

@@ -46,44 +46,21 @@ relative: -1.05 % | +1.06 % | –
 )");
 }
 
-TEST(BudgetByHand, DataFile)
+TEST(BudgetByHand, DataFilesHaveANameInEveryRow)
 {
-  const std::string text = budget_file_text({}, made_budget());
-  EXPECT_EQ(text, R"(# From the paper's model to the study's; the rows are
-# row 1: 1, the paper's model
-# row 2: 2, moment balance
-# row 3: 2a, grip
-# row 4: 3, where the foot touches
-# row 5: 3a, tilt
-# row 6: 4, harmonics, n <= 2
-# row 7: 5, harmonics, all
-# 1: harmonics kept, nan: all (1)
-# 2: terminal omega (rad/s)
-# 3: difference of terminal omega (rad/s)
-# 4: half-width of the error band of terminal omega (rad/s)
-# 5: 1 if the load is negative somewhere (1)
-# 6: tau_z at rest of the last row (N m)
-# 7: tau_z at half the terminal spin of the last row (N m)
-# 8: tau_z at the terminal spin of the last row (N m)
-                       1            -1.0101234567                      nan          0.0010201234567                        0             1.0301234567             1.0401234567             1.0501234567
-                       1            -1.0601234567    -0.050000000000000044          0.0010701234567                        1             1.0801234567             1.0901234567             1.1001234567
-                       1            -1.1101234567    -0.050000000000000044          0.0011201234567                        0             1.1301234567             1.1401234567             1.1501234567
-                       1            -1.1601234567    -0.050000000000000044          0.0011701234567                        0             1.1801234567             1.1901234567             1.2001234567
-                       1                      nan                      nan                      nan                        0                      nan                      nan                      nan
-                       2            -1.2101234567                      nan    0.0012201234567000001                        0             1.2301234567             1.2401234567             1.2501234567
-                     nan            -1.2601234567     -0.04999999999999982          0.0012701234567                        0             1.2801234567             1.2901234567             1.3001234567
-
-
-# The complete model without one thing at a time; the rows are
-# row 1: without tilt
-# row 2: without elasticity of the foot
-# row 3: without compliance of the interface
-# 1: terminal omega (rad/s)
-# 2: difference of terminal omega (rad/s)
-           -1.3101234567           0.013201234567
-           -1.3301234567          -0.013401234567
-                     nan                      nan
-)");
+  const std::string text =
+    csv_table(budget_table({}, made_budget())
+                .with("", "step title harmonics_kept omega_terminal difference band formal"));
+  EXPECT_EQ(text.substr(0, text.find("\r\n", text.find("\r\n") + 2)),
+            "step,what is added,\"harmonics kept, nan: all (1)\",terminal omega (rad/s),"
+            "difference of terminal omega (rad/s),half-width of the error band of terminal omega (rad/s),"
+            "1 if the load is negative somewhere (1)\r\n"
+            "1,the paper's model,1,-1.0101234567,,0.0010201234567,0");
+  EXPECT_NE(text.find("\r\n5,\"harmonics, all\",,-1.2601234567,"), std::string::npos) << text;
+  const std::string without =
+    csv_table(without_table({}, made_budget()).with("", "name omega_terminal difference reason"));
+  EXPECT_NE(without.find("tilt,-1.3101234567,0.0132"), std::string::npos) << without;
+  EXPECT_NE(without.find("compliance of the interface,,,not defined"), std::string::npos) << without;
 }
 
 TEST(BudgetByHand, Summary)

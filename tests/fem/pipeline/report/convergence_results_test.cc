@@ -14,9 +14,9 @@ using namespace test;
 
 Results made_convergence()
 {
-  StudyOptions options;
-  options.study_file = "folder/glass.prm";
-  return tabulate(options, RefinementByHand().result);
+  Study study;
+  study.name = "glass";
+  return tabulate(study, RefinementByHand().result);
 }
 
 TEST(ConvergenceByHand, Console)
@@ -44,7 +44,7 @@ Error bands of the main quantities; the report has all of them
 TEST(ConvergenceByHand, DataFiles)
 {
   const Results results = made_convergence();
-  EXPECT_EQ(data_lines(file_text(results, "converge_meridional_mesh.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "converge_meridional_mesh.csv")),
             R"(# Refinement of the meridional mesh
 halvings of every cell (1): 0 | 1
 a2 (1): 1.1001234567 | 1.1101234567
@@ -57,7 +57,7 @@ terminal spin (rad/s): 1.4301234567 | 1.4401234567
 time constant (s): 1.4901234567 | 1.5001234567
 unknowns of the largest linear system, estimated (1): 561 | 561
 )");
-  EXPECT_EQ(data_lines(file_text(results, "error_bands.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "error_bands.csv")),
             R"(# Values, half-widths of their error bands, Richardson values
 a2 (1): 0 | 0 | 0
 a3 (1): 0 | 0 | 0

@@ -97,13 +97,13 @@ TEST(FootPlots, RimIsLiftedByItsCrown)
   EXPECT_EQ(rim_plot(lengths).caption.find("crown"), std::string::npos);
 }
 
-TEST(FootPlots, FromBelowTheOrbitsCentreIsBelowWhereTheOrbitIsCounterClockwise)
+TEST(FootPlots, FromAboveTheOrbitsCentreIsAboveWhereTheOrbitIsCounterClockwise)
 {
   const ScratchFolder scratch;
   ring::Motion motion;
   for (const bool is_grid : { true, false })
   {
-    const Plot plot = view_from_below_plot(half_loaded(is_grid), measured(plate, 0.030), motion);
+    const Plot plot = view_from_above_plot(half_loaded(is_grid), measured(plate, 0.030), motion);
     EXPECT_EQ(complaint({ footprint_plot(half_loaded(is_grid), 0.030), plot }, scratch), "");
     EXPECT_TRUE(svg_says(plot, scratch, "150 mm from here"));
     const int enlarged = is_grid ? 20 : 35; // a grid is drawn to where its pressure ends
@@ -122,18 +122,18 @@ TEST(FootPlots, FromBelowTheOrbitsCentreIsBelowWhereTheOrbitIsCounterClockwise)
     EXPECT_NEAR(columns[2][is_grid ? 24 + 12 : 2], 2 / std::sqrt(2.), 1e-4);
     EXPECT_TRUE(!is_grid || std::isnan(columns[2][4 * 24 + 1]));
   }
-  // Seen from below the left of the motion lies downwards.
+  // Seen from above, as in the picture of the load, the left of the motion lies upwards.
   const auto height_of_text = [&]
   {
-    const Plot plot = view_from_below_plot(half_loaded(true), measured(plate, 0.030), motion);
+    const Plot plot = view_from_above_plot(half_loaded(true), measured(plate, 0.030), motion);
     EXPECT_EQ(complaint({ footprint_plot(half_loaded(true), 0.030), plot }, scratch), "");
-    const std::string svg = test::read_text(scratch / "figures/foot_from_below.svg");
+    const std::string svg = test::read_text(scratch / "figures/foot_from_above.svg");
     const auto place = svg.rfind("translate(", svg.find("150 mm from here"));
     return std::stod(svg.substr(svg.find(',', place) + 1)); // from above
   };
-  const double below = height_of_text();
+  const double above = height_of_text();
   motion.orbit_sense = ring::OrbitSense::clockwise;
-  EXPECT_GT(below, height_of_text() + 50);
+  EXPECT_LT(above, height_of_text() - 50);
 }
 
 } // namespace

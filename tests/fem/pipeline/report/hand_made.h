@@ -245,6 +245,15 @@ inline std::string file_text(const pipeline::Results &results, const std::string
   throw std::out_of_range("no file " + name);
 }
 
+/// The table that is the content of a results file, as data_table() shows it.
+inline std::string file_table(const pipeline::Results &results, const std::string &name)
+{
+  for (const pipeline::ResultFile &file : results.files)
+    if (file.name == name)
+      return data_table(std::get<pipeline::Table>(file.content));
+  throw std::out_of_range("no file " + name);
+}
+
 /// The tables under a heading of the report, by lines.
 inline std::string report_lines(const pipeline::Results &results, const std::string &heading,
                                 bool by_rows = false)

@@ -43,7 +43,7 @@ std::string draw(const Plot &plot, const ScratchFolder &scratch)
 /// A table of the results from which plots are drawn.
 void write_table(const std::string &name, const Table &table, const ScratchFolder &scratch)
 {
-  write_text_file(scratch / name, data_table(table));
+  write_text_file(scratch / name, csv_table(table));
 }
 
 /// The columns of one of the blocks of data that two empty lines part.
@@ -282,16 +282,16 @@ TEST(Plots, TorqueAndTruncation)
   curve.truncations = { { 3e-3, -4e-3 } };
   curve.lean_torque = curve.grip_torque = curve.sum = { 0, 0 };
   const Plot torque = torque_plot(curve, two_rows());
-  write_table("torque.dat", torque_table(curve), scratch);
+  write_table("torque.csv", torque_table(curve), scratch);
   EXPECT_EQ(draw(torque, scratch), "");
-  EXPECT_EQ(torque.data_file, "torque.dat");
+  EXPECT_EQ(torque.data_file, "torque.csv");
   const std::string words = words_of(torque, scratch);
   for (const char *word : { "all, n ≤ 4", "first harmonic", "−v/R", "+v/R" })
     EXPECT_NE(words.find(word), std::string::npos) << word;
   EXPECT_NE(torque.script.find("terminal[2] = [-3., -3.5]"), std::string::npos) << torque.script;
   EXPECT_NE(torque.caption.find("±v/R = ±5 rad/s"), std::string::npos) << torque.caption;
   const Table truncations = truncations_of({ 0.02, 0 });
-  write_table("truncation.dat", truncations, scratch);
+  write_table("truncation.csv", truncations, scratch);
   EXPECT_EQ(draw(truncation_plot(truncations), scratch), "");
   EXPECT_NE(words_of(truncation_plot(truncations), scratch).find("terminal spin, relative change"),
             std::string::npos);
@@ -300,7 +300,7 @@ TEST(Plots, TorqueAndTruncation)
 TEST(Plots, TruncationThatChangesNothing)
 {
   const ScratchFolder scratch;
-  write_table("truncation.dat", truncations_of({ 0 }), scratch);
+  write_table("truncation.csv", truncations_of({ 0 }), scratch);
   const Plot plot = truncation_plot(truncations_of({ 0 }));
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("nothing to show"), std::string::npos);
@@ -328,7 +328,7 @@ TEST(Plots, Phases)
   phases.torque_at_rest = { -1e-3, -2e-3 };
   phases.torque_at_terminal = { 1e-3, -1e-3 };
   const Plot plot = phase_plot(phases);
-  write_table("phases.dat", phase_table(phases), scratch);
+  write_table("phases.csv", phase_table(phases), scratch);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("at the mean spin"), std::string::npos);
   EXPECT_NE(plot.script.find("of_glass = 0\n"),

@@ -44,7 +44,7 @@ TEST(ProfileResults, AnswerHasTheDigitsOfTheScatter)
 {
   const RunOfAProfile run;
   const std::string answer = run.results().report.answer;
-  EXPECT_NE(answer.find(": -3.712 ± 0.035 rad/s (scatter of the profile)."), std::string::npos) << answer;
+  EXPECT_NE(answer.find("is -3.712 ± 0.035 rad/s (scatter of the profile)"), std::string::npos) << answer;
   EXPECT_NE(answer.find("The rim follows from the points of its profile: R = "), std::string::npos) << answer;
   EXPECT_NE(answer.find(fitted_rim(run.study)), std::string::npos) << answer;
   EXPECT_NE(answer.find(", 7 points)."), std::string::npos) << answer;
@@ -52,7 +52,7 @@ TEST(ProfileResults, AnswerHasTheDigitsOfTheScatter)
 
   RunOfAProfile narrow;
   narrow.spin.profile_scatter->spin = 1e-7; // the band is wider
-  EXPECT_EQ(narrow.results().report.answer.find("rad/s (scatter of the profile)."), std::string::npos);
+  EXPECT_EQ(narrow.results().report.answer.find("rad/s (scatter of the profile)"), std::string::npos);
 }
 
 TEST(ProfileResults, ScatterStandsBesideTheBands)
@@ -62,7 +62,7 @@ TEST(ProfileResults, ScatterStandsBesideTheBands)
   const std::string console = console_tables(results);
   EXPECT_NE(console.find("scatter of the profile"), std::string::npos) << console;
   EXPECT_NE(console.find("3.6e-02"), std::string::npos) << console; // rounded up, as bands are
-  const std::string section = report_lines(results, "From the paper's model to this study's");
+  const std::string section = report_lines(results, "The steps in numbers");
   EXPECT_NE(section.find("scatter of the profile"), std::string::npos) << section;
 
   // It is no row of the budget.
@@ -81,7 +81,7 @@ TEST(ProfileResults, PointsAndCircleAreDrawn)
   ASSERT_EQ(fitted.points.size(), 7u);
   EXPECT_NE(circle.find("29.5"), std::string::npos) << circle;
   EXPECT_NE(circle.find("30.2"), std::string::npos) << circle;
-  const std::string foot = report_lines(results, "The foot", true);
+  const std::string foot = report_lines(results, "The section and the rim", true);
   EXPECT_NE(foot.find("points of the land | 7"), std::string::npos) << foot;
 }
 

@@ -173,8 +173,8 @@ TEST(Report, NumbersHaveATrueMinusAndPowersOfTen)
 
 TEST(Report, FormulasOfAPlainText)
 {
-  EXPECT_EQ(html_formula("τ_z, a_10 < z_CM; spin_up.dat"),
-            "τ<sub>z</sub>, a<sub>10</sub> &lt; z<sub>CM</sub>; spin_up.dat");
+  EXPECT_EQ(html_formula("τ_z, a_10 < z_CM; spin_up.csv"),
+            "τ<sub>z</sub>, a<sub>10</sub> &lt; z<sub>CM</sub>; spin_up.csv");
 }
 
 } // namespace

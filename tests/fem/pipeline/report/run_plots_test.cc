@@ -14,7 +14,7 @@ using namespace test;
 TEST(RunByHand, CurvesOverSpinTimeAndPhase)
 {
   const Results results = made_run();
-  EXPECT_EQ(data_lines(file_text(results, "torque.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "torque.csv")),
             R"(# The torques on the glass and the friction force of the table against the spin
 omega (rad/s): -2.1401234567 | 2.1501234567
 slip ratio omega R / v (1): 2.1601234567 | 2.1701234567
@@ -26,7 +26,7 @@ torque of the fingers (N m): 0.035 | -0.045
 tau_z, lean torque and torque of the fingers together (N m): 2.2301234567000003 | 2.1901234567
 tau_z, harmonics up to 1 (N m): 2.2401234567 | 2.2501234567
 )");
-  EXPECT_EQ(data_lines(file_text(results, "spin_up.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "spin_up.csv")),
             R"(# Spin-up from rest; columns 3 to 5 from loads interpolated in omega, within 1.39012 of a_0
 time (s): 0 | 2.2601234567
 omega, adaptive (rad/s): 0 | 2.2701234567
@@ -34,7 +34,7 @@ omega, forward Euler (rad/s): 0 | 2.2801234567
 omega, first harmonic alone, adaptive (rad/s): 0 | 2.2901234567
 yaw angle, adaptive (rad): 0 | 2.3001234567
 )");
-  EXPECT_EQ(data_lines(file_text(results, "phases.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "phases.csv")),
             R"(# Yaw torque over the phase: where the marks of glass and table stand in the slip frame
 mark of the glass (rad): 2.3901234567
 mark of the table (rad): 2.4001234567
@@ -64,7 +64,7 @@ TEST(RunByHand, LoadOverTheAzimuth)
   const RunByHand by_hand;
   const Results results = made_run();
   const Table table = std::get<Table>(results.files.at(2).content);
-  ASSERT_EQ(results.files.at(2).name, "load.dat");
+  ASSERT_EQ(results.files.at(2).name, "load.csv");
   for (const auto &[c, title] :
        { std::pair(0u, "theta (rad)"), std::pair(1u, "lambda, all harmonics (N/rad)"),
          std::pair(2u, "lambda, first harmonic (N/rad)") })

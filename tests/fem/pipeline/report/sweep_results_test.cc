@@ -113,8 +113,7 @@ message:  |  | No contact, "tipping". |
 TEST(SweepByHand, RangesOfAGrid)
 {
   const Results grid = made(grid_by_hand());
-  EXPECT_EQ(report_lines(grid, "What comes out", true), R"(Least and largest values
-quantity | least | at | most | at
+  EXPECT_EQ(report_lines(grid, "Least and largest values", true), R"(quantity | least | at | most | at
 normal force (N) | 1.01012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.75012 | Load/Moment ratio = 1.5, Motion/Closure = full
 moment ratio | 1.02012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.76012 | Load/Moment ratio = 1.5, Motion/Closure = full
 contact fraction | 1.03012 | Load/Moment ratio = 1, Motion/Closure = paper | 1.77012 | Load/Moment ratio = 1.5, Motion/Closure = full

@@ -91,7 +91,7 @@ TEST(Table, TooWideForTheConsoleGoesOnBelow)
 TEST(Table, AsHtml)
 {
   EXPECT_EQ(html_table(table_of_everything().with("ω_∞ & more", "name spin band pulls")),
-            R"(<div class="wide"><table>
+            R"(<div class="wide" tabindex="0" role="group" aria-label="ω_∞ &amp; more"><table>
 <caption>ω_∞ &amp; more</caption>
 <thead><tr><th scope="col">name</th><th scope="col" class="number">ω_∞ (rad/s)</th><th scope="col" class="number">band (rad/s)</th><th scope="col"></th></tr>
 </thead>

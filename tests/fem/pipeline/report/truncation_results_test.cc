@@ -24,7 +24,7 @@ TEST(TruncationByHand, Console)
   const Results results = made_truncation();
   EXPECT_EQ(console_text(results), R"(
 The glass spins up to -1.7401 ± 0.0020 rad/s with all 3 harmonics of its load, to -1.37012 rad/s
-with the first alone. The harmonics of the load beyond the first make it 0.212 % faster
+with the first alone. The harmonics of the load beyond the first make the glass 0.212 % faster
 (-0.0211 rad/s). From 3 harmonics on the spin is right to 1e-4.
 
 In balance at every spin:
@@ -89,7 +89,7 @@ TEST(TruncationByHand, HarmonicsBelowTheirBandsAreHollow)
 TEST(TruncationByHand, DataFiles)
 {
   const Results results = made_truncation();
-  EXPECT_EQ(data_lines(file_text(results, "truncation.dat")),
+  EXPECT_EQ(data_lines(file_table(results, "truncation.csv")),
             R"(# The answer with the load cut off after some harmonics; nan: there is none
 harmonics (1): 1 | 2 | 3
 amplitude of the highest one over a_0 at rest (1): 1.4311936264986744 | 0 | 1.4447718232442266
@@ -109,7 +109,7 @@ share of N that would have to pull at the terminal spin (1): 0.01510123456699999
 tau_z at omega = -1.5 rad/s (N m): 1.5401234567 | nan | 1.9101234567
 tau_z at omega = -3 rad/s (N m): 1.5501234567 | nan | 1.9201234567
 )");
-  EXPECT_EQ(data_lines(file_text(results, "spin_up.dat")), R"(# Spin-up from rest
+  EXPECT_EQ(data_lines(file_table(results, "spin_up.csv")), R"(# Spin-up from rest
 time (s): 0 | 1.2201234567
 omega, harmonics up to 1 (rad/s): 0 | -1.5901234567
 omega, harmonics up to 3 (rad/s): 0 | -1.9601234567
@@ -139,10 +139,10 @@ m at the terminal spin: 1.4901 | – | 1.8601
   EXPECT_EQ(file_names(results), R"(summary.json: all numbers, for programs
 parameters.prm: the study, to be run again
 harmonics.dat: Fourier coefficients of the load at rest; Load/File reads them
-rings.dat: the same ring by ring
-truncation.dat: the answer by the number of harmonics
-torque.dat: τ_z, T_x, T_y against the spin, of 1, 2, 3 and all harmonics
-spin_up.dat: the spin against time by the number of harmonics
+rings.csv: the same ring by ring
+truncation.csv: the answer by the number of harmonics
+torque.csv: τ_z, T_x, T_y against the spin, of 1, 2, 3 and all harmonics
+spin_up.csv: the spin against time by the number of harmonics
 timings.json: how long it took
 )");
 }

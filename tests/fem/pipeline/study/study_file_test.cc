@@ -37,6 +37,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Motion/Orbit speed", "0.35" },
     { "Motion/Orbit sense", "counterclockwise" },
     { "Motion/Orbit speed file", "" },
+    { "Motion/Measured spin file", "" },
     { "Motion/Friction coefficient", "0.3" },
     { "Motion/Friction law", "Coulomb" },
     { "Motion/Static friction coefficient", "0.4" },

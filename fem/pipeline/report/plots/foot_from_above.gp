@@ -1,7 +1,7 @@
 height = 430
 load "figures/style.gnuplot"
 
-# The pressure of the footprint: azimuth (degrees), distance from the rim (µm), pressure; seen from below y points downwards
+# The pressure of the footprint: azimuth (degrees), distance from the rim (µm), pressure; seen from above
 data = "figures/footprint.dat"
 drawn(distance) = radius + magnification * 1e-3 * distance
 unset border; unset tics; unset grid; unset key
@@ -21,11 +21,11 @@ set object 2 circle at 0,0 size radius front fs empty border lc rgb "#777777" lw
 set arrow from 0,0 to 0.45 * radius,0 front lw 2 lc rgb "#333333"
 set label "v" at 0.48 * radius,0 left front
 # The orbit's centre lies to the left of the motion where the orbit runs counter-clockwise seen from above.
-set arrow from 0,0 to 0,-side * 0.36 * radius front lw 1 dt (6,4) lc rgb "#333333"
-set label "to the orbit's centre,\n" . length_text(orbit_radius) . " from here" at 0,-side * (side < 0 ? 0.54 : 0.44) * radius \
+set arrow from 0,0 to 0,side * 0.36 * radius front lw 1 dt (6,4) lc rgb "#333333"
+set label "to the orbit's centre,\n" . length_text(orbit_radius) . " from here" at 0,side * (side > 0 ? 0.54 : 0.44) * radius \
   center front font ",13"
 if (is_grid) {
-  splot data using (drawn($2) * cos($1 * pi / 180)):(-drawn($2) * sin($1 * pi / 180)):3 with pm3d
+  splot data using (drawn($2) * cos($1 * pi / 180)):(drawn($2) * sin($1 * pi / 180)):3 with pm3d
 } else {
-  splot data using (drawn($2) * cos($1 * pi / 180)):(-drawn($2) * sin($1 * pi / 180)):3 with points pt 5 ps 0.5 lc palette
+  splot data using (drawn($2) * cos($1 * pi / 180)):(drawn($2) * sin($1 * pi / 180)):3 with points pt 5 ps 0.5 lc palette
 }
