@@ -61,7 +61,7 @@ public:
 
   /// T(i, k), |i - k| <= band.
   double &tangent(Eigen::Index i, Eigen::Index k, int lane) { return bands(i, k - i + n_band, lane); }
-  /// What multiplies the second part of D, column by column.
+  /// The factor of the second part of D at column @p i.
   double &slide(Eigen::Index i, int lane) { return slides(i, 0, lane); }
   /// All right-hand sides but the last one, before T is applied to them.
   double &shape(Eigen::Index i, Eigen::Index column, int lane) { return shapes(i, column, lane); }

@@ -46,8 +46,8 @@ private:
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
 
-  /// What those of the similar foot let expect at @p spin, corrected by what the contacts @p own differ from
-  /// that; nothing without a similar foot.
+  /// The contact at @p spin that those of the similar foot let expect, corrected by what the contacts @p own
+  /// differ from that; nothing without a similar foot.
   std::optional<fem::ContactStart> as_similar(const std::vector<const Found *> &own, double spin) const;
 
   std::optional<fem::ContactState> last;
