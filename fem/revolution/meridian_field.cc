@@ -71,7 +71,7 @@ MeridianField::MeridianField(const MeridianSpace &space, const ElasticMaterial &
         family.push_back(mode);
     if (family.empty())
       return;
-    const MeridianSpace::Factors factors(space, n);
+    const MeridianSpace::Factors &factors = space.factors(n);
     for (const unsigned int mode : family)
       solve(mode, factors);
   };

@@ -86,6 +86,18 @@ void MeridianSpace::Factors::solve(Vector<double> &forces) const
   values = solve(Eigen::MatrixXd(values));
 }
 
+const MeridianSpace::Factors &MeridianSpace::factors(unsigned int harmonic) const
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (const auto found = by_harmonic.find(harmonic); found != by_harmonic.end())
+      return *found->second;
+  }
+  auto made = std::make_unique<const Factors>(*this, harmonic);
+  const std::lock_guard<std::mutex> lock(mutex);
+  return *by_harmonic.emplace(harmonic, std::move(made)).first->second;
+}
+
 MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int harmonic, Eigen::Index first,
                                         Eigen::Index size)
     : constraints(space.make_constraints(harmonic))

@@ -13,7 +13,9 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace stemware::fem
@@ -56,6 +58,9 @@ public:
     const dealii::AffineConstraints<double> constraints;
     const SparseCholesky factors;
   };
+
+  /// The factors of a harmonic, made once. May be asked for different harmonics by several threads at once.
+  const Factors &factors(unsigned int harmonic) const;
 
   /// Contact compliances of the harmonics that have their conditions on the axis, and with them the order of
   /// elimination, in common: 0, 1, and all others. May be asked by several threads at once.
@@ -102,6 +107,8 @@ private:
   std::vector<dealii::Point<2>> points; ///< of all dofs
   std::vector<NodeDofs> contact_nodes;  ///< ascending radius
   std::vector<NodeDofs> axis_nodes;
+  mutable std::mutex mutex;
+  mutable std::map<unsigned int, std::unique_ptr<const Factors>> by_harmonic; ///< of factors()
 };
 
 } // namespace stemware::fem

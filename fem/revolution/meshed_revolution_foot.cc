@@ -57,41 +57,47 @@ std::optional<MeshError> MeshedRevolutionFoot::mesh_error(const ContactState &st
   return estimate_mesh_error(contact, goal, with_cells);
 }
 
-/// The fields of a body under the forces on a zone of its land, with the meshes that they live on.
-struct MeshedRevolutionFoot::Field
+struct MeshedRevolutionFoot::Meridian
 {
-  Field(const MeshedRevolutionFoot &foot, const Zone &zone)
-      : meshes(foot.setup)
-      , space(meshes.foot, foot.setup.material, foot.setup.meridian.degree)
-      , field(space, foot.setup.material, forces(foot, zone))
+  explicit Meridian(const RevolutionSetup &setup)
+      : meshes(setup)
+      , space(meshes.foot, setup.material, setup.meridian.degree)
   {
-  }
-
-  static ForceModes forces(const MeshedRevolutionFoot &foot, const Zone &zone)
-  {
-    const ContactCompliance &part = zone.body.contact_compliance();
-    const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-    return { part.on_land(modes.normal), part.on_land(modes.radial), part.on_land(modes.azimuthal) };
   }
 
   const MeridianMeshes meshes;
   const MeridianSpace space;
-  const MeridianField field;
 };
+
+const MeshedRevolutionFoot::Meridian &MeshedRevolutionFoot::meridian() const
+{
+  if (!made_meridian)
+    made_meridian = std::make_shared<const Meridian>(setup);
+  return *made_meridian;
+}
+
+MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
+{
+  const Zone &zone = zone_of(state);
+  const ContactCompliance &part = zone.body.contact_compliance();
+  const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
+  return { meridian().space,
+           setup.material,
+           { part.on_land(modes.normal), part.on_land(modes.radial), part.on_land(modes.azimuthal) } };
+}
 
 std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) const
 {
   const Zone &zone = zone_of(state);
-  const Field whole(*this, zone);
   const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
   std::ostringstream file;
-  write_revolution_fields(whole.field, pressure, state.solution.motion, axis(state.slip.orientation), file);
+  write_revolution_fields(field(state), pressure, state.solution.motion, axis(state.slip.orientation), file);
   return { { "contact.vtu", file.str() } };
 }
 
 std::vector<StressedPatch> MeshedRevolutionFoot::section(const ContactState &state, double theta) const
 {
-  return revolution_section(Field(*this, zone_of(state)).field, theta - axis(state.slip.orientation));
+  return revolution_section(field(state), theta - axis(state.slip.orientation));
 }
 
 } // namespace stemware::fem

@@ -11,6 +11,8 @@
 namespace stemware::fem
 {
 
+class MeridianField;
+
 /// A foot of revolution with the meridional meshes that its compliance comes from: it knows its fields, and
 /// what its meshes leave.
 class MeshedRevolutionFoot : public RevolutionFoot
@@ -40,9 +42,15 @@ private:
   std::shared_ptr<const ContactCompliance> of_whole_land() const override;
 
   std::shared_ptr<WholeLand> whole_land = std::make_shared<WholeLand>();
-  struct Field;
 
-  mutable ComplianceCache finer{ 4 }; ///< of mesh_error()
+  /// The meshes, and the meridional problems on that of the foot.
+  struct Meridian;
+  const Meridian &meridian() const;
+  /// The displacement of the foot in @p state.
+  MeridianField field(const ContactState &state) const;
+
+  mutable std::shared_ptr<const Meridian> made_meridian; ///< of meridian(), when it was asked for
+  mutable ComplianceCache finer{ 4 };                    ///< of mesh_error()
 };
 
 } // namespace stemware::fem

@@ -235,7 +235,7 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
   compliance.radii.resize(space.n_contact_nodes());
   for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
     compliance.radii(i) = space.contact_radius(i);
-  compliance.beyond = MeridianSpace::Compliances(space, 0)(0);
+  compliance.beyond = MeridianSpace::Compliances(space, 0, 0, space.n_contact_nodes())(0);
   compliance.harmonics = { compliance.beyond, compliance.beyond };
   return compliance;
 }
