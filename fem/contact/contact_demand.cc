@@ -4,7 +4,10 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -73,11 +76,27 @@ Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<dou
   const RingShares shares(ring_radii);
   RingValues values(function);
   Eigen::VectorXd result(surface.n_nodes());
+  // Radial lines repeat their radii: the shares of one do for all.
+  const unsigned int n_repeated =
+    surface.lines_are_radial ? surface.n_nodes() / std::max(surface.n_sectors, 1u) : 0;
+  std::vector<std::pair<double, Eigen::VectorXd>> on_line(n_repeated);
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)
   {
     const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
     const double radius = std::hypot(x, y);
-    result(i) = shares.at(radius).dot(values.at(radius > 0 ? x / radius : 1, radius > 0 ? y / radius : 0));
+    const Eigen::VectorXd &of_rings = values.at(radius > 0 ? x / radius : 1, radius > 0 ? y / radius : 0);
+    if (n_repeated == 0)
+    {
+      result(i) = shares.at(radius).dot(of_rings);
+      continue;
+    }
+    auto &[known_radius, known_shares] = on_line[i % n_repeated];
+    if (std::abs(radius - known_radius) > 1e-14 * radius)
+    {
+      known_radius = radius;
+      known_shares = shares.at(radius);
+    }
+    result(i) = known_shares.dot(of_rings);
   }
   return result;
 }

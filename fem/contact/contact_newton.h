@@ -30,6 +30,9 @@ struct ContactStart
   Eigen::VectorXd normal_displacement;  ///< at the contact nodes [m]
   unsigned int n_steps = 0;             ///< Newton steps taken before, of a solve that goes on
   unsigned int n_linear_iterations = 0; ///< and what they took
+  /// Elastic forces of the body that are expected with it [N]; empty: those that the body has. A body whose
+  /// Newton step is not exact errs by a share of how far its forces are from the solution.
+  Eigen::VectorXd forces = {};
 };
 
 /// Stopping rule and limits of the contact driver.

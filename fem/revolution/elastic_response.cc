@@ -123,13 +123,14 @@ Eigen::MatrixXd ElasticResponse::transposed_displacement(const Eigen::MatrixXd &
   return result + radial.cwiseProduct(slide_radial) + azimuthal.cwiseProduct(slide_azimuthal);
 }
 
-Eigen::MatrixXd ElasticResponse::local(Eigen::Index line, Eigen::Index first, Eigen::Index size) const
+HarmonicCompliance ElasticResponse::local(Eigen::Index first, Eigen::Index size) const
 {
-  Eigen::MatrixXd matrix = circles.beyond.normal.block(first, first, size, size);
+  const double per_line = n_lines() / FourierBasis::norm(0);
+  HarmonicCompliance result;
+  result.normal = per_line * circles.beyond.normal.block(first, first, size, size);
   if (has_sliding())
-    matrix += circles.beyond.radial.block(first, first, size, size) *
-              slide_radial.col(line).segment(first, size).asDiagonal();
-  return matrix * (n_lines() / FourierBasis::norm(0));
+    result.radial = per_line * circles.beyond.radial.block(first, first, size, size);
+  return result;
 }
 
 HarmonicCompliance ElasticResponse::difference(unsigned int harmonic, Eigen::Index first,

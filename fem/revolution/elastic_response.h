@@ -65,9 +65,10 @@ public:
   /// The forces' harmonics up to n_max.
   ForceModes force_modes(const Eigen::MatrixXd &forces) const;
 
-  /// D with friction: displacement of the circles @p first ... @p first + @p size - 1 on @p line under forces
-  /// there [m/N].
-  Eigen::MatrixXd local(Eigen::Index line, Eigen::Index first, Eigen::Index size) const;
+  /// D on the circles @p first ... @p first + @p size - 1: displacement there under forces on the same line
+  /// [m/N], `normal`; that under friction adds `radial` times the radial traction of the force, and is empty
+  /// without friction. There is no azimuthal part.
+  HarmonicCompliance local(Eigen::Index first, Eigen::Index size) const;
 
   /// C_n - C_beyond on a range of circles; the azimuthal part is C_n itself.
   HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const;

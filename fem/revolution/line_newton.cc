@@ -60,10 +60,10 @@ void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Ei
   const Eigen::Index n_radii = response.n_radii();
   lines.resize(response.n_lines());
   Eigen::Index last_circle = -1;
-  first_circle = n_radii;
+  circles.first = n_radii;
   for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(lines.size()); ++j)
   {
-    Line &line = lines[static_cast<std::size_t>(j)];
+    Range &line = lines[static_cast<std::size_t>(j)];
     const auto carries = [&](Eigen::Index i)
     {
       if (std::abs(unbalanced(i, j)) > negligible)
@@ -82,67 +82,78 @@ void LineNewton::find_lines(const Eigen::SparseMatrix<double> &tangent, const Ei
     line.size = end - first;
     if (line.size == 0)
       continue;
-    first_circle = std::min(first_circle, first);
+    circles.first = std::min(circles.first, first);
     last_circle = std::max(last_circle, end - 1);
   }
   if (last_circle < 0)
     throw ContactFailure(ContactOutcome::linear_solver_failed, "No place of the contact zone carries load.");
-  n_circles = last_circle - first_circle + 1;
+  circles.size = last_circle - circles.first + 1;
 }
 
 void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
                                  const Eigen::MatrixXd &unbalanced)
 {
-  const Eigen::Index n_radii = response.n_radii();
+  const Eigen::Index n_radii = response.n_radii(), n_lines = response.n_lines();
   const Eigen::Index n_functions = functions.cols();
   const Eigen::VectorXd &radii = response.compliance().radii;
-  Eigen::MatrixXd matrix, rhs;
-  for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(lines.size()); ++j)
+  const HarmonicCompliance local = response.local(circles.first, circles.size);
+  LineBundle system;
+  for (Eigen::Index first_line = 0; first_line < n_lines; first_line += Lanes::n)
   {
-    Line &line = lines[static_cast<std::size_t>(j)];
-    if (line.size == 0)
+    const Eigen::Index end_line = std::min(first_line + Lanes::n, n_lines);
+    Eigen::Index first = n_radii, end = 0;
+    for (Eigen::Index j = first_line; j < end_line; ++j)
+      if (const Range &line = lines[static_cast<std::size_t>(j)]; line.size > 0)
+      {
+        first = std::min(first, line.first);
+        end = std::max(end, line.first + line.size);
+      }
+    if (end <= first)
       continue;
-    // Both transposed, which makes the rows that T adds columns.
-    const Eigen::MatrixXd local = response.local(j, line.first, line.size).transpose();
-    // T is banded: its products are taken entry by entry. Right-hand sides T (functions, Q) and r.
-    const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
-    Eigen::MatrixXd shape(line.size, n_functions + 3);
-    shape.leftCols(n_functions) = functions_on(line);
-    shape.col(n_functions).setOnes();
-    shape.col(n_functions + 1) = radii.segment(line.first, line.size) * std::cos(theta);
-    shape.col(n_functions + 2) = radii.segment(line.first, line.size) * std::sin(theta);
-    matrix.setIdentity(line.size, line.size);
-    rhs.setZero(line.size, n_functions + 4);
-    for (Eigen::Index i = 0; i < line.size; ++i)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + line.first + i); entry;
-           ++entry)
-        if (entry.value() != 0)
-        {
-          const Eigen::Index row = entry.row() - j * n_radii - line.first;
-          matrix.col(row) += entry.value() * local.col(i);
-          rhs.row(row).head(n_functions + 3) += entry.value() * shape.row(i);
-        }
-    rhs.col(n_functions + 3) = unbalanced.col(j).segment(line.first, line.size);
-    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(matrix);
-    const Eigen::MatrixXd solution = factors.transpose().solve(rhs);
-    line.answer = solution.leftCols(n_functions);
-    line.moved = solution.middleCols(n_functions, 3);
-    line.balanced = solution.col(n_functions + 3);
+    const Eigen::Index size = end - first, from = first - circles.first;
+    system.reset(size, response.compliance().degree, n_functions + 4);
+    for (Eigen::Index j = first_line; j < end_line; ++j)
+    {
+      const int lane = static_cast<int>(j - first_line);
+      const double theta = response.basis().azimuth(static_cast<unsigned int>(j));
+      for (Eigen::Index i = 0; i < size; ++i)
+      {
+        if (response.has_sliding())
+          system.slide(i, lane) = response.radial_traction()(first + i, j);
+        for (Eigen::Index k = 0; k < n_functions; ++k)
+          system.shape(i, k, lane) = functions(from + i, k);
+        system.shape(i, n_functions, lane) = 1;
+        system.shape(i, n_functions + 1, lane) = radii(first + i) * std::cos(theta);
+        system.shape(i, n_functions + 2, lane) = radii(first + i) * std::sin(theta);
+      }
+      const Range &line = lines[static_cast<std::size_t>(j)];
+      for (Eigen::Index i = line.first; i < line.first + line.size; ++i)
+      {
+        system.unbalanced(i - first, lane) = unbalanced(i, j);
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, j * n_radii + i); entry; ++entry)
+          if (entry.value() != 0)
+            system.tangent(entry.row() - j * n_radii - first, i - first, lane) = entry.value();
+      }
+    }
+    const auto part = [&](const Eigen::MatrixXd &whole) -> RowMatrix
+    { return whole.size() > 0 ? RowMatrix(whole.block(from, from, size, size)) : RowMatrix(); };
+    bundles.push_back({ first_line, { first, size }, system.solve(part(local.normal), part(local.radial)) });
   }
 }
 
 void LineNewton::choose_functions()
 {
   const unsigned int n_max = response.basis().n_harmonics();
-  const Eigen::VectorXd radii = response.compliance().radii.segment(first_circle, n_circles);
+  const Eigen::VectorXd radii = response.compliance().radii.segment(circles.first, circles.size);
   std::vector<HarmonicCompliance> whole;
   for (unsigned int n = 0; n <= n_max; ++n)
-    whole.push_back(response.difference(n, first_circle, n_circles));
+    whole.push_back(response.difference(n, circles.first, circles.size));
   const double allowed =
-    step_accuracy *
-    (response.compliance().beyond.normal.block(first_circle, first_circle, n_circles, n_circles).norm() +
-     whole[0].normal.norm());
-  for (Eigen::Index n_functions = std::min<Eigen::Index>(2, n_circles);; ++n_functions)
+    step_accuracy * (response.compliance()
+                       .beyond.normal.block(circles.first, circles.first, circles.size, circles.size)
+                       .norm() +
+                     whole[0].normal.norm());
+  for (Eigen::Index n_functions = std::min<Eigen::Index>(2, circles.size);; ++n_functions)
   {
     functions = polynomials(radii, n_functions);
     const auto left_out = [&](const Eigen::MatrixXd &matrix)
@@ -157,11 +168,34 @@ void LineNewton::choose_functions()
       if (response.has_sliding())
         worst = std::max({ worst, left_out(whole[n].radial), left_out(whole[n].azimuthal) });
     }
-    if (worst <= allowed || n_functions >= std::min(n_circles, most_functions))
+    if (worst <= allowed || n_functions >= std::min(circles.size, most_functions))
       break;
   }
   for (const HarmonicCompliance &harmonic : whole)
     reduced.push_back(reduced_to(functions, harmonic));
+}
+
+LaneTable LineNewton::tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const
+{
+  const Eigen::Index p = functions.cols(), n_radii = response.n_radii(), n_lines = response.n_lines();
+  const auto [first, size] = bundle.circles;
+  LaneTable tests(size, n_kinds() * p + 3);
+  for (Eigen::Index i = 0; i < size; ++i)
+    for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
+    {
+      const int lane = static_cast<int>(j - bundle.first_line);
+      for (Eigen::Index kind = 0; kind < n_kinds(); ++kind)
+      {
+        const double traction = kind == 0   ? 1
+                                : kind == 1 ? response.radial_traction()(first + i, j)
+                                            : response.azimuthal_traction()(first + i, j);
+        for (Eigen::Index k = 0; k < p; ++k)
+          tests(i, kind * p + k, lane) = traction * functions(first - circles.first + i, k);
+      }
+      for (Eigen::Index a = 0; a < 3; ++a)
+        tests(i, n_kinds() * p + a, lane) = weights(j * n_radii + first + i, a);
+    }
+  return products(tests, bundle.solution);
 }
 
 LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
@@ -172,8 +206,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   const Eigen::Index n_modes = basis.n_modes();
   const Eigen::Index n_lines = response.n_lines();
   const Eigen::Index n_radii = response.n_radii();
-  const bool slides = response.has_sliding();
-  const Eigen::Index n_kinds = slides ? 3 : 1; // normal, radial and azimuthal forces
+  const Eigen::Index n_kinds = this->n_kinds();
 
   // What each line contributes, by kind: its answer to the functions, to the table motions and to what is
   // unbalanced, tested with the functions; and the same tested with the conditions.
@@ -183,29 +216,31 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   Eigen::MatrixXd conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
   Eigen::Matrix3d corner = Eigen::Matrix3d::Zero();
   Eigen::Vector3d rhs = residual;
-  for (Eigen::Index j = 0; j < n_lines; ++j)
+  for (const Bundle &bundle : bundles)
   {
-    const Line &line = lines[static_cast<std::size_t>(j)];
-    if (line.size == 0)
-      continue;
-    const Eigen::MatrixXd shape = functions_on(line);
-    for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
+    const LaneTable sums = tested(bundle, conditions.weights());
+    for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
     {
-      Eigen::MatrixXd test = shape;
-      if (kind > 0)
-        test = (kind == 1 ? response.radial_traction() : response.azimuthal_traction())
-                 .col(j)
-                 .segment(line.first, line.size)
-                 .asDiagonal() *
-               shape;
-      to_functions[kind].col(j) = (test.transpose() * line.answer).reshaped();
-      to_motions[kind].col(j) = (test.transpose() * line.moved).reshaped();
-      to_unbalanced[kind].col(j) = test.transpose() * line.balanced;
+      const auto sum = [&, lane = static_cast<int>(j - bundle.first_line)](Eigen::Index a, Eigen::Index c)
+      { return sums(a, c, lane); };
+      for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
+        for (Eigen::Index a = 0; a < p; ++a)
+        {
+          for (Eigen::Index c = 0; c < p; ++c)
+            to_functions[kind](a + p * c, j) = sum(kind * p + a, c);
+          for (Eigen::Index c = 0; c < 3; ++c)
+            to_motions[kind](a + p * c, j) = sum(kind * p + a, p + c);
+          to_unbalanced[kind](a, j) = sum(kind * p + a, p + 3);
+        }
+      for (Eigen::Index a = 0; a < 3; ++a)
+      {
+        for (Eigen::Index c = 0; c < p; ++c)
+          conditions_on_functions(a + 3 * c, j) = sum(n_kinds * p + a, c);
+        for (Eigen::Index c = 0; c < 3; ++c)
+          corner(a, c) += sum(n_kinds * p + a, p + c);
+        rhs(a) += sum(n_kinds * p + a, p + 3);
+      }
     }
-    const auto weights = conditions.weights().middleRows(j * n_radii + line.first, line.size);
-    conditions_on_functions.col(j) = (weights.transpose() * line.answer).reshaped();
-    corner += weights.transpose() * line.moved;
-    rhs += weights.transpose() * line.balanced;
   }
 
   // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
@@ -272,13 +307,19 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
 
   increment.forces = Eigen::MatrixXd::Zero(n_radii, n_lines);
   const Eigen::MatrixXd amplitudes = basis.evaluate(solution.reshaped(p, n_modes)); // [p, n_lines]
-  for (Eigen::Index j = 0; j < n_lines; ++j)
-  {
-    const Line &line = lines[static_cast<std::size_t>(j)];
-    if (line.size > 0)
-      increment.forces.col(j).segment(line.first, line.size) =
-        line.balanced - line.answer * amplitudes.col(j) - line.moved * increment.motion;
-  }
+  for (const Bundle &bundle : bundles)
+    for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
+      for (Eigen::Index i = 0; i < bundle.circles.size; ++i)
+      {
+        const auto part = [&](Eigen::Index c)
+        { return bundle.solution(i, c, static_cast<int>(j - bundle.first_line)); };
+        double &force = increment.forces(bundle.circles.first + i, j);
+        force = part(p + 3);
+        for (Eigen::Index k = 0; k < p; ++k)
+          force -= part(k) * amplitudes(k, j);
+        for (Eigen::Index k = 0; k < 3; ++k)
+          force -= part(p + k) * increment.motion(k);
+      }
   return increment;
 }
 

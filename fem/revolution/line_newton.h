@@ -2,6 +2,7 @@
 
 #include "fem/contact/linear_conditions.h"
 #include "fem/revolution/elastic_response.h"
+#include "fem/revolution/line_bundle.h"
 
 #include <Eigen/SparseCore>
 
@@ -40,30 +41,36 @@ public:
   Increment solve(const LinearConditions &conditions, const Eigen::Vector3d &residual) const;
 
 private:
-  /// Circles of one line that carry force or are about to.
-  struct Line
+  /// Circles that carry force or are about to.
+  struct Range
   {
     Eigen::Index first = 0;
     Eigen::Index size = 0;
-    Eigen::MatrixXd answer;   ///< (1 + T D)^-1 T times the functions
-    Eigen::MatrixXd moved;    ///< (1 + T D)^-1 T Q
-    Eigen::VectorXd balanced; ///< (1 + T D)^-1 r
+  };
+  /// Lines that are eliminated together, on the circles of all of them.
+  struct Bundle
+  {
+    Eigen::Index first_line;
+    Range circles;
+    /// (1 + T D)^-1 of T times the functions, of T Q and of r: shape [circles.size, n_functions + 3 + 1].
+    LaneTable solution;
   };
 
   void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
                   double negligible);
   void choose_functions();
   void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
-  auto functions_on(const Line &line) const
-  {
-    return functions.middleRows(line.first - first_circle, line.size);
-  }
+  /// Sums over the circles of a bundle of its solution with the functions, these times the tractions, and @p
+  /// weights of the conditions, shape [n_kinds n_functions + 3, n_functions + 4].
+  LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
+  /// Normal, radial and azimuthal forces.
+  Eigen::Index n_kinds() const { return response.has_sliding() ? 3 : 1; }
 
   const ElasticResponse &response;
-  std::vector<Line> lines;
-  Eigen::Index first_circle = 0; ///< of all lines together
-  Eigen::Index n_circles = 0;
-  Eigen::MatrixXd functions; ///< orthonormal polynomials in r, shape [n_circles, n_functions]
+  std::vector<Range> lines;
+  std::vector<Bundle> bundles;
+  Range circles;             ///< of all lines together
+  Eigen::MatrixXd functions; ///< orthonormal polynomials in r, shape [circles.size, n_functions]
   /// Response of the functions' amplitudes by harmonic, shapes [n_functions, n_functions].
   std::vector<HarmonicCompliance> reduced;
 };

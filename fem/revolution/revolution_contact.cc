@@ -143,7 +143,13 @@ ContactSolution RevolutionContact::solve(const RevolutionStarts &starts)
   const Eigen::VectorXd forces_before = body.forces().reshaped();
   std::vector<std::function<ContactSolution()>> ways;
   if (starts.expected)
-    ways.push_back([&] { return solve_near(*starts.expected); });
+    ways.push_back(
+      [&]
+      {
+        if (starts.expected->forces.size() > 0)
+          body.set_forces(starts.expected->forces);
+        return solve_near(*starts.expected);
+      });
   // On hard crests a second start that is no nearer than the first fails like that one.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_be_near = !(on_hard_crests && (starts.crests_have_moved || starts.expected));

@@ -126,8 +126,10 @@ RevolutionStarts RevolutionFoot::starts_from(const ContactGuess &guess, const ri
 {
   RevolutionStarts starts;
   if (guess.expected)
-    starts.expected = { motion_in_axes(guess.expected->motion, axis(marks)),
-                        guess.expected->normal_displacement };
+  {
+    starts.expected = guess.expected;
+    starts.expected->motion = motion_in_axes(guess.expected->motion, axis(marks));
+  }
   if (!guess.before)
     return starts;
   const ContactState &before = *guess.before;

@@ -105,12 +105,14 @@ private:
   std::map<double, std::pair<double, double>> pieces; ///< by their end
 };
 
-/// How many of at most @p n_most steps of @p step from rest have a torque.
-int n_balances(ScannedTorque &torque, double step, int n_most)
+/// How many of at most @p n_most steps of @p step from rest have a torque, tried in strides of @p stride.
+int n_balances(ScannedTorque &torque, double step, int stride, int n_most)
 {
   int n_found = 0;
-  while (n_found < n_most && if_balanced([&] { return torque((n_found + 1) * step); }))
-    ++n_found;
+  const auto goes_on = [&](int n) { return if_balanced([&] { return torque((n_found + n) * step); }); };
+  for (const int n : { stride, 1 })
+    while (n_found + n <= n_most && goes_on(n))
+      n_found += n;
   return n_found; // the load tips or has no balance there: nothing lies beyond
 }
 
@@ -121,14 +123,15 @@ std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, con
 {
   if (load.phases())
     return {};
-  constexpr int steps_to_end = 6, finest_steps = 8; // 1.5 v / R, v / 32 R
+  constexpr int steps_to_end = 6, stride = 3, finest_steps = 8; // 1.5 v / R, 3 v / 4 R, v / 32 R
   const double unit = load.spin_scale(motion), step = unit / 4;
   ScannedTorque torque(load, motion, grip_torque, step / finest_steps);
-  const int first = -n_balances(torque, -step, steps_to_end), last = n_balances(torque, step, steps_to_end);
+  const int first = -n_balances(torque, -step, stride, steps_to_end),
+            last = n_balances(torque, step, stride, steps_to_end);
   if (first == last)
     return {};
-  for (int n = first; n < last; n += 2)
-    torque.survey(n * step, std::min(n + 2, last) * step);
+  for (int n = first; n < last; n += stride)
+    torque.survey(n * step, std::min(n + stride, last) * step);
   std::vector<ring::TerminalSpin> spins =
     ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
                              last * step, static_cast<unsigned int>(finest_steps * (last - first)));

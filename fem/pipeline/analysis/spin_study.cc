@@ -171,7 +171,9 @@ std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr
     return std::nullopt;
   Variant one_ring = { "one_ring", "one ring", study };
   one_ring.study.contact.rings = 1;
-  SpinRow row = solve_rows({ one_ring }, foot, {}, executor).front().row;
+  SpinQuestion question;
+  question.near = known_zero(all);
+  SpinRow row = solve_rows({ one_ring }, foot, question, executor).front().row;
   row.harmonics = all.harmonics;
   row.all_harmonics = true;
   if (row.terminal && all.relative_change)

@@ -75,9 +75,8 @@ fem::ContactState BalancedContact::contact(double omega, Progress &progress)
   return solve(demand_at(omega, foot->ring_radii(), 0), omega, progress);
 }
 
-LeaningLoad BalancedContact::load(double omega)
+LeaningLoad BalancedContact::load_of(const fem::ContactState &state) const
 {
-  const fem::ContactState state = contact(omega);
   if (!balance.tilts)
     return state.load;
   return { state.load, state.solution.motion.tail<2>() };

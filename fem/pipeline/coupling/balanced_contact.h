@@ -41,8 +41,8 @@ public:
 
   /// The contact at the spin @p omega [rad/s]. Throws fem::ContactFailure.
   fem::ContactState contact(double omega, Progress &progress = silent_progress());
-  /// The load of contact(), of all harmonics, with its tilt where that is part of the balance.
-  LeaningLoad load(double omega);
+  /// The load of a contact(), of all harmonics, with its tilt where that is part of the balance.
+  LeaningLoad load_of(const fem::ContactState &state) const;
 
   std::size_t n_contact_solutions() const { return n_solved; }
 

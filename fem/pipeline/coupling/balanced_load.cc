@@ -5,6 +5,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -41,7 +42,7 @@ public:
   InterpolatedLoad(SharedLoad whole, const LoadCurve &samples, double lower, double upper)
       : ChangedLoad(std::move(whole))
       , inside(samples.interpolate())
-      , error(samples.error)
+      , error(samples.error())
       , lower(lower)
       , upper(upper)
   {
@@ -113,19 +114,14 @@ SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarses
 {
   if (!is_costly() || !(lower < upper))
     return shared_from_this();
-  // With lift-off the load has a small kink wherever a line of contact is lost. The spins solved for one
-  // tolerance serve the next.
-  const LoadFunction exact = [this](double omega) { return at(omega); };
-  for (const double tolerance : { 1e-8, 1e-6, 1e-5, coarsest })
-    try
-    {
-      return std::make_shared<InterpolatedLoad>(
-        shared_from_this(), sample_load_curve(exact, lower, upper, tolerance, 200), lower, upper);
-    }
-    catch (const ToleranceMissed &)
-    {
-    }
-  return shared_from_this();
+  const CurveSource source = { [this](double omega) { return at(omega); },
+                               [this](double omega) { return clearance(omega); }, known_spins() };
+  CurveTolerance tolerance;
+  tolerance.coarsest = std::max(coarsest, tolerance.coarsest);
+  const LoadCurve curve = sample_load_curve(source, lower, upper, tolerance);
+  if (curve.error() > tolerance.coarsest)
+    return shared_from_this();
+  return std::make_shared<InterpolatedLoad>(shared_from_this(), curve, lower, upper);
 }
 
 SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -48,6 +49,12 @@ public:
   virtual std::optional<fem::ContactState> contact(double /*omega*/) const { return std::nullopt; }
   /// Nothing where the phase does not matter.
   virtual const PhaseLoads *phases() const { return nullptr; }
+  /// Where the load is known without a contact solution [rad/s], ascending.
+  virtual std::vector<double> known_spins() const { return {}; }
+  /// How far the rim is from lifting off at @p omega, one of known_spins(): the least pointwise load over
+  /// a_0; where it has lifted off, how far below 0 the least load would be that a first harmonic continues to
+  /// there, by the arc that carries nothing.
+  virtual double clearance(double /*omega*/) const { return 1; }
   /// How the loads have been found so far; nothing where they are the same at every spin.
   virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
 
@@ -55,9 +62,9 @@ public:
   SharedLoad truncated(unsigned int n_harmonics) const;
 
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
-  /// would be a balance of its own: interpolated between exact ones, to 1e-8 of a_0 where 200 of them
-  /// suffice, else to 1e-6 or 1e-5, or to @p coarsest if that is more, else exact; outside exact. The error
-  /// is in its statistics(). A load that is not costly stays as it is.
+  /// would be a balance of its own: interpolated between exact ones (sample_load_curve()) to 1e-6 of a_0
+  /// where few of them suffice, else to 1e-5, or to @p coarsest if that is more, else exact; outside exact.
+  /// The error is in its statistics(). A load that is not costly stays as it is.
   SharedLoad interpolated(double lower, double upper, double coarsest = 1e-5) const;
 
   /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
@@ -122,6 +129,8 @@ public:
   bool is_costly() const override { return whole->is_costly(); }
   std::optional<fem::ContactState> contact(double omega) const override { return whole->contact(omega); }
   const PhaseLoads *phases() const override { return whole->phases(); }
+  std::vector<double> known_spins() const override { return whole->known_spins(); }
+  double clearance(double omega) const override { return whole->clearance(omega); }
   std::optional<CouplingStatistics> statistics() const override { return whole->statistics(); }
 
 protected:

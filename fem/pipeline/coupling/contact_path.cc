@@ -26,8 +26,15 @@ ContactPath::Found::Found(const fem::ContactState &state)
     : demand(numbers_of(state.demand))
     , slip(state.slip)
     , zone(state.zone)
-    , start{ state.solution.motion, state.solution.normal_displacement }
+    , start{ state.solution.motion, state.solution.normal_displacement, 0, 0, state.solution.forces }
 {
+}
+
+ContactPath::Found::Found(const Found &found, const fem::ContactStart &expected)
+    : Found(found)
+{
+  start.motion -= expected.motion;
+  start.normal_displacement -= expected.normal_displacement;
 }
 
 void ContactPath::append(const fem::ContactState &state)
@@ -72,7 +79,8 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
   for (std::size_t n = std::min(points.size(), most_points); n >= n_least; --n)
   {
     fem::ContactStart start = { Eigen::Vector3d::Zero(),
-                                Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()) };
+                                Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()), 0, 0,
+                                Eigen::VectorXd::Zero(points.front()->start.forces.size()) };
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -83,6 +91,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
                     (points[i]->slip.spin_per_speed - points[k]->slip.spin_per_speed);
       start.motion += weight * points[i]->start.motion;
       start.normal_displacement += weight * points[i]->start.normal_displacement;
+      start.forces += weight * points[i]->start.forces;
       sum += std::abs(weight);
     }
     if (sum <= largest_sum)
@@ -91,25 +100,48 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
   return std::nullopt;
 }
 
+std::optional<fem::ContactStart> ContactPath::as_similar(const std::vector<const Found *> &own,
+                                                         double spin) const
+{
+  std::vector<const Found *> similar;
+  for (const Found &one : of_similar)
+    similar.push_back(&one);
+  std::optional<fem::ContactStart> expected = between(similar, spin, 1);
+  if (!expected)
+    return expected;
+  std::vector<Found> differences;
+  for (const Found *one : own)
+    if (const auto there = between(similar, one->slip.spin_per_speed, 1))
+      differences.emplace_back(*one, *there);
+  std::vector<const Found *> points;
+  for (const Found &one : differences)
+    points.push_back(&one);
+  if (const auto difference = between(points, spin, 1))
+  {
+    expected->motion += difference->motion;
+    expected->normal_displacement += difference->normal_displacement;
+    expected->forces = difference->forces;
+  }
+  return expected;
+}
+
 fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                                      const fem::ContactState *before) const
 {
   fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
   const unsigned int zone = guess.before ? guess.before->zone : 0;
   const Eigen::Vector4d asked = numbers_of(demand);
-  std::vector<const Found *> known, same_demand, similar;
+  std::vector<const Found *> known, same_demand;
   for (const Found &one : recent)
     if (same_marks(one.slip, slip) && one.zone == zone)
       known.push_back(&one);
   for (const Found *one : known)
     if (one->demand == asked)
       same_demand.push_back(one);
-  guess.expected = between(same_demand, slip.spin_per_speed, 2);
-  for (const Found &one : of_similar)
-    if (zone == 0)
-      similar.push_back(&one);
+  if (zone == 0)
+    guess.expected = as_similar(same_demand, slip.spin_per_speed);
   if (!guess.expected)
-    guess.expected = between(similar, slip.spin_per_speed, 1);
+    guess.expected = between(same_demand, slip.spin_per_speed, 2);
   if (guess.expected || known.empty())
     return guess;
   const double radius = last->load.mean_radius;

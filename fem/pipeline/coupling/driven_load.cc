@@ -25,7 +25,8 @@ ring::TimedTorqueFunction driven_torque(const Study &study, const std::shared_pt
     balance.moments.motion = speeds.motion_at(motion, time);
     try
     {
-      const LeaningLoad load = BalancedContact(foot, balance).load(omega);
+      BalancedContact contacts(foot, balance);
+      const LeaningLoad load = contacts.load_of(contacts.contact(omega));
       return ring::wrench(balance.moments.motion, load, omega).torque + load.lean_torque();
     }
     catch (const fem::ContactFailure &failure)

@@ -1,14 +1,13 @@
 #include "fem/pipeline/coupling/load_curve.h"
 
-#include "fem/pipeline/support/numbers.h"
-
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/interpolators/vector_barycentric_rational.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
-#include <vector>
+#include <cstdint>
 
 // Boost 1.74 has vector_barycentric_rational in boost::math, 1.83 in here.
 namespace boost::math::interpolators
@@ -21,8 +20,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The polynomial through all samples.
-LoadFunction polynomial(const LoadSamples &samples)
+using boost::math::double_constants::pi;
+
+/// The polynomial through all samples, whose places are those of a piece's coordinate.
+LoadFunction polynomial(const std::map<double, LeaningLoad> &samples)
 {
   const std::size_t n_rings = samples.begin()->second.rings().size();
   unsigned int n_harmonics = 0;
@@ -49,80 +50,210 @@ LoadFunction polynomial(const LoadSamples &samples)
   };
 }
 
-/// Chebyshev nodes of [lower, upper], ends included; every second one makes a coarser set.
-std::vector<double> chebyshev_nodes(double lower, double upper, unsigned int n_intervals)
+/// Chebyshev nodes of [0, 1], ends included; every second one makes a coarser set.
+std::vector<double> chebyshev_nodes(unsigned int n_intervals)
 {
-  std::vector<double> nodes = { lower };
+  std::vector<double> nodes = { 0 };
   for (unsigned int i = 1; i < n_intervals; ++i)
-    nodes.push_back((lower + upper) / 2 -
-                    (upper - lower) / 2 * std::cos(boost::math::constants::pi<double>() * i / n_intervals));
-  nodes.push_back(upper);
+    nodes.push_back((1 - std::cos(pi * i / n_intervals)) / 2);
+  nodes.push_back(1);
   return nodes;
 }
 
+/// How much of its largest value the error of the polynomial through chebyshev_nodes() shows at @p t.
+double visibility(double t, unsigned int n_intervals)
+{
+  const double angle = std::acos(std::clamp(1 - 2 * t, -1., 1.));
+  return std::abs(std::sin(angle) * std::sin(n_intervals * angle));
+}
+
+constexpr unsigned int few_intervals = 8, many_intervals = 16;
+
 } // namespace
+
+LoadCurve::Piece::Piece(double begin, double end, bool kink_at_begin, bool kink_at_end)
+    : first(begin)
+    , last(end)
+    , kink_at_first(kink_at_begin)
+    , kink_at_last(kink_at_end)
+{
+}
+
+double LoadCurve::Piece::coordinate(double x) const
+{
+  const double share = std::clamp((x - first) / (last - first), 0., 1.);
+  if (kink_at_first && kink_at_last)
+    return std::acos(1 - 2 * share) / pi;
+  if (kink_at_first)
+    return std::sqrt(share);
+  return kink_at_last ? 1 - std::sqrt(1 - share) : share;
+}
+
+double LoadCurve::Piece::place(double t) const
+{
+  if (t == 0 || t == 1)
+    return t == 0 ? first : last;
+  const double share = kink_at_first && kink_at_last ? (1 - std::cos(pi * t)) / 2
+                       : kink_at_first               ? t * t
+                       : kink_at_last                ? 1 - (1 - t) * (1 - t)
+                                                     : t;
+  return first + share * (last - first);
+}
+
+std::pair<LoadCurve::Piece, LoadCurve::Piece> LoadCurve::Piece::halves() const
+{
+  const double middle = place(0.5);
+  return { Piece(first, middle, kink_at_first, false), Piece(middle, last, false, kink_at_last) };
+}
 
 LoadFunction LoadCurve::interpolate() const
 {
-  std::map<double, LoadFunction> curves; // by the end of the piece
-  for (const LoadSamples &piece : pieces)
-    curves.emplace(piece.rbegin()->first, polynomial(piece));
-  return [curves](double x)
+  return [pieces = pieces](double x)
   {
-    const auto piece = curves.lower_bound(x);
-    return piece == curves.end() ? curves.rbegin()->second(x) : piece->second(x);
+    auto part = pieces.begin();
+    while (part + 1 != pieces.end() && x > part->piece.end())
+      ++part;
+    return part->load(part->piece.coordinate(x));
   };
 }
 
-LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,
-                            std::size_t most_samples)
+double LoadCurve::error() const
 {
-  constexpr double safety = 2; // the three places need not be where the error is largest
-  LoadCurve curve;
-  LoadSamples known;
-  const auto sample = [&](double x)
+  double largest = 0;
+  for (const Interpolated &part : pieces)
+    largest = std::max(largest, part.error);
+  return largest;
+}
+
+/// Makes a LoadCurve.
+class CurveSampler
+{
+public:
+  CurveSampler(const CurveSource &source, double lower, double upper)
+      : source(source)
   {
-    const auto found = known.find(x);
-    return found != known.end() ? found->second : known.emplace(x, exact(x)).first->second;
-  };
-  std::vector<std::pair<double, double>> open = { { lower, upper } }; // the last is the leftmost
-  while (!open.empty())
-  {
-    const auto [begin, end] = open.back();
-    open.pop_back();
-    double difference = 0;
-    LoadSamples samples;
-    for (const unsigned int n_intervals : { 8u, 16u })
-    {
-      samples.clear();
-      for (const double node : chebyshev_nodes(begin, end, n_intervals))
-        samples.emplace(node, sample(node));
-      // Between nodes, where the error of such a polynomial is largest; not at the nodes of the finer set.
-      const LoadFunction inside = polynomial(samples);
-      difference = 0;
-      for (const double share : { 0.05, 0.46, 0.81 })
-      {
-        const double x = begin + share * (end - begin);
-        difference = std::max(difference, safety * inside(x).difference(sample(x)));
-      }
-      if (difference <= tolerance)
-        break;
-    }
-    if (difference <= tolerance)
-    {
-      curve.error = std::max(curve.error, difference);
-      curve.pieces.push_back(std::move(samples));
-      continue;
-    }
-    if (known.size() >= most_samples)
-      throw ToleranceMissed("an interpolated curve through " + std::to_string(known.size()) +
-                            " loads still misses the load by " + to_short_text(difference) +
-                            " of a_0, where " + to_short_text(tolerance) + " is asked for");
-    open.emplace_back((begin + end) / 2, end);
-    open.emplace_back(begin, (begin + end) / 2);
+    for (const double x : source.known)
+      if (lower < x && x < upper)
+        samples.emplace(x, source.load(x));
+    for (const double x : { lower, upper })
+      sample(x);
+    find_kinks();
+    std::vector<double> ends = curve.kinks;
+    ends.insert(ends.begin(), lower);
+    ends.push_back(upper);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      curve.pieces.push_back(
+        interpolated({ ends[i], ends[i + 1], i > 0, i + 2 < ends.size() }, few_intervals));
   }
-  curve.n_samples = known.size();
-  return curve;
+
+  LoadCurve refined(const CurveTolerance &tolerance)
+  {
+    const auto worse = [](const LoadCurve::Interpolated &one, const LoadCurve::Interpolated &other)
+    { return one.error < other.error; };
+    for (;;)
+    {
+      const auto worst = std::max_element(curve.pieces.begin(), curve.pieces.end(), worse);
+      const double allowed = n_new < tolerance.usual_samples       ? tolerance.wanted
+                             : n_new < 2 * tolerance.usual_samples ? tolerance.enough
+                                                                   : tolerance.coarsest;
+      if (worst->error <= allowed || n_new >= tolerance.most_samples)
+        break;
+      if (worst->n_intervals == few_intervals)
+      {
+        *worst = interpolated(worst->piece, many_intervals);
+        continue;
+      }
+      const auto [left, right] = worst->piece.halves();
+      *worst = interpolated(right, few_intervals);
+      curve.pieces.insert(worst, interpolated(left, few_intervals));
+    }
+    curve.n_sampled = n_new;
+    return curve;
+  }
+
+private:
+  const LeaningLoad &sample(double x)
+  {
+    const auto known = samples.find(x);
+    if (known != samples.end())
+      return known->second;
+    ++n_new;
+    return samples.emplace(x, source.load(x)).first->second;
+  }
+
+  double clearance(double x)
+  {
+    sample(x);
+    return source.clearance(x);
+  }
+
+  /// Between which of the known places the rim begins to lift off, or stands again, and where.
+  void find_kinks()
+  {
+    if (!source.clearance)
+      return;
+    std::vector<std::pair<double, double>> known;
+    for (const auto &[x, load] : samples)
+      known.emplace_back(x, source.clearance(x));
+    const double range = known.back().first - known.front().first;
+    for (std::size_t i = 0; i + 1 < known.size(); ++i)
+    {
+      const auto &[left, at_left] = known[i];
+      const auto &[right, at_right] = known[i + 1];
+      if ((at_left < 0) == (at_right < 0))
+        continue;
+      // An error d of the place is one of about d^(3/2) of the load.
+      constexpr double accuracy = 1e-5;
+      std::uintmax_t n_most = 7;
+      const auto [below, above] = boost::math::tools::toms748_solve(
+        [this](double x) { return clearance(x); }, left, right, at_left, at_right,
+        [=](double one, double other) { return std::abs(other - one) < accuracy * range; }, n_most);
+      curve.kinks.push_back((below + above) / 2);
+    }
+  }
+
+  LoadCurve::Interpolated interpolated(const LoadCurve::Piece &piece, unsigned int n_intervals)
+  {
+    constexpr double safety = 2; // the places of the checks need not be where the error is largest
+    constexpr double visible = 0.25, near = 0.12;
+    std::map<double, LeaningLoad> nodes;
+    for (const double node : chebyshev_nodes(n_intervals))
+      nodes.emplace(node, sample(piece.place(node)));
+    LoadCurve::Interpolated result = { piece, polynomial(nodes), n_intervals, 0 };
+    const auto check = [&](double x)
+    {
+      const double difference = result.load(piece.coordinate(x)).difference(sample(x));
+      result.error = std::max(result.error, safety * difference);
+    };
+    // In each part of the piece one place, where the load is known if it is somewhere between the nodes.
+    std::array<bool, 3> checked = {};
+    constexpr std::array<double, 3> wanted = { 0.11, 0.46, 0.81 };
+    std::vector<double> known;
+    for (const auto &[x, load] : samples)
+      if (piece.has_inside(x) && visibility(piece.coordinate(x), n_intervals) > visible)
+        known.push_back(x);
+    for (const double x : known)
+    {
+      check(x);
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        checked[i] = checked[i] || std::abs(piece.coordinate(x) - wanted[i]) < near;
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (!checked[i])
+        check(piece.place(wanted[i]));
+    return result;
+  }
+
+  const CurveSource &source;
+  std::map<double, LeaningLoad> samples;
+  std::size_t n_new = 0; ///< of them, those that were not known
+  LoadCurve curve;
+};
+
+LoadCurve sample_load_curve(const CurveSource &source, double lower, double upper,
+                            const CurveTolerance &tolerance)
+{
+  return CurveSampler(source, lower, upper).refined(tolerance);
 }
 
 } // namespace stemware::pipeline

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
 namespace stemware::pipeline
@@ -14,35 +13,87 @@ namespace stemware::pipeline
 /// A load that depends on one number, such as the spin or the moment ratio.
 using LoadFunction = std::function<LeaningLoad(double x)>;
 
-/// Loads at some x.
-using LoadSamples = std::map<double, LeaningLoad>;
-
-/// Samples from which a load can be interpolated, piece by piece: at the ends of one piece the next one
-/// begins.
-struct LoadCurve
+/// A load that is costly to find, and what a curve of it has to know.
+struct CurveSource
 {
-  std::vector<LoadSamples> pieces;
-  double error =
-    0; ///< bound on the interpolation's error that checks have confirmed, see RingStack::difference()
-  std::size_t n_samples = 0; ///< loads that were computed
-
-  /// The load between the samples, one polynomial for each piece; from the first sample to the last.
-  LoadFunction interpolate() const;
+  LoadFunction load;
+  /// Positive where the rim carries load all round, negative where it has lifted off in part; changes sign
+  /// where it begins to. Asked only where the load is known. Empty: the rim never lifts off.
+  std::function<double(double x)> clearance = {};
+  std::vector<double> known = {}; ///< where the load costs nothing, ascending
 };
 
-/// Thrown when a curve does not reach its tolerance; what() says what it reached, without a full stop.
-class ToleranceMissed : public std::runtime_error
+/// How well a curve is to know a load, over a_0 (RingStack::difference()).
+struct CurveTolerance
+{
+  double wanted = 1e-6;   ///< with up to `usual_samples`
+  double enough = 2e-5;   ///< with up to twice as many
+  double coarsest = 2e-5; ///< with `most_samples`
+  std::size_t usual_samples = 20;
+  std::size_t most_samples = 200;
+};
+
+/// Samples from which a load can be interpolated, piece by piece: a new piece begins where the rim lifts off,
+/// and where one polynomial would need too many.
+class LoadCurve
 {
 public:
-  using std::runtime_error::runtime_error;
+  /// One polynomial, in a coordinate in which the load is smooth. Where a rim lifts off, a load has half
+  /// powers of the distance to that place, or logarithms: towards it the coordinate is the root of the
+  /// distance.
+  class Piece
+  {
+  public:
+    /// Between @p begin and @p end; @p kink_at_begin and @p kink_at_end: whether the rim lifts off there, or
+    /// stands again.
+    Piece(double begin, double end, bool kink_at_begin, bool kink_at_end);
+
+    double begin() const { return first; }
+    double end() const { return last; }
+    bool has_inside(double x) const { return first < x && x < last; }
+
+    /// Its smooth coordinate, from 0 to 1.
+    double coordinate(double x) const;
+    /// The inverse of coordinate().
+    double place(double coordinate) const;
+    /// The two halves in the smooth coordinate.
+    std::pair<Piece, Piece> halves() const;
+
+  private:
+    double first, last;
+    bool kink_at_first, kink_at_last;
+  };
+
+  /// The load between the samples; from the first sample to the last.
+  LoadFunction interpolate() const;
+
+  std::size_t n_pieces() const { return pieces.size(); }
+  std::size_t n_samples() const { return n_sampled; }
+  /// Bound on the interpolation's error that checks have confirmed, see RingStack::difference().
+  double error() const;
+  /// Where the rim lifts off, ascending.
+  const std::vector<double> &lift_offs() const { return kinks; }
+
+private:
+  friend class CurveSampler;
+  struct Interpolated
+  {
+    Piece piece;
+    LoadFunction load;
+    unsigned int n_intervals; ///< nodes less one
+    double error;
+  };
+  std::vector<Interpolated> pieces; ///< ascending
+  std::vector<double> kinks;
+  std::size_t n_sampled = 0;
 };
 
-/// Samples @p exact on [@p lower, @p upper] at Chebyshev nodes. On each piece the polynomial through 9 nodes,
-/// then that through 17, is checked at three places between them; where it still differs by more than @p
-/// tolerance the piece is halved.
-///
-/// Throws ToleranceMissed when @p most_samples do not do.
-LoadCurve sample_load_curve(const LoadFunction &exact, double lower, double upper, double tolerance,
-                            std::size_t most_samples);
+/// Samples @p source on [@p lower, @p upper] at Chebyshev nodes. Where the rim begins to lift off is found
+/// first; on each piece the polynomial through 9 nodes, then that through 17, is checked between them, where
+/// the load is known if it is; a piece for which these do not do is halved. The worst piece comes first,
+/// until
+/// @p tolerance is reached or the samples are used up: error() tells.
+LoadCurve sample_load_curve(const CurveSource &source, double lower, double upper,
+                            const CurveTolerance &tolerance = {});
 
 } // namespace stemware::pipeline

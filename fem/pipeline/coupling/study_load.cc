@@ -77,10 +77,12 @@ public:
       return { report_at_rest.rings, report_at_rest.tilt };
     const auto known = loads.find(omega);
     if (known != loads.end())
-      return known->second;
-    const auto found = loads.emplace(omega, contacts->load(omega)).first;
+      return known->second.load;
+    const fem::ContactState state = contacts->contact(omega);
+    const auto found =
+      loads.emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load) }).first;
     progress.pieces_done("spins in balance", loads.size(), 0);
-    return found->second;
+    return found->second.load;
   }
   const LoadReport &report() const override { return report_at_rest; }
   bool is_costly() const override { return true; }
@@ -88,17 +90,43 @@ public:
   {
     return omega == 0 ? state_at_rest : contacts->contact(omega);
   }
+  std::vector<double> known_spins() const override
+  {
+    std::vector<double> spins = { 0 };
+    for (const auto &[omega, found] : loads)
+      spins.push_back(omega);
+    std::sort(spins.begin(), spins.end());
+    return spins;
+  }
+  double clearance(double omega) const override
+  {
+    return omega == 0 ? clearance_of(state_at_rest.load) : loads.at(omega).clearance;
+  }
   std::optional<CouplingStatistics> statistics() const override
   {
     return CouplingStatistics{ loads.size(), contacts->n_contact_solutions(), {}, {} };
   }
 
 private:
+  struct Found
+  {
+    LeaningLoad load;
+    double clearance;
+  };
+
+  static double clearance_of(const fem::ContactLoad &load)
+  {
+    constexpr double pi = boost::math::double_constants::pi;
+    // Next to where it vanishes, a load that falls like 1 + cos.
+    return load.contact_fraction < 1 ? -std::pow(pi * (1 - load.contact_fraction), 2) / 2
+                                     : load.least / load.a(0);
+  }
+
   const std::unique_ptr<BalancedContact> contacts;
   const fem::ContactState state_at_rest;
   const LoadReport report_at_rest;
   Progress &progress;
-  mutable std::map<double, LeaningLoad> loads; ///< found so far
+  mutable std::map<double, Found> loads; ///< so far
 };
 
 /// The load of a contact whose marks stay where they are.

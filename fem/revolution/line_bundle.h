@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace stemware::fem
+{
+
+/// A number for each line of a bundle: what the registers of today's processors hold at once, or twice that.
+struct alignas(64) Lanes
+{
+  static constexpr int n = 8;
+  std::array<double, n> value;
+};
+
+/// Table of Lanes, row by row.
+class LaneTable
+{
+public:
+  LaneTable() = default;
+  /// Zeros.
+  LaneTable(Eigen::Index n_rows, Eigen::Index n_columns) { set_zero(n_rows, n_columns); }
+
+  /// Zeros of another shape; memory is kept.
+  void set_zero(Eigen::Index n_rows, Eigen::Index n_columns)
+  {
+    rows = n_rows;
+    columns = n_columns;
+    values.assign(static_cast<std::size_t>(n_rows * n_columns), Lanes{});
+  }
+
+  Eigen::Index n_rows() const { return rows; }
+  Eigen::Index n_columns() const { return columns; }
+  Lanes *row(Eigen::Index i) { return values.data() + i * columns; }
+  const Lanes *row(Eigen::Index i) const { return values.data() + i * columns; }
+  double &operator()(Eigen::Index i, Eigen::Index k, int lane) { return row(i)[k].value[lane]; }
+  double operator()(Eigen::Index i, Eigen::Index k, int lane) const { return row(i)[k].value[lane]; }
+
+private:
+  std::vector<Lanes> values;
+  Eigen::Index rows = 0, columns = 0;
+};
+
+/// Row-major matrix of what all lines of a bundle share.
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The systems (1 + T D) x = b on Lanes::n lines at a time, each with several right-hand sides: D the
+/// compliance of a line's circles, T the banded tangent of the table law on it. Rows of circles that a line
+/// leaves out are those of the identity.
+///
+/// Elimination without pivots: D is positive definite and T that of a pressure that increases, next to
+/// diagonal, so that the steps are those of D itself but for the scales of the rows.
+class LineBundle
+{
+public:
+  /// @p n_circles unknowns on each line, @p band diagonals of T on either side, @p n_columns right-hand
+  /// sides. Sets all to zero.
+  void reset(Eigen::Index n_circles, Eigen::Index band, Eigen::Index n_columns);
+
+  /// T(i, k), |i - k| <= band.
+  double &tangent(Eigen::Index i, Eigen::Index k, int lane) { return bands(i, k - i + n_band, lane); }
+  /// What multiplies the second part of D, column by column.
+  double &slide(Eigen::Index i, int lane) { return slides(i, 0, lane); }
+  /// All right-hand sides but the last one, before T is applied to them.
+  double &shape(Eigen::Index i, Eigen::Index column, int lane) { return shapes(i, column, lane); }
+  /// The last right-hand side.
+  double &unbalanced(Eigen::Index i, int lane) { return system(i, n_unknowns + n_rhs - 1, lane); }
+
+  /// The solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p normal and @p
+  /// radial have the shape [n_circles, n_circles], the latter may be empty. To be called once after reset().
+  LaneTable solve(const RowMatrix &normal, const RowMatrix &radial);
+
+private:
+  Eigen::Index n_unknowns = 0, n_band = 0, n_rhs = 0;
+  LaneTable bands;  ///< T(i, i + k - band), shape [n_circles, 2 band + 1]
+  LaneTable slides; ///< shape [n_circles, 1]
+  LaneTable shapes; ///< shape [n_circles, n_columns - 1]
+  LaneTable system; ///< matrix and right-hand sides, shape [n_circles, n_circles + n_columns]
+  LaneTable local;  ///< D, shape [n_circles, n_circles]
+};
+
+/// sum_i weights(i, a) values(i, c) lane by lane, shape [weights.n_columns(), values.n_columns()].
+LaneTable products(const LaneTable &weights, const LaneTable &values);
+
+} // namespace stemware::fem
