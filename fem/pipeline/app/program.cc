@@ -29,6 +29,7 @@ int run_program(int argc, char *argv[])
     add_compare_verb(program, chosen);
     add_sweep_verb(program, chosen);
     add_slide_verb(program, chosen);
+    add_explore_verb(program, chosen);
     add_mesh_verb(program, chosen);
     add_converge_verb(program, chosen);
     add_defaults_verb(program, chosen);

@@ -42,6 +42,9 @@ void add_sweep_verb(CLI::App &program, Verb &chosen);
 /// `stemware slide`: a glass, a ring or a disc that is pushed and let go.
 void add_slide_verb(CLI::App &program, Verb &chosen);
 
+/// `stemware explore`: a page that solves a study again at every move of a slider.
+void add_explore_verb(CLI::App &program, Verb &chosen);
+
 /// `stemware mesh`: a foot mesh, written or looked at.
 void add_mesh_verb(CLI::App &program, Verb &chosen);
 

@@ -102,7 +102,7 @@ private:
   std::string text;
 };
 
-/// What a rim feels: rings with their harmonics.
+/// State of the rim: its load by harmonics, friction and torques.
 Made state_json(const RingState &state, double contact_radius)
 {
   const ring::RingStack &load = state.load;

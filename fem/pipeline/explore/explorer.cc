@@ -115,7 +115,7 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   if (warm && last->has_rings())
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   SpinQuestion question = spin_question(present);
-  question.with_slope = cold;
+  question.with_slope = question.with_minima = cold; // a move is to be quick
   if (warm)
     question.near = last_spin;
 

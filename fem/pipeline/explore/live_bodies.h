@@ -8,7 +8,7 @@
 namespace stemware::pipeline
 {
 
-/// What an Explorer takes of a study.
+/// Bodies of a study as an Explorer takes them.
 struct LiveBodies
 {
   fem::ContactCompliance foot;

@@ -1,0 +1,88 @@
+#include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/explore/page.h"
+#include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+#include <memory>
+#include <ostream>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Options of `stemware explore`.
+struct ExploreOptions
+{
+  StudyOptions study;
+  std::vector<std::string> glasses, tables;
+  std::string file = "explore.html";
+  unsigned int most_nodes = 0;
+};
+
+/// A table that yields nothing, for pages alone: `run` has the entries.
+const Preset rigid_table = { "rigid",
+                             "a table that yields nothing",
+                             {},
+                             "subsection Table\n  set Interface = hard\n  set Substrate = rigid\nend\n" };
+
+/// Writes the page. Throws BadInput and OutputFailure.
+void explore(const ExploreOptions &options)
+{
+  PageWish wish;
+  wish.study = begin_study(options.study);
+  wish.most_nodes = options.most_nodes;
+  for (const std::string &name : options.glasses)
+    wish.glasses.push_back(preset_of(glass_presets(), "--glass", name));
+  for (const std::string &name : options.tables)
+    wish.tables.push_back(name == rigid_table.name ? rigid_table
+                                                   : preset_of(table_presets(), "--table", name));
+  fem::ComplianceCache cache;
+  const Page page =
+    make_page(wish, live_solver(), cache,
+              [](const PagePair &pair)
+              {
+                console() << fmt::format(FMT_STRING("Pair      {} on {}: {} nodes, {:.4f} rad/s"), pair.glass,
+                                         pair.table, pair.n_nodes, pair.omega)
+                          << (pair.band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair.band) : "") << std::endl;
+              });
+  on_first_rank([&] { replace_text_file(options.file, page.text); });
+  console() << fmt::format(FMT_STRING("Written   {}, {:.0f} kB: open it in a browser\n"), options.file,
+                           static_cast<double>(page.text.size()) / 1e3)
+            << std::flush;
+}
+
+} // namespace
+
+void add_explore_verb(CLI::App &program, Verb &chosen)
+{
+  const auto options = std::make_shared<ExploreOptions>();
+  CLI::App *verb =
+    program.add_subcommand("explore", "Write a page that solves a study live, at every move of a slider");
+  options->study.verb = verb->get_name();
+  add_study_option(*verb, options->study);
+  verb->add_option("--glass", options->glasses, "A glass to choose in the page; may be repeated")
+    ->type_name("GLASS")
+    ->allow_extra_args(false);
+  verb->add_option("--table", options->tables, "A table to choose in the page; may be repeated")
+    ->type_name("TABLE")
+    ->allow_extra_args(false);
+  verb
+    ->add_option("--nodes", options->most_nodes,
+                 "Most nodes across the rim on hard tables; default: as many as `run` has")
+    ->type_name("N")
+    ->check(CLI::Range(9, 10000).description(""));
+  verb->add_option("--output", options->file, "The page; default: explore.html")->type_name("FILE");
+  add_override_option(*verb, options->study);
+  add_console_options(*verb, options->study);
+  verb->footer(help_of("explore"));
+  verb->callback([&chosen, options] { chosen = [options] { explore(*options); }; });
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,378 @@
+#include "fem/pipeline/explore/page.h"
+
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/explore/live_bodies.h"
+#include "fem/pipeline/study/prm_file.h"
+#include "fem/pipeline/study/study_file.h"
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/shared_files.h"
+#include "fem/pipeline/support/text_file.h"
+
+#include <boost/algorithm/string/replace.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+#include <zlib.h>
+
+namespace stemware::pipeline
+{
+
+/// The files page/*, compiled in.
+const CompiledTexts &page_texts();
+
+namespace
+{
+
+std::string base64(const std::string &bytes)
+{
+  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k < bytes.size() + 1 ? letters[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::string gzipped(const std::string &bytes)
+{
+  z_stream stream = {};
+  constexpr int gzip_window = 15 + 16;
+  if (deflateInit2(&stream, 9, Z_DEFLATED, gzip_window, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib does not start.");
+  std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data())); // NOLINT: zlib reads it
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef *>(result.data());
+  stream.avail_out = static_cast<uInt>(result.size());
+  const int end = deflate(&stream, Z_FINISH);
+  result.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (end != Z_STREAM_END)
+    throw std::runtime_error("zlib does not finish.");
+  return result;
+}
+
+/// A compliance as the page has it: its numbers as whole multiples of a step, one for `normal`, `radial` and
+/// `azimuthal` each, which is 2^-bits of the largest of them.
+///
+/// The head of packed() and the steps lie there as they are. Of the numbers there is what a prediction
+/// leaves: by the harmonic before and, of what that leaves, by the three neighbours in front. It is small, as
+/// one harmonic's compliance is much like the next one's and smooth in both radii; small numbers of either
+/// sign become small ones without, of which all lowest bytes come first, and so on: that packs five times as
+/// well as floats do.
+class PagedCompliance
+{
+public:
+  PagedCompliance(const fem::ContactCompliance &compliance, int bits)
+      : given(packed(compliance))
+      , n(compliance.n_nodes())
+      , n_matrices(compliance.n_harmonics() + 2)
+  {
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
+          steps[kind] = std::max(steps[kind], std::abs(given[i]));
+    for (double &step : steps)
+      step = std::ldexp(step > 0 ? step : 1, -bits);
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
+          given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
+  }
+
+  /// The numbers that an Explorer takes, packed().
+  const double *numbers() const { return given.data(); }
+
+  std::string bytes() const
+  {
+    std::string result(reinterpret_cast<const char *>(given.data()), head() * sizeof(double));
+    result.append(reinterpret_cast<const char *>(steps.data()), sizeof steps);
+    std::vector<std::uint32_t> left;
+    for (std::size_t m = 0; m < n_matrices; ++m)
+      for (std::size_t kind = 0; kind < 3; ++kind)
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t i = kind == 0 ? j : 0; i < n; ++i)
+          {
+            // All modulo 2^32.
+            const std::uint32_t rest = change(m, kind, i, j) - (i > 0 ? change(m, kind, i - 1, j) : 0) -
+                                       (j > 0 ? change(m, kind, i, j - 1) : 0) +
+                                       (i > 0 && j > 0 ? change(m, kind, i - 1, j - 1) : 0);
+            left.push_back(rest >> 31 ? ~(rest << 1) : rest << 1);
+          }
+    for (unsigned int shift = 0; shift < 32; shift += 8)
+      for (const std::uint32_t number : left)
+        result += static_cast<char>(number >> shift & 255);
+    result.resize((result.size() + 7) / 8 * 8);
+    return result;
+  }
+
+private:
+  std::size_t head() const { return 6 + n; }
+  std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
+  /// Where a matrix begins in packed().
+  std::size_t begin(std::size_t m, std::size_t kind) const
+  {
+    std::size_t place = head() + m * (size(0) + 2 * size(1));
+    for (std::size_t k = 0; k < kind; ++k)
+      place += size(k);
+    return place;
+  }
+  std::uint32_t whole(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
+  {
+    if (kind == 0 && i < j)
+      std::swap(i, j);
+    const std::size_t place = kind == 0 ? j * n - j * (j + 1) / 2 + i : j * n + i;
+    return static_cast<std::uint32_t>(
+      static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
+  }
+  /// Against the harmonic before.
+  std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
+  {
+    return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
+  }
+
+  std::vector<double> given;
+  std::array<double, 3> steps = {};
+  std::size_t n, n_matrices;
+};
+
+/// The entries that a preset sets.
+std::vector<std::string> entries_of(const Preset &preset)
+{
+  Study study;
+  read_prm(preset.name, preset.text, study_entries(study));
+  return { study.given_entries.begin(), study.given_entries.end() };
+}
+
+Study study_of(const PageWish &wish, const Preset *glass, const Preset *table)
+{
+  Study study = wish.study;
+  for (const Preset *preset : { glass, table })
+    if (preset)
+      read_prm(preset->name, preset->text, study_entries(study));
+  check_study(study);
+  return study;
+}
+
+/// The values of @p study that are not the defaults.
+std::vector<std::pair<std::string, std::string>> values_of(const Study &study)
+{
+  Study defaults, copy = study;
+  const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
+  std::vector<std::pair<std::string, std::string>> values;
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (own[i].text() != standard[i].text())
+      values.emplace_back(own[i].path(), own[i].text());
+  return values;
+}
+
+std::vector<std::string> acting_entries(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> acting;
+  for (const StudyEntry &entry : study_entries(copy))
+    if (entry.has_effect(copy))
+      acting.push_back(entry.path());
+  return acting;
+}
+
+double spin_of(const Study &study, fem::ComplianceCache &cache)
+{
+  const auto foot = study_foot(study, cache);
+  return spin_row(*find_load(study, foot), spin_question(study)).terminal.value().omega;
+}
+
+/// The spin by an Explorer on the compliances as the page has them.
+double spin_in_page(const Study &study, const PagedCompliance &foot, const PagedCompliance *disc)
+{
+  Explorer explorer;
+  for (const auto &[path, value] : values_of(study))
+    explorer.set(path, value);
+  explorer.take(std::make_shared<const fem::ContactCompliance>(unpacked(foot.numbers())), false);
+  if (disc)
+    explorer.take(std::make_shared<const fem::ContactCompliance>(unpacked(disc->numbers())), true);
+  explorer.ready(study.contact.fineness);
+  const LiveAnswer answer = explorer.solve(all_harmonics, true);
+  return answer.all.omega_terminal().value();
+}
+
+/// The compliances of all pairs, each once.
+class Bodies
+{
+public:
+  std::size_t add(const PagedCompliance &compliance)
+  {
+    const std::string own = compliance.bytes();
+    const auto [place, is_new] = known.emplace(own, known.size());
+    if (is_new)
+    {
+      places.push_back(bytes.size());
+      bytes += own;
+    }
+    return place->second;
+  }
+
+  std::string bytes;
+  nlohmann::ordered_json places = nlohmann::ordered_json::array();
+
+private:
+  std::map<std::string, std::size_t> known;
+};
+
+/// Makes the focused mesh of @p study so coarse that it has at most @p most_nodes; nothing where it has.
+void coarsen(Study &study, unsigned int most_nodes, fem::ComplianceCache &cache)
+{
+  if (most_nodes == 0 || !revolution_setup(study).resolution.has_focus())
+    return;
+  while (live_bodies(study, cache).foot.n_nodes() > most_nodes && study.contact.fineness > 0.05)
+    study.contact.fineness *= 0.85;
+}
+
+nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::string &own)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Preset &preset : presets)
+    list.push_back({ { "name", preset.name }, { "words", preset.words }, { "sets", entries_of(preset) } });
+  if (presets.empty())
+    list.push_back({ { "name", own }, { "words", "" }, { "sets", nlohmann::ordered_json::array() } });
+  return list;
+}
+
+/// The text between the tags of a script of a page.
+std::string script_in(const std::string &page, const std::string &id)
+{
+  const std::string tag = "id=\"" + id + "\">";
+  const std::size_t begin = page.find(tag), end = page.find("</script>", begin);
+  if (begin == std::string::npos || end == std::string::npos)
+    return "";
+  return page.substr(begin + tag.size(), end - begin - tag.size());
+}
+
+} // namespace
+
+LiveSolver live_solver()
+{
+  for (const std::filesystem::path &folder : shared_folders())
+  {
+    const std::string script = read_text_file(folder / "explore.js"),
+                      wasm = read_text_file(folder / "explore.wasm");
+    if (!script.empty() && !wasm.empty())
+      return { base64(gzipped(script)), base64(gzipped(wasm)) };
+  }
+  for (const std::filesystem::path &folder : shared_folders())
+  {
+    const std::string page = read_text_file(folder / "explore.html");
+    const LiveSolver solver = { script_in(page, "glue"), script_in(page, "wasm") };
+    if (!solver.script.empty() && !solver.wasm.empty())
+      return solver;
+  }
+  throw BadInput(
+    "This Stemware has no solver for a page; build it with -D STEMWARE_EXPLORE=ON, or put the page "
+    "explore.html of the project into share/stemware.");
+}
+
+Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCache &cache,
+               const std::function<void(const PagePair &)> &done)
+{
+  constexpr double tolerance = 1e-8; // of the answer, by the numbers' digits [rad/s]
+  Page page;
+  Bodies bodies;
+  nlohmann::ordered_json pairs;
+  const auto add_pair = [&](const Preset *glass, const Preset *table)
+  {
+    Study study = study_of(wish, glass, table);
+    PagePair pair;
+    pair.glass = glass ? glass->name : "glass of the study";
+    pair.table = table ? table->name : "table of the study";
+    pair.omega = spin_of(study, cache);
+    coarsen(study, wish.most_nodes, cache);
+    const bool is_coarse = study.contact.fineness < 1;
+    const LiveBodies live = live_bodies(study, cache);
+    std::optional<double> here;
+    for (const int bits : { is_coarse ? 20 : 24, 27, 30 })
+    {
+      const PagedCompliance foot(live.foot, bits);
+      std::optional<PagedCompliance> disc;
+      if (live.disc)
+        disc.emplace(*live.disc, bits);
+      here = spin_in_page(study, foot, disc ? &*disc : nullptr);
+      if (is_coarse)
+        pair.band = 2 * std::abs(*here - pair.omega);
+      else if (bits < 30 && std::abs(*here - pair.omega) > tolerance)
+        continue;
+      pair.n_nodes = live.foot.n_nodes();
+      pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
+      pairs[pair.glass + '|' + pair.table] = {
+        { "values", values_of(study) },
+        { "acts", acting_entries(study) },
+        { "foot", bodies.add(foot) },
+        { "disc", disc ? nlohmann::ordered_json(bodies.add(*disc)) : nlohmann::ordered_json() },
+        { "fineness", study.contact.fineness },
+        { "nodes", pair.n_nodes },
+        { "omega", pair.omega },
+        { "here", *here },
+        { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
+      };
+      break;
+    }
+    page.pairs.push_back(pair);
+    if (done)
+      done(pair);
+  };
+  const auto each_of = [](const std::vector<Preset> &presets)
+  {
+    std::vector<const Preset *> list;
+    for (const Preset &preset : presets)
+      list.push_back(&preset);
+    return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
+  };
+  for (const Preset *glass : each_of(wish.glasses))
+    for (const Preset *table : each_of(wish.tables))
+      add_pair(glass, table);
+
+  Study defaults;
+  nlohmann::ordered_json entries;
+  for (const StudyEntry &entry : study_entries(defaults))
+    entries[entry.path()] = entry.text();
+  const nlohmann::ordered_json data = { { "version", program_version() },
+                                        { "tolerance", tolerance },
+                                        { "near_band", 1e-4 },
+                                        { "glasses", buttons(wish.glasses, "glass of the study") },
+                                        { "tables", buttons(wish.tables, "table of the study") },
+                                        { "entries", entries },
+                                        { "pairs", pairs },
+                                        { "bodies", bodies.places } };
+  const CompiledTexts &texts = page_texts();
+  page.text = text_of(texts, "page.html");
+  const auto put = [&](const std::string &mark, std::string text)
+  {
+    boost::replace_all(text, "</script", "<\\/script");
+    boost::replace_first(page.text, "/*" + mark + "*/", text);
+  };
+  put("STYLE", text_of(texts, "style.css"));
+  put("DATA", data.dump());
+  put("BODIES", base64(gzipped(bodies.bytes)));
+  put("WASM", solver.wasm);
+  put("GLUE", solver.script);
+  put("WORKER", text_of(texts, "worker.js"));
+  put("STRINGS", text_of(texts, "strings.js"));
+  put("SCRIPT", text_of(texts, "page.js"));
+  return page;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,59 @@
+// The page of `stemware explore`: the committed one says what the program says, and a new one is made of it.
+#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_entries.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::test
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+nlohmann::json data_of(const std::string &page)
+{
+  return nlohmann::json::parse(between(page, "id=\"data\">", "</script>"));
+}
+
+TEST(ExplorePage, TheCommittedAnswersAreTheProgramsAndThePageIsSmall)
+{
+  const std::string page = read_text(fs::path(STEMWARE_DOCS) / "explore.html");
+  EXPECT_LT(page.size(), 900'000u);
+  const nlohmann::json pairs = data_of(page)["pairs"];
+  EXPECT_EQ(pairs.size(), 3u);
+  for (const auto &[name, pair] : pairs.items())
+  {
+    pipeline::Study study;
+    for (const auto &value : pair["values"])
+      pipeline::assign(pipeline::study_entries(study), "", value[0], value[1]);
+    fem::ComplianceCache cache;
+    const auto foot = pipeline::study_foot(study, cache);
+    const double omega =
+      pipeline::spin_row(*pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
+    EXPECT_NEAR(pair["omega"].get<double>(), omega, 1e-9) << name;
+    EXPECT_NEAR(pair["here"].get<double>(), omega, pair["band"].is_null() ? 1e-8 : pair["band"].get<double>())
+      << name;
+  }
+}
+
+TEST(ExplorePage, OfAStudyOfOnesOwn)
+{
+  const ScratchFolder scratch;
+  scratch.write("study.prm", "subsection Motion\n  set Mass = 250 g\nend\n");
+  const Ended made = stemware(scratch, { "explore", "study.prm", "--output", "page.html" });
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const nlohmann::json pairs = data_of(read_text(scratch / "page.html"))["pairs"];
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs.begin().value()["values"][0][1], "0.25");
+
+  scratch.write("solid.prm", "subsection Contact\n  set Body = solid\nend\n");
+  const Ended refused = stemware(scratch, { "explore", "solid.prm" });
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("a body of revolution alone"), std::string::npos) << refused.err;
+}
+
+} // namespace
+} // namespace stemware::test
