@@ -40,6 +40,7 @@ else
   cp -r -- "$source/meshes" "$source/quickstart" .
   cp meshes/flat_foot.msh my_foot.msh
   for study in my_glass.prm glass.prm; do stemware defaults >$study; done
+  sed -nE 's/^    (t \(s\), .*|[0-9.]+, -?[0-9.]+)$/\1/p' "$source/docs/measure.md" >filmed.csv
 fi
 
 # The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks

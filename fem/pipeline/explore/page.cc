@@ -156,7 +156,10 @@ std::vector<std::string> entries_of(const Preset &preset)
 {
   Study study;
   read_prm(preset.name, preset.text, study_entries(study));
-  return { study.given_entries.begin(), study.given_entries.end() };
+  std::vector<std::string> paths;
+  for (const auto &[path, text] : study.given_entries)
+    paths.push_back(path);
+  return paths;
 }
 
 Study study_of(const PageWish &wish, const Preset *glass, const Preset *table)

@@ -18,6 +18,7 @@ set format x ""
 set ylabel "τ_{z} (" . unit(scale) . ")"
 plot data using 1:($2 * scale) with lines lt 1 title "all harmonics", \
      data using 1:($3 * scale) with lines lt 2 title "first harmonic"
+if (note ne "") unset label 99 # once for both
 set tmargin at screen 0.47; set bmargin at screen 0.17
 set format x
 set xlabel "spin ω (rad/s)"
