@@ -1,6 +1,7 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/load_curve.h"
+#include "ring_model/coulomb_ring.h"
 #include "ring_model/unilateral_foundation.h"
 
 #include <Eigen/Geometry>
