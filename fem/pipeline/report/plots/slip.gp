@@ -23,6 +23,6 @@ do for [i=1:n_title] {
          lw 1.5 dt 1 lc rgb "#0072b2", \
        data index i - 1 using ($6 >= 0 ? cos($1) : NaN):(sin($1)):(0.5 * $4):(0.5 * $5) with vectors head size screen 0.011,22 filled \
          lw 1.5 dt 1 lc rgb "#d55e00"
-  if (i == 1 && note ne "") unset label 99 # once for both
+  if (i == 1 && note ne "") { unset label 99 }
 }
 unset multiplot
