@@ -1,7 +1,7 @@
 #pragma once
 
-/// Functions that a page calls: one Explorer by the names of entries. All texts are JSON in UTF-8, valid until the
-/// next call; answers that there are not are {"error": sentence}.
+/// Functions that a page calls: one Explorer by the names of entries. All texts are JSON in UTF-8, valid
+/// until the next call; answers that there are not are {"error": sentence}.
 extern "C"
 {
   /// Forgets everything: the default study, no compliances.
