@@ -1,5 +1,6 @@
 // The pictures of the foot: what they are drawn from, and that gnuplot draws them without a complaint.
 #include "fem/pipeline/report/plots/foot_plots.h"
+#include "fem/pipeline/report/render/report.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
