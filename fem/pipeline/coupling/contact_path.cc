@@ -30,13 +30,6 @@ ContactPath::Found::Found(const fem::ContactState &state)
 {
 }
 
-ContactPath::Found::Found(const Found &found, const fem::ContactStart &expected)
-    : Found(found)
-{
-  start.motion -= expected.motion;
-  start.normal_displacement -= expected.normal_displacement;
-}
-
 void ContactPath::append(const fem::ContactState &state)
 {
   constexpr std::size_t most = 24, newest = 8;
@@ -100,48 +93,25 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
   return std::nullopt;
 }
 
-std::optional<fem::ContactStart> ContactPath::as_similar(const std::vector<const Found *> &own,
-                                                         double spin) const
-{
-  std::vector<const Found *> similar;
-  for (const Found &one : of_similar)
-    similar.push_back(&one);
-  std::optional<fem::ContactStart> expected = between(similar, spin, 1);
-  if (!expected)
-    return expected;
-  std::vector<Found> differences;
-  for (const Found *one : own)
-    if (const auto there = between(similar, one->slip.spin_per_speed, 1))
-      differences.emplace_back(*one, *there);
-  std::vector<const Found *> points;
-  for (const Found &one : differences)
-    points.push_back(&one);
-  if (const auto difference = between(points, spin, 1))
-  {
-    expected->motion += difference->motion;
-    expected->normal_displacement += difference->normal_displacement;
-    expected->forces = difference->forces;
-  }
-  return expected;
-}
-
 fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                                      const fem::ContactState *before) const
 {
   fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
   const unsigned int zone = guess.before ? guess.before->zone : 0;
   const Eigen::Vector4d asked = numbers_of(demand);
-  std::vector<const Found *> known, same_demand;
+  std::vector<const Found *> known, same_demand, similar;
   for (const Found &one : recent)
     if (same_marks(one.slip, slip) && one.zone == zone)
       known.push_back(&one);
   for (const Found *one : known)
     if (one->demand == asked)
       same_demand.push_back(one);
-  if (zone == 0)
-    guess.expected = as_similar(same_demand, slip.spin_per_speed);
+  guess.expected = between(same_demand, slip.spin_per_speed, 2);
+  for (const Found &one : of_similar)
+    if (zone == 0)
+      similar.push_back(&one);
   if (!guess.expected)
-    guess.expected = between(same_demand, slip.spin_per_speed, 2);
+    guess.expected = between(similar, slip.spin_per_speed, 1);
   if (guess.expected || known.empty())
     return guess;
   const double radius = last->load.mean_radius;

@@ -15,9 +15,8 @@ class ContactPath
 public:
   /// Where the contact under @p demand at @p slip is to be looked for: near @p before, or near the last one
   /// where that is nothing. What is expected is the polynomial in the spin through the nearest contacts under
-  /// the same demand; of a foot with a similar one, that foot's polynomial and the polynomial through what
-  /// these differ from it, however few they are; without either, the nearest contact. Only contacts with the
-  /// same marks count.
+  /// the same demand; where fewer than two are near enough, that of the similar foot; without one, the
+  /// nearest contact. Only contacts with the same marks count.
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
@@ -32,8 +31,6 @@ private:
   struct Found
   {
     explicit Found(const fem::ContactState &state);
-    /// @p found without what is @p expected there.
-    Found(const Found &found, const fem::ContactStart &expected);
 
     /// Normal force, moment and tilt moment; the friction's moment depends on the spin and is left out.
     Eigen::Vector4d demand;
@@ -45,10 +42,6 @@ private:
   /// The polynomial through those of @p points that are nearest to @p spin, at least @p n_least of them.
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
-
-  /// The contact at @p spin that those of the similar foot let expect, corrected by what the contacts @p own
-  /// differ from that; nothing without a similar foot.
-  std::optional<fem::ContactStart> as_similar(const std::vector<const Found *> &own, double spin) const;
 
   std::optional<fem::ContactState> last;
   std::vector<Found> recent;     ///< oldest first

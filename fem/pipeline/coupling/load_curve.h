@@ -48,7 +48,6 @@ public:
     /// stands again.
     Piece(double begin, double end, bool kink_at_begin, bool kink_at_end);
 
-    double begin() const { return first; }
     double end() const { return last; }
     bool has_inside(double x) const { return first < x && x < last; }
 

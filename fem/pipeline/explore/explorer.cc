@@ -26,12 +26,8 @@ constexpr double farthest = 1.5;
 bool is_live(const std::string &path)
 {
   static const std::vector<std::string> outside_motion = {
-    "Glass/Crown radius",       "Glass/Young modulus",
-    "Table/Interface",          "Table/Foundation modulus",
-    "Table/Reference pressure", "Table/Decay length",
-    "Table/Disc Young modulus", "Contact/Rings",
-    "Contact/Azimuth lines",    "Contact/Load harmonics",
-    "Contact/Friction coupling"
+    "Glass/Crown radius", "Glass/Young modulus",   "Table/Foundation modulus", "Table/Disc Young modulus",
+    "Contact/Rings",      "Contact/Azimuth lines", "Contact/Load harmonics",   "Contact/Friction coupling"
   };
   if (path == "Motion/Orbit speed file")
     return false;

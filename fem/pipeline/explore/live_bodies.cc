@@ -4,9 +4,6 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/revolution_foot.h"
-
-#include <algorithm>
 
 namespace stemware::pipeline
 {
@@ -35,16 +32,10 @@ LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache)
   require_live(study);
   const fem::RevolutionSetup setup = revolution_setup(study);
   const fem::MeridianMeshes meshes(setup);
-  const auto foot = cache.get(meshes.foot, setup.material, setup.meridian);
-  const auto disc =
-    setup.table.substrate ? cache.get(meshes.disc, setup.table.substrate->material, setup.meridian) : nullptr;
-  const auto both = std::make_shared<const fem::ContactCompliance>(setup.together(*foot, disc.get()));
-  const fem::RevolutionFoot whole(setup, both);
-  const Eigen::VectorXd &part = whole.elastic_body().contact_compliance().radii;
-  const auto first = std::lower_bound(foot->radii.begin(), foot->radii.end(), part(0)) - foot->radii.begin();
-  LiveBodies bodies = { foot->part(first, part.size()), {} };
-  if (disc)
-    bodies.disc = disc->part(first, part.size());
+  const fem::MeridianOptions options = setup.meridian_of_zone();
+  LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), {} };
+  if (setup.table.substrate)
+    bodies.disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
   return bodies;
 }
 
