@@ -6,8 +6,6 @@
 #include "fem/revolution/pressure_field.h"
 #include "fem/revolution/revolution_output.h"
 
-#include <sstream>
-
 namespace stemware::fem
 {
 
@@ -90,9 +88,8 @@ std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) c
 {
   const Zone &zone = zone_of(state);
   const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
-  std::ostringstream file;
-  write_revolution_fields(field(state), pressure, state.solution.motion, axis(state.slip.orientation), file);
-  return { { "contact.vtu", file.str() } };
+  return { { "contact.vtu", revolution_fields(field(state), pressure, state.solution.motion,
+                                              axis(state.slip.orientation)) } };
 }
 
 std::vector<StressedPatch> MeshedRevolutionFoot::section(const ContactState &state, double theta) const

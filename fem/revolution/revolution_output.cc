@@ -2,15 +2,17 @@
 #include "fem/revolution/revolution_output.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/vtu_writer.h"
 
-#include <deal.II/base/data_out_base.h>
-#include <deal.II/grid/reference_cell.h>
+#include <deal.II/fe/fe_q.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -19,17 +21,6 @@ using namespace dealii;
 
 namespace
 {
-
-using Patch = DataOutBase::Patch<3, 3>;
-
-/// Rows of a patch's data.
-constexpr unsigned int displacement_row = 0;
-constexpr unsigned int stress_row = 3;
-constexpr unsigned int strain_row = 12;
-constexpr unsigned int von_mises_row = 21;
-constexpr unsigned int pressure_row = 22;
-constexpr unsigned int point_row = 23;
-constexpr unsigned int n_rows = 26;
 
 /// Strain of isotropic elasticity under a stress.
 Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &material)
@@ -43,42 +34,6 @@ double von_mises(const Eigen::Matrix3d &stress)
   const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
   return std::sqrt(1.5) * deviator.norm();
 }
-
-/// deal.II's writers on patches that no mesh has made.
-class PatchWriter : public DataOutInterface<3, 3>
-{
-public:
-  explicit PatchWriter(std::vector<Patch> patches)
-      : patches(std::move(patches))
-  {
-  }
-
-private:
-  const std::vector<Patch> &get_patches() const override { return patches; }
-
-  std::vector<std::string> get_dataset_names() const override
-  {
-    std::vector<std::string> names(3, "displacement");
-    names.insert(names.end(), 9, "stress");
-    names.insert(names.end(), 9, "strain");
-    names.insert(names.end(), { "von_mises_stress", "contact_pressure" });
-    return names;
-  }
-
-  std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                         DataComponentInterpretation::DataComponentInterpretation>>
-  get_nonscalar_data_ranges() const override
-  {
-    return {
-      { displacement_row, stress_row - 1, "displacement",
-        DataComponentInterpretation::component_is_part_of_vector },
-      { stress_row, strain_row - 1, "stress", DataComponentInterpretation::component_is_part_of_tensor },
-      { strain_row, von_mises_row - 1, "strain", DataComponentInterpretation::component_is_part_of_tensor }
-    };
-  }
-
-  const std::vector<Patch> patches;
-};
 
 /// Nodes of one meridional cell's picture: a grid of pieces, each with the nodes of a Lagrange cell.
 class CellGrid
@@ -114,8 +69,19 @@ public:
     return place == (face % 2 == 0 ? 0 : (face < 2 ? columns : rows) - 1);
   }
 
-  const unsigned int degree;
-  const std::array<unsigned int, 2> n_pieces;
+  unsigned int degree;
+  std::array<unsigned int, 2> n_pieces;
+};
+
+/// Nodes of the meridian, those of neighbouring cells in common, and the fields there: the stresses are the
+/// means of those of the cells that meet in a node.
+struct MeridianNode
+{
+  Point<2> at;               ///< (r, z) [m]
+  Eigen::MatrixXd in_phase;  ///< sums over the cells, rows as of MeridianField::Amplitudes
+  Eigen::MatrixXd conjugate; ///< likewise
+  unsigned int n_cells = 0;
+  bool is_contact = false;
 };
 
 class FootPicture
@@ -128,26 +94,55 @@ public:
       , motion(motion)
       , axis(axis)
       , degree(field.space().dof_handler().get_fe().degree)
-      , n_sectors(sectors_round_the_rim())
-      , basis(n_harmonics(), degree * n_sectors)
-      , n_contact_pieces(find_contact_pieces())
+      , span(degree % 2 == 0 ? 2 : 1)
+      , basis((field.n_modes() - 1) / 2, n_azimuths())
   {
+    find_nodes();
   }
 
-  std::vector<Patch> patches() const
+  std::string text() const
   {
-    std::vector<Patch> result;
-    for (const auto &cell : field.space().dof_handler().active_cell_iterators())
-      append(cell, result);
-    for (unsigned int i = 0; i < result.size(); ++i)
-      result[i].patch_index = i;
-    return result;
+    VtuWriter writer((span + 1) * (span + 1) * (span + 1));
+    const std::vector<std::int32_t> cells = cells_of(writer);
+    const std::size_t n_points = nodes.size() * basis.n_lines();
+    std::vector<float> points(3 * n_points), displacement(points.size()), stress(9 * n_points),
+      strain(stress.size()), mises(n_points), contact_pressure(n_points);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+    {
+      const MeridianNode &node = nodes[n];
+      const Eigen::MatrixXd in_phase = node.in_phase / node.n_cells * basis.values().transpose();
+      const Eigen::MatrixXd conjugate = node.conjugate / node.n_cells * basis.conjugates().transpose();
+      const Eigen::VectorXd on_circle =
+        node.is_contact ? pressure.on_circle(node.at[0], basis) : Eigen::VectorXd::Zero(basis.n_lines());
+      for (unsigned int line = 0; line < basis.n_lines(); ++line)
+      {
+        const std::size_t point = n * basis.n_lines() + line;
+        const PointFields values =
+          in_slip_frame(node.at, basis.azimuth(line) + axis, in_phase.col(line), conjugate.col(line));
+        const auto put = [point](const auto &from, std::vector<float> &to)
+        {
+          const auto n_components = static_cast<std::size_t>(from.size());
+          for (std::size_t i = 0; i < n_components; ++i)
+            to[n_components * point + i] = static_cast<float>(from.data()[i]);
+        };
+        put(values.point, points);
+        put(values.displacement, displacement);
+        put(values.stress, stress);
+        put(strain_of(values.stress, field.material()), strain);
+        mises[point] = static_cast<float>(von_mises(values.stress));
+        contact_pressure[point] = static_cast<float>(on_circle(line));
+      }
+    }
+    writer.add_field("displacement", 3, std::move(displacement));
+    writer.add_field("stress", 9, std::move(stress));
+    writer.add_field("strain", 9, std::move(strain));
+    writer.add_field("von_mises_stress", 1, std::move(mises));
+    writer.add_field("contact_pressure", 1, std::move(contact_pressure));
+    return writer.text(points, cells);
   }
 
 private:
   using Cell = DoFHandler<2>::active_cell_iterator;
-  /// All rows of a patch's data at the nodes of a cell's grid, [azimuth](row, node).
-  using CellData = std::vector<Eigen::Matrix<double, n_rows, Eigen::Dynamic>>;
 
   static unsigned int contact_face(const Cell &cell)
   {
@@ -157,144 +152,123 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  static bool is_contact(const Cell &cell) { return contact_face(cell) != numbers::invalid_unsigned_int; }
+  /// Four nodes to the wave of the highest harmonic, in whole sectors.
+  unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 64u) / span * span; }
 
-  unsigned int n_harmonics() const { return (field.n_modes() - 1) / 2; }
-
-  /// Six nodes to the wave of the highest harmonic.
-  unsigned int sectors_round_the_rim() const { return std::max(6 * n_harmonics(), 96u) / degree; }
-
-  /// Halves the contact cells until the trapezoidal rule on the drawn nodes finds the normal force.
-  unsigned int find_contact_pieces() const
+  /// The load [N] of a contact cell that is cut into @p n_pieces, by the trapezoidal rule on the drawn nodes.
+  double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
-    constexpr unsigned int most = 32;
-    unsigned int n_pieces = 1;
-    while (n_pieces < most && std::abs(drawn_force(n_pieces) / pressure.force() - 1) > 0.005)
-      n_pieces *= 2;
-    return n_pieces;
-  }
-
-  double drawn_force(unsigned int n_pieces) const
-  {
-    double force = 0;
-    const double width = FourierBasis::norm(0) / basis.n_lines();
+    const auto face = cell->face(contact_face(cell));
     const unsigned int n_intervals = degree * n_pieces;
-    for (const Cell &cell : field.space().dof_handler().active_cell_iterators())
-    {
-      const unsigned int face = contact_face(cell);
-      if (face == numbers::invalid_unsigned_int)
-        continue;
-      const double begin = cell->face(face)->vertex(0)[0];
-      const double step = (cell->face(face)->vertex(1)[0] - begin) / n_intervals;
-      for (unsigned int i = 0; i <= n_intervals; ++i)
-        force += (i % n_intervals == 0 ? 0.5 : 1) * std::abs(step) * width * (begin + i * step) *
-                 pressure.on_circle(begin + i * step, basis).sum();
-    }
+    const double begin = face->vertex(0)[0], step = (face->vertex(1)[0] - begin) / n_intervals;
+    const double width = FourierBasis::norm(0) / basis.n_lines();
+    double force = 0;
+    for (unsigned int i = 0; i <= n_intervals; ++i)
+      force += (i % n_intervals == 0 ? 0.5 : 1) * std::abs(step) * width * (begin + i * step) *
+               pressure.on_circle(begin + i * step, basis).sum();
     return force;
   }
 
-  /// A contact cell is cut along its face where it carries load.
-  CellGrid grid_of(const Cell &cell) const
+  /// A contact cell is cut along its face until half a per cent of the load at most is missing.
+  CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);
     if (face == numbers::invalid_unsigned_int)
       return { degree, { 1, 1 } };
-    return face < 2 ? CellGrid(degree, { 1, n_contact_pieces }) : CellGrid(degree, { n_contact_pieces, 1 });
+    constexpr unsigned int most = 32;
+    const double force = drawn_force(cell, most), allowed = 0.005 * pressure.force() / n_contact_cells;
+    unsigned int n = 1;
+    while (n < most && std::abs(drawn_force(cell, n) - force) > allowed)
+      n *= 2;
+    return face < 2 ? CellGrid(degree, { 1, n }) : CellGrid(degree, { n, 1 });
   }
 
-  void append(const Cell &cell, std::vector<Patch> &patches) const
+  void find_nodes()
   {
-    const CellGrid grid = grid_of(cell);
-    const CellData data = evaluate(cell, grid);
-    for (unsigned int sector = 0; sector < n_sectors; ++sector)
-      for (unsigned int j = 0; j < grid.n_pieces[1]; ++j)
-        for (unsigned int i = 0; i < grid.n_pieces[0]; ++i)
-          patches.push_back(make_patch(grid, data, i, j, sector));
-  }
-
-  /// The piece of a cell swept over one sector; its coordinates are the cell's two with the azimuth between
-  /// them, which makes it right-handed.
-  Patch make_patch(const CellGrid &grid, const CellData &data, unsigned int column, unsigned int row,
-                   unsigned int sector) const
-  {
-    const unsigned int n_nodes = degree + 1;
-    Patch patch;
-    patch.reference_cell = ReferenceCells::Hexahedron;
-    patch.n_subdivisions = degree;
-    patch.points_are_available = true;
-    patch.data.reinit(n_rows, n_nodes * n_nodes * n_nodes);
-    for (unsigned int j = 0, node = 0; j < n_nodes; ++j)
-      for (unsigned int k = 0; k < n_nodes; ++k)
-      {
-        const auto &values = data[(sector * degree + k) % basis.n_lines()];
-        for (unsigned int i = 0; i < n_nodes; ++i, ++node)
-          for (unsigned int r = 0; r < n_rows; ++r)
-            patch.data(r, node) =
-              static_cast<float>(values(r, grid.index(column * degree + i, row * degree + j)));
-      }
-    return patch;
-  }
-
-  CellData evaluate(const Cell &cell, const CellGrid &grid) const
-  {
-    const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, grid.points());
-    const std::vector<Point<2>> &nodes = amplitudes.points;
-    const Eigen::MatrixXd in_phase = amplitudes.in_phase * basis.values().transpose();
-    const Eigen::MatrixXd conjugate = amplitudes.conjugate * basis.conjugates().transpose();
-    CellData data(basis.n_lines());
-    for (unsigned int line = 0; line < basis.n_lines(); ++line)
+    const FE_Q<2> scalar(degree);
+    const std::vector<unsigned int> of_lattice = scalar.get_poly_space_numbering_inverse();
+    const auto &element = field.space().dof_handler().get_fe();
+    std::map<MeridianSpace::Dof, unsigned int> places; // of the elements' own nodes
+    std::vector<MeridianSpace::Dof> dofs(element.n_dofs_per_cell());
+    for (const Cell &cell : field.space().dof_handler().active_cell_iterators())
     {
-      data[line].resize(n_rows, nodes.size());
-      for (unsigned int node = 0; node < nodes.size(); ++node)
-        data[line].col(node) =
-          in_slip_frame(nodes[node], basis.azimuth(line) + axis, in_phase.block<6, 1>(6 * node, line),
-                        conjugate.block<3, 1>(3 * node, line));
+      const unsigned int face = contact_face(cell);
+      CellGrid grid = grid_of(cell, field.space().n_contact_nodes() / degree);
+      const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, grid.points());
+      cell->get_dof_indices(dofs);
+      std::vector<unsigned int> of_grid;
+      const auto [columns, rows] = grid.extent();
+      for (unsigned int j = 0; j < rows; ++j)
+        for (unsigned int i = 0; i < columns; ++i)
+        {
+          unsigned int place = static_cast<unsigned int>(nodes.size());
+          if (i % grid.n_pieces[0] == 0 && j % grid.n_pieces[1] == 0)
+          {
+            const unsigned int lattice = j / grid.n_pieces[1] * (degree + 1) + i / grid.n_pieces[0];
+            place = places.emplace(dofs[element.component_to_system_index(2, of_lattice[lattice])], place)
+                      .first->second;
+          }
+          if (place == nodes.size())
+            nodes.push_back({ amplitudes.points[grid.index(i, j)], Eigen::MatrixXd::Zero(6, field.n_modes()),
+                              Eigen::MatrixXd::Zero(3, field.n_modes()) });
+          MeridianNode &node = nodes[place];
+          node.in_phase += amplitudes.in_phase.middleRows<6>(6 * grid.index(i, j));
+          node.conjugate += amplitudes.conjugate.middleRows<3>(3 * grid.index(i, j));
+          ++node.n_cells;
+          node.is_contact |= face != numbers::invalid_unsigned_int && grid.is_on_face(grid.index(i, j), face);
+          of_grid.push_back(place);
+        }
+      grids.emplace_back(std::move(grid), std::move(of_grid));
     }
-    if (is_contact(cell))
-      add_pressure(contact_face(cell), grid, nodes, data);
-    return data;
   }
 
-  void add_pressure(unsigned int face, const CellGrid &grid, const std::vector<Point<2>> &nodes,
-                    CellData &data) const
+  /// Points of the cells: pieces of the meridional cells swept over a sector each. A cell's coordinates are
+  /// the meridian's two with the azimuth between them, which makes it right-handed.
+  std::vector<std::int32_t> cells_of(const VtuWriter &writer) const
   {
-    for (unsigned int node = 0; node < nodes.size(); ++node)
-      if (grid.is_on_face(node, face))
-      {
-        const Eigen::VectorXd on_circle = pressure.on_circle(nodes[node][0], basis);
-        for (unsigned int line = 0; line < basis.n_lines(); ++line)
-          data[line](pressure_row, node) = on_circle(line);
-      }
+    const unsigned int n_nodes = span + 1;
+    std::vector<std::int32_t> cells, cell(n_nodes * n_nodes * n_nodes);
+    for (const auto &[grid, of_grid] : grids)
+      for (unsigned int line = 0; line < basis.n_lines(); line += span)
+        for (unsigned int row = 0; row + 1 < grid.extent()[1]; row += span)
+          for (unsigned int column = 0; column + 1 < grid.extent()[0]; column += span)
+          {
+            for (unsigned int j = 0; j < n_nodes; ++j)
+              for (unsigned int k = 0; k < n_nodes; ++k)
+                for (unsigned int i = 0; i < n_nodes; ++i)
+                  cell[writer.place(i, k, j)] =
+                    static_cast<std::int32_t>(of_grid[grid.index(column + i, row + j)] * basis.n_lines() +
+                                              (line + k) % basis.n_lines());
+            cells.insert(cells.end(), cell.begin(), cell.end());
+          }
+    return cells;
   }
+
+  struct PointFields
+  {
+    Eigen::Vector3d point, displacement;
+    Eigen::Matrix3d stress;
+  };
 
   /// A node's displacement and stress, from cylindrical components, with the table's motion put back on the
   /// glass.
-  Eigen::Matrix<double, n_rows, 1> in_slip_frame(const Point<2> &at, double azimuth,
-                                                 const Eigen::Matrix<double, 6, 1> &in_phase,
-                                                 const Eigen::Vector3d &conjugate) const
+  PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
+                            const Eigen::Vector3d &conjugate) const
   {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // columns e_r, e_theta, e_z
     axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(azimuth).toRotationMatrix();
-    const Eigen::Vector3d point = axes * Eigen::Vector3d(at[0], 0, at[1]);
+    PointFields values;
+    values.point = axes * Eigen::Vector3d(at[0], 0, at[1]);
     const Eigen::Vector2d tilt = motion.tail<2>();
-    Eigen::Vector3d displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
-    displacement.head<2>() -= tilt * point(2);
-    displacement(2) += motion(0) + tilt.dot(point.head<2>());
+    values.displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
+    values.displacement.head<2>() -= tilt * values.point(2);
+    values.displacement(2) += motion(0) + tilt.dot(values.point.head<2>());
     Eigen::Matrix3d stress;
     stress << in_phase(2), conjugate(1), in_phase(5), //
       conjugate(1), in_phase(3), conjugate(2),        //
       in_phase(5), conjugate(2), in_phase(4);
-    stress = (axes * stress * axes.transpose()).eval();
-    const Eigen::Matrix3d strain = strain_of(stress, field.material());
-
-    Eigen::Matrix<double, n_rows, 1> rows;
-    rows.segment<3>(displacement_row) = displacement;
-    rows.segment<9>(stress_row) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(stress.data());
-    rows.segment<9>(strain_row) = Eigen::Map<const Eigen::Matrix<double, 9, 1>>(strain.data());
-    rows(von_mises_row) = von_mises(stress);
-    rows(pressure_row) = 0;
-    rows.segment<3>(point_row) = point;
-    return rows;
+    values.stress = axes * stress * axes.transpose();
+    return values;
   }
 
   const MeridianField &field;
@@ -302,23 +276,18 @@ private:
   const Eigen::Vector3d motion;
   const double axis;
   const unsigned int degree;
-  const unsigned int n_sectors;
+  const unsigned int span;  ///< intervals of a drawn cell in each direction: 2 with 27 nodes, 1 with 8
   const FourierBasis basis; ///< on the azimuths of the picture's nodes
-  const unsigned int n_contact_pieces;
+  std::vector<MeridianNode> nodes;
+  std::vector<std::pair<CellGrid, std::vector<unsigned int>>> grids; ///< of the cells, with their nodes
 };
 
 } // namespace
 
-void write_revolution_fields(const MeridianField &field, const PressureField &pressure,
-                             const Eigen::Vector3d &motion, double axis, std::ostream &file)
+std::string revolution_fields(const MeridianField &field, const PressureField &pressure,
+                              const Eigen::Vector3d &motion, double axis)
 {
-  PatchWriter writer(FootPicture(field, pressure, motion, axis).patches());
-  DataOutBase::VtkFlags flags;
-  flags.write_higher_order_cells = field.space().dof_handler().get_fe().degree > 1;
-  flags.compression_level = decltype(flags.compression_level)::best_speed;
-  flags.print_date_and_time = false; // equal runs give equal files
-  writer.set_flags(flags);
-  writer.write_vtu(file);
+  return FootPicture(field, pressure, motion, axis).text();
 }
 
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)

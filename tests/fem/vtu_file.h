@@ -11,7 +11,8 @@
 namespace stemware::fem_tests
 {
 
-/// The arrays of a VTU file of one piece: as much of the format as deal.II writes (zlib-compressed base64).
+/// The arrays of a VTU file of one piece: as much of the format as deal.II writes (zlib-compressed base64),
+/// and appended raw ones with headers of 64 bits.
 class VtuFile
 {
 public:
@@ -24,8 +25,9 @@ public:
       const std::string tag = text.substr(at, begin - at);
       const bool is_point_list = text.rfind("<Points>", at) != std::string::npos && !has(tag, "Name=");
       const std::string name = is_point_list ? "points" : attribute(tag, "Name");
-      const std::string body = text.substr(begin, text.find('<', begin) - begin);
-      const std::string bytes = inflated(body);
+      const std::string bytes = has(tag, "appended")
+                                  ? appended(text, std::stoul(attribute(tag, "offset")))
+                                  : inflated(text.substr(begin, text.find('<', begin) - begin));
       if (has(tag, "Float32"))
         numbers[name] = converted<float>(bytes);
       else if (has(tag, "Int32"))
@@ -73,6 +75,15 @@ private:
       }
     }
     return bytes;
+  }
+
+  /// The array at @p offset behind the underscore, with its length before it.
+  static std::string appended(const std::string &text, std::size_t offset)
+  {
+    const std::size_t begin = text.find('_', text.find("<AppendedData encoding=\"raw\">")) + 1 + offset;
+    std::uint64_t n_bytes = 0;
+    std::memcpy(&n_bytes, text.data() + begin, sizeof(n_bytes));
+    return text.substr(begin + sizeof(n_bytes), n_bytes);
   }
 
   /// A header of four numbers (blocks, their size, the last one's, compressed size) stands before the data.
