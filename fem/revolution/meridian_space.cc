@@ -110,14 +110,15 @@ MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int
   SparsityPattern pattern;
   space.make_pattern(constraints, pattern);
   SparseMatrix<double> matrix(pattern);
-  for (std::size_t k = 0; k < parts.size(); ++k)
+  std::vector<std::array<double, 3>> sums = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  if (harmonic < 2)
+    sums = { MeridianStiffness::factors_of(harmonic) };
+  for (const std::array<double, 3> &factors : sums)
   {
-    std::array<double, 3> factors = {};
-    factors[k] = 1;
     space.stiffness->assemble(factors, constraints, matrix);
     const LowerTriangle lower = lower_triangle_of(matrix);
-    parts[k] = Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros());
-    if (k == 0)
+    parts.emplace_back(Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros()));
+    if (!inverse)
       inverse = std::make_unique<BlockInverse>(lower, of_contact);
   }
 }
@@ -125,9 +126,9 @@ MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int
 HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic) const
 {
   const std::array<double, 3> factors = MeridianStiffness::factors_of(harmonic);
-  Eigen::MatrixXd displacements =
-    (*inverse)(factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2],
-               static_cast<unsigned int>(n_nodes));
+  Eigen::MatrixXd displacements = (*inverse)(
+    parts.size() == 1 ? parts[0] : factors[0] * parts[0] + factors[1] * parts[1] + factors[2] * parts[2],
+    static_cast<unsigned int>(n_nodes));
   // A contact node is free unless it lies on the axis.
   for (Eigen::Index i = 0; i < 3 * n_nodes; ++i)
     if (const auto *entries = constraints.get_constraint_entries(of_contact[static_cast<std::size_t>(i)]))

@@ -78,7 +78,8 @@ public:
     const dealii::AffineConstraints<double> constraints;
     const Eigen::Index n_nodes;
     std::vector<unsigned int> of_contact; ///< dofs: u_z of the contact nodes, then u_r, then u_theta
-    std::array<Eigen::VectorXd, 3> parts; ///< entries of K_0, K_1 and K_2
+    /// Entries of K_0, K_1 and K_2; of the harmonics 0 and 1, which are alone, those of their K.
+    std::vector<Eigen::VectorXd> parts;
     std::unique_ptr<const BlockInverse> inverse;
   };
 

@@ -1,6 +1,6 @@
 #include "fem/revolution/meridian_stiffness.h"
 
-#include "fem/elasticity/harmonic_strain.h"
+#include "fem/elasticity/harmonic_stiffness.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
@@ -15,45 +15,39 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
                                      const ElasticMaterial &material)
 {
   const FiniteElement<2> &element = dof_handler.get_fe();
-  const unsigned int n_dofs = element.n_dofs_per_cell();
-  const double lambda = material.lame_lambda();
-  const double shear = material.shear_modulus();
+  const unsigned int n_dofs = element.n_dofs_per_cell(), n_shapes = n_dofs / 3;
+  for (unsigned int i = 0; i < n_shapes; ++i)
+    for (unsigned int c = 0; c < 3; ++c)
+      order.push_back(element.component_to_system_index(c, i));
+  const HarmonicStiffness stiffness(material);
   FEValues<2> fe_values(mapping, element, QGauss<2>(element.degree + 1),
                         update_values | update_gradients | update_JxW_values | update_quadrature_points);
-  std::vector<ShapeStrain> strains(n_dofs);
+  std::vector<types::global_dof_index> dofs(n_dofs);
+  Eigen::MatrixXd fields(fe_values.n_quadrature_points, HarmonicStiffness::n_fields * n_shapes);
+  Eigen::VectorXd weights(fe_values.n_quadrature_points);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
     fe_values.reinit(cell);
-    Cell stiffness;
-    stiffness.dofs.resize(n_dofs);
-    cell->get_dof_indices(stiffness.dofs);
-    stiffness.parts.fill(FullMatrix<double>(n_dofs, n_dofs));
     for (const unsigned int q : fe_values.quadrature_point_indices())
     {
       const double radius = fe_values.quadrature_point(q)[0];
-      const double weight = fe_values.JxW(q) * radius;
-      for (unsigned int i = 0; i < n_dofs; ++i)
+      weights(q) = fe_values.JxW(q) * radius;
+      for (unsigned int i = 0; i < n_shapes; ++i)
       {
-        const Tensor<1, 2> gradient = fe_values.shape_grad(i, q);
-        strains[i] = strain_of(element.system_to_component_index(i).first, fe_values.shape_value(i, q),
-                               { gradient[0], gradient[1] }, radius);
+        const Tensor<1, 2> gradient = fe_values.shape_grad(order[3 * i], q);
+        fields(q, i) = gradient[0];
+        fields(q, n_shapes + i) = gradient[1];
+        fields(q, 2 * n_shapes + i) = fe_values.shape_value(order[3 * i], q) / radius;
       }
-      for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-        {
-          const ShapeStrain &a = strains[i];
-          const ShapeStrain &b = strains[j];
-          stiffness.parts[0](i, j) += weight * energy_product(a.constant, b.constant, lambda, shear);
-          stiffness.parts[1](i, j) += weight * (energy_product(a.constant, b.linear, lambda, shear) +
-                                                energy_product(a.linear, b.constant, lambda, shear));
-          stiffness.parts[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
-        }
     }
-    for (FullMatrix<double> &part : stiffness.parts) // symmetric
-      for (unsigned int i = 0; i < n_dofs; ++i)
-        for (unsigned int j = 0; j < i; ++j)
-          part(j, i) = part(i, j);
-    cells.push_back(std::move(stiffness));
+    Cell entry;
+    cell->get_dof_indices(dofs);
+    for (const unsigned int i : order)
+      entry.dofs.push_back(dofs[i]);
+    const auto parts = stiffness.parts(fields.transpose() * weights.asDiagonal() * fields);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data()); // symmetric
+    cells.push_back(std::move(entry));
   }
 }
 
@@ -62,9 +56,15 @@ double MeridianStiffness::product(unsigned int harmonic, unsigned int active_cel
 {
   const std::array<FullMatrix<double>, 3> &parts = cells[active_cell].parts;
   const std::array<double, 3> factors = factors_of(harmonic);
+  Vector<double> v(first.size()), w(first.size());
+  for (unsigned int i = 0; i < order.size(); ++i)
+  {
+    v(i) = first(order[i]);
+    w(i) = second(order[i]);
+  }
   double sum = 0;
   for (std::size_t k = 0; k < parts.size(); ++k)
-    sum += factors[k] * parts[k].matrix_scalar_product(first, second);
+    sum += factors[k] * parts[k].matrix_scalar_product(v, w);
   return sum;
 }
 

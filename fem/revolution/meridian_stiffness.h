@@ -41,9 +41,10 @@ public:
 private:
   struct Cell
   {
-    std::vector<dealii::types::global_dof_index> dofs;
-    std::array<dealii::FullMatrix<double>, 3> parts; ///< factors of 1, n and n^2
+    std::vector<dealii::types::global_dof_index> dofs; ///< as HarmonicStiffness orders them
+    std::array<dealii::FullMatrix<double>, 3> parts;   ///< factors of 1, n and n^2
   };
+  std::vector<unsigned int> order; ///< the element's numbers of a cell's dofs
   std::vector<Cell> cells;
 };
 

@@ -1,6 +1,6 @@
 #include "fem/solid/section_grid.h"
 
-#include "fem/elasticity/harmonic_strain.h"
+#include "fem/elasticity/harmonic_stiffness.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -187,32 +187,21 @@ std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const Mer
   return functions;
 }
 
-void SectionGrid::add_point(const Shapes &shapes, double radius, double weight,
-                            const ElasticMaterial &material, SquareStiffness &stiffness)
+void SectionGrid::add_point(const Shapes &shapes, double radius, double weight, Products &products)
 {
-  std::array<ShapeStrain, 12> strains;
-  for (unsigned int i = 0; i < 12; ++i)
-    strains[i] = strain_of(i % 3, shapes.values[i / 3], shapes.gradients[i / 3], radius);
-  const double lambda = material.lame_lambda();
-  const double shear = material.shear_modulus();
-  for (unsigned int i = 0; i < 12; ++i)
-    for (unsigned int j = 0; j < 12; ++j)
-    {
-      const ShapeStrain &a = strains[i];
-      const ShapeStrain &b = strains[j];
-      stiffness[0](i, j) += weight * energy_product(a.constant, b.constant, lambda, shear);
-      stiffness[1](i, j) += weight * (energy_product(a.constant, b.linear, lambda, shear) +
-                                      energy_product(a.linear, b.constant, lambda, shear));
-      stiffness[2](i, j) += weight * energy_product(a.linear, b.linear, lambda, shear);
-    }
+  Eigen::Matrix<double, 12, 1> fields;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    fields(i) = shapes.gradients[i][0];
+    fields(4 + i) = shapes.gradients[i][1];
+    fields(8 + i) = shapes.values[i] / radius;
+  }
+  products += weight * fields * fields.transpose();
 }
 
-std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLevel &level,
-                                                                 const ElasticMaterial &material) const
+std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &level) const
 {
-  std::vector<SquareStiffness> sums(squares.n_active_cells());
-  for (SquareStiffness &sum : sums)
-    sum.fill(Eigen::Matrix<double, 12, 12>::Zero());
+  std::vector<Products> sums(squares.n_active_cells(), Products::Zero());
   std::vector<double> is_touched(sums.size(), 0);
   FEValues<3> values(level.mapping, level.element, QGauss<3>(2),
                      update_quadrature_points | update_JxW_values);
@@ -226,8 +215,7 @@ std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLeve
       const MeridianPlace place = place_of(values.quadrature_point(q));
       const Square square = square_at(place);
       is_touched[square->active_cell_index()] = 1;
-      add_point(shapes_at(square, place), place.radius, values.JxW(q), material,
-                sums[square->active_cell_index()]);
+      add_point(shapes_at(square, place), place.radius, values.JxW(q), sums[square->active_cell_index()]);
     }
     constexpr double little = 1e-3;
     for (const unsigned int v : cell->vertex_indices())
@@ -237,8 +225,7 @@ std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLeve
     }
   }
   const MPI_Comm communicator = level.dof_handler.get_communicator();
-  const ArrayView<double> numbers(sums.front().front().data(),
-                                  sums.size() * sizeof(SquareStiffness) / sizeof(double));
+  const ArrayView<double> numbers(sums.front().data(), sums.size() * sizeof(Products) / sizeof(double));
   Utilities::MPI::sum(ArrayView<const double>(numbers), communicator, numbers);
   Utilities::MPI::max(is_touched, communicator, is_touched);
   const QGauss<2> quadrature(2);
@@ -250,7 +237,7 @@ std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLeve
       const double share =
         is_touched[square->active_cell_index()] > 0 ? stiffness_of_touched_square : stiffness_of_empty_square;
       const double volume = 2 * numbers::PI * point[0] * width * width * quadrature.weight(q);
-      add_point(shapes_at(square, { point[0], point[1] }), point[0], share * volume, material,
+      add_point(shapes_at(square, { point[0], point[1] }), point[0], share * volume,
                 sums[square->active_cell_index()]);
     }
   return sums;
@@ -259,7 +246,10 @@ std::vector<SectionGrid::SquareStiffness> SectionGrid::integrate(const SolidLeve
 std::array<Eigen::SparseMatrix<double>, 3> SectionGrid::stiffness(const SolidLevel &level,
                                                                   const ElasticMaterial &material) const
 {
-  const std::vector<SquareStiffness> of_squares = integrate(level, material);
+  const HarmonicStiffness stiffness(material);
+  std::vector<std::array<Eigen::MatrixXd, 3>> of_squares;
+  for (const Products &products : integrate(level))
+    of_squares.push_back(stiffness.parts(products));
   std::array<Eigen::SparseMatrix<double>, 3> parts;
   for (unsigned int p = 0; p < 3; ++p)
   {

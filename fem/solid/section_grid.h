@@ -53,17 +53,16 @@ private:
     std::array<double, 4> values;
     std::array<std::array<double, 2>, 4> gradients;
   };
-  /// The parts of K_n on one square, unknown 3 * vertex + component.
-  using SquareStiffness = std::array<Eigen::Matrix<double, 12, 12>, 3>;
+  /// What HarmonicStiffness makes the parts of K_n on one square of.
+  using Products = Eigen::Matrix<double, 12, 12>;
 
   void make_squares(const SolidLevel &level);
   unsigned int root_index(const MeridianPlace &place) const;
   Square square_at(const MeridianPlace &place) const;
   std::vector<dealii::types::global_dof_index> dofs_of(const Square &square) const;
   static Shapes shapes_at(const Square &square, const MeridianPlace &place);
-  static void add_point(const Shapes &shapes, double radius, double weight, const ElasticMaterial &material,
-                        SquareStiffness &stiffness);
-  std::vector<SquareStiffness> integrate(const SolidLevel &level, const ElasticMaterial &material) const;
+  static void add_point(const Shapes &shapes, double radius, double weight, Products &products);
+  std::vector<Products> integrate(const SolidLevel &level) const;
   /// Calls @p use(free node, weight) for what makes up node @p dof.
   template <typename Use>
   void resolve(dealii::types::global_dof_index dof, double factor, const Use &use) const;
