@@ -15,6 +15,12 @@ namespace
 
 using Tree = boost::property_tree::ptree;
 
+[[noreturn]] void throw_binary()
+{
+  throw UnreadableMesh(
+    "is a binary .vtu; save it in ASCII (ParaView: Save Data, Data Mode Ascii), or as .msh.");
+}
+
 /// Arrays of a VTU file by their names.
 using Arrays = std::map<std::string, std::vector<double>>;
 
@@ -26,8 +32,7 @@ Arrays arrays_of(const Tree &parent)
     if (key != "DataArray")
       continue;
     if (node.get<std::string>("<xmlattr>.format", "") != "ascii")
-      throw UnreadableMesh(
-        "is a binary .vtu; save it in ASCII (ParaView: Save Data, Data Mode Ascii), or as .msh.");
+      throw_binary();
     std::vector<double> &values = arrays[node.get<std::string>("<xmlattr>.Name", "")];
     Words words(node.data());
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
@@ -118,6 +123,9 @@ private:
 
 MeshContent read_vtu(const std::string &text)
 {
+  // Raw bytes are no XML.
+  if (text.find("<AppendedData") != std::string::npos)
+    throw_binary();
   // The parser of XML calls itself for every level.
   constexpr long most_tags = 2000;
   if (std::count(text.begin(), text.end(), '<') > most_tags)

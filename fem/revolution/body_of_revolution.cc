@@ -1,7 +1,6 @@
 #include "fem/revolution/body_of_revolution.h"
 
 #include "fem/contact/line_integral.h"
-#include "fem/revolution/line_newton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +91,7 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   const Eigen::MatrixXd unbalanced = forces.reshaped(state.rows(), state.cols()) - state;
   // Of the largest force: what rounding leaves where a contact has gone.
   const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
-  const LineNewton newton(response, tangent, unbalanced, negligible);
+  const LineNewton newton(response, tangent, unbalanced, functions, negligible);
   const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));
   increment = found.forces;
   last_resistance = found.resistance;

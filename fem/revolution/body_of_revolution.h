@@ -2,6 +2,7 @@
 
 #include "fem/contact/elastic_body.h"
 #include "fem/revolution/elastic_response.h"
+#include "fem/revolution/line_newton.h"
 
 #include <functional>
 #include <optional>
@@ -68,6 +69,7 @@ private:
   Eigen::MatrixXd increment;    ///< of the forces, by the last solve()
   Eigen::MatrixXd moved;        ///< of the displacement
   Eigen::Matrix3d last_resistance = Eigen::Matrix3d::Zero();
+  LineNewton::Functions functions; ///< of the last solve()
 };
 
 } // namespace stemware::fem

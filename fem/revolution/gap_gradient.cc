@@ -86,7 +86,8 @@ public:
     const Eigen::Index n = system.n_forces();
     const Eigen::MatrixXd rhs =
       Eigen::Map<const Eigen::MatrixXd>(x.begin(), response.n_radii(), response.n_lines());
-    const LineNewton newton(response, tangent, rhs);
+    LineNewton::Functions functions;
+    const LineNewton newton(response, tangent, rhs, functions);
     const LineNewton::Increment found = newton.solve(resultants, -system.row_values(x));
     Eigen::Map<Eigen::VectorXd>(result.begin(), n) = found.forces.reshaped();
     Eigen::Map<Eigen::Vector3d>(result.begin() + n) = found.motion.cwiseQuotient(unit);

@@ -46,11 +46,14 @@ HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCo
 } // namespace
 
 LineNewton::LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-                       const Eigen::MatrixXd &unbalanced, double negligible)
+                       const Eigen::MatrixXd &unbalanced, Functions &known, double negligible)
     : response(response)
+    , smooth(known)
 {
   find_lines(tangent, unbalanced, negligible);
-  choose_functions();
+  if (known.first != circles.first || known.size != circles.size ||
+      known.has_sliding != response.has_sliding())
+    known = chosen_functions();
   eliminate_lines(tangent, unbalanced);
 }
 
@@ -94,7 +97,7 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
                                  const Eigen::MatrixXd &unbalanced)
 {
   const Eigen::Index n_radii = response.n_radii(), n_lines = response.n_lines();
-  const Eigen::Index n_functions = functions.cols();
+  const Eigen::Index n_functions = smooth.values.cols();
   const Eigen::VectorXd &radii = response.compliance().radii;
   const HarmonicCompliance local = response.local(circles.first, circles.size);
   LineBundle system;
@@ -121,7 +124,7 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
         if (response.has_sliding())
           system.slide(i, lane) = response.radial_traction()(first + i, j);
         for (Eigen::Index k = 0; k < n_functions; ++k)
-          system.shape(i, k, lane) = functions(from + i, k);
+          system.shape(i, k, lane) = smooth.values(from + i, k);
         system.shape(i, n_functions, lane) = 1;
         system.shape(i, n_functions + 1, lane) = radii(first + i) * std::cos(theta);
         system.shape(i, n_functions + 2, lane) = radii(first + i) * std::sin(theta);
@@ -141,10 +144,11 @@ void LineNewton::eliminate_lines(const Eigen::SparseMatrix<double> &tangent,
   }
 }
 
-void LineNewton::choose_functions()
+LineNewton::Functions LineNewton::chosen_functions() const
 {
   const unsigned int n_max = response.basis().n_harmonics();
   const Eigen::VectorXd radii = response.compliance().radii.segment(circles.first, circles.size);
+  Functions chosen = { circles.first, circles.size, response.has_sliding(), {}, {} };
   std::vector<HarmonicCompliance> whole;
   for (unsigned int n = 0; n <= n_max; ++n)
     whole.push_back(response.difference(n, circles.first, circles.size));
@@ -155,7 +159,7 @@ void LineNewton::choose_functions()
                      whole[0].normal.norm());
   for (Eigen::Index n_functions = std::min<Eigen::Index>(2, circles.size);; ++n_functions)
   {
-    functions = polynomials(radii, n_functions);
+    const Eigen::MatrixXd functions = polynomials(radii, n_functions);
     const auto left_out = [&](const Eigen::MatrixXd &matrix)
     {
       return (matrix - functions * (functions.transpose() * matrix * functions) * functions.transpose())
@@ -169,15 +173,18 @@ void LineNewton::choose_functions()
         worst = std::max({ worst, left_out(whole[n].radial), left_out(whole[n].azimuthal) });
     }
     if (worst <= allowed || n_functions >= std::min(circles.size, most_functions))
-      break;
+    {
+      for (const HarmonicCompliance &harmonic : whole)
+        chosen.reduced.push_back(reduced_to(functions, harmonic));
+      chosen.values = functions;
+      return chosen;
+    }
   }
-  for (const HarmonicCompliance &harmonic : whole)
-    reduced.push_back(reduced_to(functions, harmonic));
 }
 
 LaneTable LineNewton::tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const
 {
-  const Eigen::Index p = functions.cols(), n_radii = response.n_radii(), n_lines = response.n_lines();
+  const Eigen::Index p = smooth.values.cols(), n_radii = response.n_radii(), n_lines = response.n_lines();
   const auto [first, size] = bundle.circles;
   LaneTable tests(size, n_kinds() * p + 3);
   for (Eigen::Index i = 0; i < size; ++i)
@@ -190,7 +197,7 @@ LaneTable LineNewton::tested(const Bundle &bundle, const Eigen::MatrixX3d &weigh
                                 : kind == 1 ? response.radial_traction()(first + i, j)
                                             : response.azimuthal_traction()(first + i, j);
         for (Eigen::Index k = 0; k < p; ++k)
-          tests(i, kind * p + k, lane) = traction * functions(first - circles.first + i, k);
+          tests(i, kind * p + k, lane) = traction * smooth.values(first - circles.first + i, k);
       }
       for (Eigen::Index a = 0; a < 3; ++a)
         tests(i, n_kinds() * p + a, lane) = weights(j * n_radii + first + i, a);
@@ -202,7 +209,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
                                         const Eigen::Vector3d &residual) const
 {
   const FourierBasis &basis = response.basis();
-  const Eigen::Index p = functions.cols();
+  const Eigen::Index p = smooth.values.cols();
   const Eigen::Index n_modes = basis.n_modes();
   const Eigen::Index n_lines = response.n_lines();
   const Eigen::Index n_radii = response.n_radii();
@@ -269,7 +276,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
         for (Eigen::Index k = 0; k < p * p; ++k)
           block[k] = pair(k);
       }
-      const HarmonicCompliance &harmonic = reduced[FourierBasis::harmonic(row_mode)];
+      const HarmonicCompliance &harmonic = smooth.reduced[FourierBasis::harmonic(row_mode)];
       const Eigen::MatrixXd weight = (kind == 0   ? harmonic.normal
                                       : kind == 1 ? harmonic.radial
                                                   : harmonic.azimuthal) /

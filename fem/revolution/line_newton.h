@@ -22,10 +22,21 @@ namespace stemware::fem
 class LineNewton
 {
 public:
+  /// The smooth functions of r on neighbouring circles, and the response of their amplitudes.
+  struct Functions
+  {
+    Eigen::Index first = 0, size = 0; ///< of the circles
+    bool has_sliding = false;
+    Eigen::MatrixXd values; ///< orthonormal polynomials in r, shape [size, n_functions]
+    /// By harmonic, shapes [n_functions, n_functions].
+    std::vector<HarmonicCompliance> reduced;
+  };
+
   /// @p tangent as in ContactForces, @p unbalanced r on the lines, shape [n_radii, n_lines] [N]; places
-  /// without tangent where it is @p negligible [N] or less are left alone.
+  /// without tangent where it is @p negligible [N] or less are left alone. The functions are those of
+  /// @p known where these are of the same circles, and are left there.
   LineNewton(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
-             const Eigen::MatrixXd &unbalanced, double negligible = 0);
+             const Eigen::MatrixXd &unbalanced, Functions &known, double negligible = 0);
 
   struct Increment
   {
@@ -58,7 +69,7 @@ private:
 
   void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
                   double negligible);
-  void choose_functions();
+  Functions chosen_functions() const;
   void eliminate_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced);
   /// Sums over the circles of a bundle of its solution with the functions, these times the tractions, and @p
   /// weights of the conditions, shape [n_kinds n_functions + 3, n_functions + 4].
@@ -69,10 +80,8 @@ private:
   const ElasticResponse &response;
   std::vector<Range> lines;
   std::vector<Bundle> bundles;
-  Range circles;             ///< of all lines together
-  Eigen::MatrixXd functions; ///< orthonormal polynomials in r, shape [circles.size, n_functions]
-  /// Response of the functions' amplitudes by harmonic, shapes [n_functions, n_functions].
-  std::vector<HarmonicCompliance> reduced;
+  Range circles; ///< of all lines together
+  const Functions &smooth;
 };
 
 } // namespace stemware::fem

@@ -179,8 +179,9 @@ TEST_P(SmallFoot, StepIsThatOfTheDenseSystem)
   law->evaluate(solution.normal_displacement, contact);
   const Eigen::MatrixXd unbalanced =
     (contact.forces - dense.forces).reshaped(foot.body.forces().rows(), few_lines);
+  LineNewton::Functions functions;
   const LineNewton::Increment increment =
-    LineNewton(foot.body.elastic_response(), contact.tangent, unbalanced)
+    LineNewton(foot.body.elastic_response(), contact.tangent, unbalanced, functions)
       .solve(wanted, wanted.residual(dense.forces, dense.motion));
   EXPECT_GT(dense.increment.norm(), 0.1 * dense.forces.norm()); // a step worth looking at
   EXPECT_LT((increment.forces.reshaped() - dense.increment).norm(), 1e-3 * dense.increment.norm());

@@ -225,6 +225,12 @@ TEST(VtuMesh, OfTwoPiecesOrDeepXmlIsRefused)
   const std::size_t begin = text.find("<Piece"), end = text.find("</Piece>") + 8;
   const std::string piece = text.substr(begin, end - begin);
   expect_refused(text.substr(0, end) + piece + text.substr(end), ".vtu", "has 2 pieces");
+  expect_refused(boost::replace_first_copy(text, "ascii", "binary"), ".vtu", "is a binary .vtu");
+  // Raw bytes, as ParaView and the fields of a foot have them, may look like tags.
+  const std::string appended =
+    "<AppendedData encoding=\"raw\">_" + std::string(3000, '<') + "</AppendedData>";
+  expect_refused(boost::replace_first_copy(text, "</UnstructuredGrid>", "</UnstructuredGrid>" + appended),
+                 ".vtu", "is a binary .vtu");
   for (const std::string open : { "<a>", "<a b=\"/>\">", "<a><!--</a>-->" })
   {
     std::string deep;
