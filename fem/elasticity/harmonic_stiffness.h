@@ -27,7 +27,7 @@ public:
   std::array<Eigen::MatrixXd, 3> parts(const Eigen::MatrixXd &products) const;
 
 private:
-  /// What the product of fields p and q adds to the stiffness between components c and d: [part][c][d](p, q).
+  /// Stiffness between components c and d for each product of fields p and q: [part][c][d](p, q).
   std::array<std::array<std::array<Eigen::Matrix3d, 3>, 3>, 3> coefficients;
 };
 

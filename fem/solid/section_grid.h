@@ -53,7 +53,7 @@ private:
     std::array<double, 4> values;
     std::array<std::array<double, 2>, 4> gradients;
   };
-  /// What HarmonicStiffness makes the parts of K_n on one square of.
+  /// Integrals over one square, as HarmonicStiffness::parts() takes them.
   using Products = Eigen::Matrix<double, 12, 12>;
 
   void make_squares(const SolidLevel &level);

@@ -290,29 +290,46 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
 SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                      const Executor &executor, Progress &progress, Depth depth)
 {
+  SpinStudy result;
+  std::size_t n_counted = 0;
+  const auto newly_solved = [&]
+  {
+    const std::size_t before = n_counted;
+    n_counted = foot ? foot->n_contacts() : 0;
+    return n_counted - before;
+  };
+  const auto solved_for_load = [&load]
+  { return load.statistics() ? load.statistics()->n_contact_solutions : 0; };
+  const std::size_t for_load = solved_for_load();
+  result.contacts.answer = newly_solved();
   std::vector<LoadedRow> solved =
     rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth);
-  SpinStudy result;
+  const std::size_t of_answer = solved_for_load() - for_load;
+  result.contacts.answer += of_answer;
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
   if (depth == Depth::full)
     result.one_ring = row_on_one_ring(study, foot, result.all(), executor);
+  result.contacts.budget = newly_solved() - of_answer;
 
   const std::vector<double> shown = shown_spins(study, solved);
   interpolate_loads(shown.front(), shown.back(), 1, executor, solved);
   if (const auto statistics = solved.back().load->statistics())
     result.curve_error = statistics->interpolation_error;
   result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
+  result.contacts.curves = newly_solved();
   if (depth == Depth::full)
     result.budget = find_budget(study, foot, solved, executor, progress);
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
+  result.contacts.budget += newly_solved();
   result.torque = torque_curve(study, solved, 1);
   result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load, result.all());
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
+  result.contacts.curves += newly_solved();
   return result;
 }
 

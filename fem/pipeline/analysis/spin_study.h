@@ -87,6 +87,7 @@ struct SpinStudy
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
   /// Error of the curves' load, which is interpolated in the spin, over a_0; nothing where it is exact.
   std::optional<double> curve_error = {};
+  ContactCounts contacts = {};
   /// Scatter of a drawn profile's points, where somebody asked for it: profile_scatter().
   std::optional<ProfileScatter> profile_scatter = {};
 

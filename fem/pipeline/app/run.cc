@@ -52,11 +52,13 @@ void run(const RunOptions &run_options)
   const double last_spin = spin.all().last_spin().value();
   stopwatch.finish("ring");
   ContactReport report;
+  const auto n_contacts = [&foot] { return foot ? foot->n_contacts() : 0; };
+  const std::size_t n_for_spin = n_contacts();
   executor.for_each(
     1, [&](std::size_t) { report = describe(study, foot, *load, last_spin); }, is_collective(study));
-  if (report.coupling)
-    report.coupling->interpolation_error = spin.curve_error;
+  spin.contacts.answer += n_contacts() - n_for_spin;
   stopwatch.finish("report_of_contact");
+  const std::size_t n_before_bands = n_contacts();
   ErrorBands bands;
   if (depth == Depth::full)
   {
@@ -64,7 +66,13 @@ void run(const RunOptions &run_options)
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
     spin.profile_scatter = profile_scatter(study, spin.all(), executor, progress);
+    spin.contacts.bands = n_contacts() - n_before_bands;
     stopwatch.finish("error_bands");
+  }
+  if (report.coupling)
+  {
+    report.coupling->interpolation_error = spin.curve_error;
+    report.coupling->contacts = spin.contacts;
   }
 
   // 3. The answer, and the results, all at once.

@@ -37,6 +37,12 @@ std::shared_ptr<ElasticFoot> ElasticFoot::twin() const
   return twin;
 }
 
+void ElasticFoot::start_like(const ElasticFoot &similar)
+{
+  path.start_like(similar.path, *foot, *similar.foot);
+  n_solved = similar.n_solved;
+}
+
 fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip &slip, Progress &progress,
                                      const fem::ContactState *before)
 {
@@ -51,6 +57,7 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
                                        step.step_length, step.linear_iterations });
                 });
   path.append(state);
+  ++*n_solved;
   return state;
 }
 

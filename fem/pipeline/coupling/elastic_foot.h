@@ -4,6 +4,8 @@
 #include "fem/pipeline/coupling/contact_path.h"
 #include "fem/pipeline/support/progress.h"
 
+#include <atomic>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,8 +40,12 @@ public:
   fem::ContactState solve(fem::ContactDemand demand, const ring::Slip &slip = {},
                           Progress &progress = silent_progress(), const fem::ContactState *before = nullptr);
 
-  /// Contacts start from what those of @p similar let expect, the foot of a study that differs little.
-  void start_like(const ElasticFoot &similar) { path.start_like(similar.path, *foot, *similar.foot); }
+  /// Contacts start from what those of @p similar let expect, the foot of a study that differs little, and
+  /// count with them.
+  void start_like(const ElasticFoot &similar);
+
+  /// Contacts solved so far by this foot, its twins and those that start like them.
+  std::size_t n_contacts() const { return *n_solved; }
 
   /// solve() that remembers the last contact it has found: what is asked for at rest is asked for often.
   fem::ContactState solve_at_rest(const fem::ContactDemand &demand, const ring::Orientation &marks,
@@ -61,6 +67,7 @@ private:
   bool placed = false; ///< whether set_rings() has been called
   ContactPath path;
   std::optional<fem::ContactState> at_rest; ///< of solve_at_rest()
+  std::shared_ptr<std::atomic<std::size_t>> n_solved = std::make_shared<std::atomic<std::size_t>>(0);
 };
 
 /// @p n_rings Chebyshev points of the band from @p inner to @p outer [m], ascending.

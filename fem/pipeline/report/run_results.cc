@@ -166,6 +166,11 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
     return nullptr;
   return { { "balanced_spins", coupling->n_balances },
            { "contact_solutions", coupling->n_contact_solutions },
+           { "contacts",
+             { { "answer", coupling->contacts.answer },
+               { "curves", coupling->contacts.curves },
+               { "budget", coupling->contacts.budget },
+               { "bands", coupling->contacts.bands } } },
            { "response_error", json_number(coupling->response_error) },
            { "interpolation_error", json_number(coupling->interpolation_error) } };
 }

@@ -269,6 +269,12 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
   EXPECT_EQ(results.findings.summary["coupling"].dump(1), R"({
  "balanced_spins": 301,
  "contact_solutions": 302,
+ "contacts": {
+  "answer": 303,
+  "curves": 304,
+  "budget": 305,
+  "bands": 306
+ },
  "response_error": 1.3801234567,
  "interpolation_error": 1.3901234567
 })");
