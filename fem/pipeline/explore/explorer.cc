@@ -25,10 +25,16 @@ constexpr double farthest = 1.5;
 /// Entries whose change the compliances survive: they scale with the moduli, and know nothing of what moves.
 bool is_live(const std::string &path)
 {
-  static const std::vector<std::string> outside_motion = {
-    "Glass/Crown radius", "Glass/Young modulus",   "Table/Foundation modulus", "Table/Disc Young modulus",
-    "Contact/Rings",      "Contact/Azimuth lines", "Contact/Load harmonics",   "Contact/Friction coupling"
-  };
+  static const std::vector<std::string> outside_motion = { "Glass/Crown radius",
+                                                           "Glass/Young modulus",
+                                                           "Table/Foundation modulus",
+                                                           "Table/Disc Young modulus",
+                                                           "Table/Reference pressure",
+                                                           "Table/Decay length",
+                                                           "Contact/Rings",
+                                                           "Contact/Azimuth lines",
+                                                           "Contact/Load harmonics",
+                                                           "Contact/Friction coupling" };
   if (path == "Motion/Orbit speed file")
     return false;
   return path.rfind("Motion/", 0) == 0 || path == "Load/Coupling" || path == "Load/Moment ratio" ||

@@ -16,9 +16,6 @@ void require_live(const Study &study)
   require(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
   require(abilities(study.contact.body).is_of_revolution,
           "A page solves a body of revolution alone; set Contact/Body = revolution.");
-  // Its solver takes minutes for a contact of a rough table, where the program takes a second.
-  require(study.table.interface != TableInterface::rough,
-          "A page does not solve a rough table; set Table/Interface = hard or Winkler.");
   require_flat(study, "explore");
   require(files_of(study).empty(),
           "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");

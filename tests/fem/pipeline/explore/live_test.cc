@@ -116,6 +116,15 @@ TEST(Live, OnHardAndElasticTablesToo)
   expect_the_programs_spins(bare_wood, { { "Motion/Force offset", "-30 mm" } }, "same");
 }
 
+TEST(Live, OnRoughTablesToo)
+{
+  expect_the_programs_spins({ { "Table/Interface", "rough" }, { "Table/Substrate", "elastic" } },
+                            { { "Motion/Friction coefficient", "0.2" },
+                              { "Table/Reference pressure", "5e8" },
+                              { "Table/Decay length", "1.1e-6" } },
+                            "same");
+}
+
 TEST(Live, TheFirstHarmonicsAlone)
 {
   fem::ComplianceCache cache;
