@@ -251,9 +251,9 @@ function plot(id, { x_label, y_label, series, x_range, zero, x_ticks, marks = []
     else svg += `<path d="${d}" fill="none" stroke="${s.colour}" stroke-width="${s.width || 2}" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''} stroke-linejoin="round"/>`;
   });
   for (const m of marks) if (m.x >= xs[0] && m.x <= xs[1]) svg += `<circle cx="${X(m.x).toFixed(1)}" cy="${Y(m.y || 0).toFixed(1)}" r="4" fill="${m.colour}"/>`;
-  let x = left + 8;
+  let x = Math.max(left + 8, 14 + 6.4 * y_label.length);
   shown.forEach(s => { if (!s.name) return; svg += `<path d="M${x} 12h16" stroke="${s.colour}" stroke-width="2.5" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''}/><text x="${x + 20}" y="16">${escaped(s.name)}</text>`; x += 30 + 6.4 * s.name.length; });
-  svg += `<text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(x_label)}</text><text class="quiet" x="2" y="${top - 3}">${escaped(y_label)}</text>`;
+  svg += `<text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(x_label)}</text><text class="quiet" x="2" y="16">${escaped(y_label)}</text>`;
   picture(id, `0 0 ${W} ${H}`, svg, shown.map(s => ({ name: s.name || id, x: s.x, y: s.y })), x_label, y_label);
 }
 const tables = {};
@@ -362,7 +362,7 @@ function draw_side() {
     svg += arrow(X(R * 0.2), ground + 16, per * end.friction[0], 0, 'var(--all)', `${t.fric} ${Math.abs(end.friction[0]).toFixed(2)} N`, 'end');
     const lever = end.moment ? end.moment[1] / -end.normal_force * 1e3 : 0;
     svg += arrow(X(lever), ground + 36, 0, -36, 'var(--all)', '') + `<text x="${X(lever) + 8}" y="${ground + 34}">N = ${N.toFixed(2)} N, ${tick_text(Number(lever.toFixed(1)))} mm</text>`;
-    svg += `<text class="quiet" x="${W - 10}" y="16" text-anchor="end">v = ${v} m/s → ; v²/ρ = ${(v * v / rho).toFixed(2)} m/s²</text>`;
+    svg += `<text class="quiet" x="${W - 10}" y="16" text-anchor="end">v = ${v} m/s, v²/ρ = ${(v * v / rho).toFixed(2)} m/s²</text>`;
   }
   picture('side', `0 0 ${W} ${H}`, svg, [], '', '');
 }
