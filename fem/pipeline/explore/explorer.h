@@ -20,6 +20,10 @@ enum class MeshFit
   foreign ///< the contact would not be resolved
 };
 
+/// Bound on the difference of a spin under MeshFit::near to the one that `stemware run` finds on its own mesh
+/// [rad/s], four times what contacts of other widths differ by (tests: Live).
+constexpr double near_band = 2e-5;
+
 /// The answer to a study as a page shows it.
 struct LiveAnswer
 {

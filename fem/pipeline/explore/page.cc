@@ -354,7 +354,7 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
     entries[entry.path()] = entry.text();
   const nlohmann::ordered_json data = { { "version", program_version() },
                                         { "tolerance", tolerance },
-                                        { "near_band", 1e-4 },
+                                        { "near_band", near_band },
                                         { "glasses", buttons(wish.glasses, "glass of the study") },
                                         { "tables", buttons(wish.tables, "table of the study") },
                                         { "entries", entries },

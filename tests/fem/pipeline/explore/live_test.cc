@@ -125,6 +125,30 @@ TEST(Live, OnRoughTablesToo)
                             "same");
 }
 
+TEST(Live, OnAMeshOfAnotherWidthWithinTheBand)
+{
+  for (const Values &base : { hard, bare_wood })
+  {
+    fem::ComplianceCache cache;
+    open_page(base, live_bodies(study_of(base), cache));
+    for (const auto &[path, value, back] :
+         { std::array{ "Motion/Mass", "0.2", "0.3" }, std::array{ "Motion/Mass", "0.6", "0.3" },
+           std::array{ "Glass/Crown radius", "1.5e-3", "3e-3" },
+           std::array{ "Glass/Crown radius", "6e-3", "3e-3" } })
+    {
+      EXPECT_STREQ(explore_set(path, value), "{}");
+      const nlohmann::json answer = solved();
+      Values moved = base;
+      moved.emplace_back(path, value);
+      ASSERT_EQ(answer["fit"], "near") << path << " = " << value;
+      const double spin = spin_by_the_program(study_of(moved)),
+                   error = answer["all"]["omega"].get<double>() - spin;
+      EXPECT_LT(std::abs(error), near_band) << path << " = " << value;
+      EXPECT_STREQ(explore_set(path, back), "{}");
+    }
+  }
+}
+
 TEST(Live, TheFirstHarmonicsAlone)
 {
   fem::ComplianceCache cache;
