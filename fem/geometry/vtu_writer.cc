@@ -10,27 +10,37 @@ namespace
 
 constexpr std::uint8_t hexahedron = 12, triquadratic_hexahedron = 29;
 
-/// The arrays at the end of a file, and the elements that point to them.
-class AppendedArrays
+void append_base64(const std::string &bytes, std::string &text)
 {
-public:
-  template <typename Number>
-  std::string element(const std::string &name, unsigned int n_components, const std::vector<Number> &values)
+  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const auto byte = [&](std::size_t i)
+  { return i < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) : 0; };
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
   {
-    const std::uint64_t n_bytes = values.size() * sizeof(Number);
-    const std::string type = std::is_same_v<Number, float>          ? "Float32"
-                             : std::is_same_v<Number, std::int32_t> ? "Int32"
-                                                                    : "UInt8";
-    std::string text = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-                       std::to_string(n_components) + "\" format=\"appended\" offset=\"" +
-                       std::to_string(bytes.size()) + "\"/>\n";
-    bytes.append(reinterpret_cast<const char *>(&n_bytes), sizeof(n_bytes));
-    bytes.append(reinterpret_cast<const char *>(values.data()), n_bytes);
-    return text;
+    const std::uint32_t bits = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
+    const char four[] = { letters[bits >> 18], letters[bits >> 12 & 63],
+                          i + 1 < bytes.size() ? letters[bits >> 6 & 63] : '=',
+                          i + 2 < bytes.size() ? letters[bits & 63] : '=' };
+    text.append(four, 4);
   }
+}
 
-  std::string bytes;
-};
+/// Appends an array to the text of a file, with its length before it.
+template <typename Number>
+void append_array(const std::string &name, unsigned int n_components, const std::vector<Number> &values,
+                  std::string &text)
+{
+  const std::uint64_t n_bytes = values.size() * sizeof(Number);
+  std::string bytes(reinterpret_cast<const char *>(&n_bytes), sizeof(n_bytes));
+  bytes.append(reinterpret_cast<const char *>(values.data()), n_bytes);
+  const std::string type = std::is_same_v<Number, float>          ? "Float32"
+                           : std::is_same_v<Number, std::int32_t> ? "Int32"
+                                                                  : "UInt8";
+  text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+          std::to_string(n_components) + "\" format=\"binary\">";
+  append_base64(bytes, text);
+  text += "</DataArray>\n";
+}
 
 } // namespace
 
@@ -61,19 +71,20 @@ std::string VtuWriter::text(const std::vector<float> &points, const std::vector<
   for (std::size_t i = 0; i < n_cells; ++i)
     ends[i] = static_cast<std::int32_t>((i + 1) * n_nodes);
   const std::vector<std::uint8_t> types(n_cells, n_nodes == 8 ? hexahedron : triquadratic_hexahedron);
-  AppendedArrays arrays;
   std::string text =
     "<?xml version=\"1.0\"?>\n"
     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
     "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-    std::to_string(points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n";
-  text += "<Points>\n" + arrays.element("points", 3, points) + "</Points>\n";
-  text += "<Cells>\n" + arrays.element("connectivity", 1, cells) + arrays.element("offsets", 1, ends) +
-          arrays.element("types", 1, types) + "</Cells>\n<PointData>\n";
+    std::to_string(points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n<Points>\n";
+  append_array("points", 3, points, text);
+  text += "</Points>\n<Cells>\n";
+  append_array("connectivity", 1, cells, text);
+  append_array("offsets", 1, ends, text);
+  append_array("types", 1, types, text);
+  text += "</Cells>\n<PointData>\n";
   for (const Field &field : fields)
-    text += arrays.element(field.name, field.n_components, field.values);
-  text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  return text + arrays.bytes + "\n</AppendedData>\n</VTKFile>\n";
+    append_array(field.name, field.n_components, field.values, text);
+  return text + "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 } // namespace stemware::fem

@@ -8,8 +8,8 @@ namespace stemware::fem
 {
 
 /// A VTU file of one piece: points, hexahedra with 8 or 27 nodes, and fields at the points, in single
-/// precision. The arrays stand at the file's end as they are in memory ("appended raw"): what ParaView, VTK
-/// and meshio read, without a compressor.
+/// precision, as base64. (Raw bytes at the end are a quarter shorter, but Debian 12's ParaView cannot
+/// read them: its parser of XML goes on into them.)
 class VtuWriter
 {
 public:

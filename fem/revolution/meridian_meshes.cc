@@ -110,8 +110,8 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
     flag(disc, marked.disc);
     refine();
   }
-  for (unsigned int i = 0; i < setup.halvings_beyond_focus; ++i)
-    refine_beyond_focus(setup);
+  for (unsigned int i = 0; i < setup.halvings_beyond_zone; ++i)
+    refine_beyond_zone(setup);
 }
 
 void MeridianMeshes::refine()
@@ -127,7 +127,7 @@ void MeridianMeshes::refine()
   }
 }
 
-void MeridianMeshes::refine_beyond_focus(const RevolutionSetup &setup)
+void MeridianMeshes::refine_beyond_zone(const RevolutionSetup &setup)
 {
   const ContactCells contact = contact_cells(setup.profile, setup.resolution);
   for (Triangulation<2> *body : { &foot, &disc })
@@ -138,7 +138,8 @@ void MeridianMeshes::refine_beyond_focus(const RevolutionSetup &setup)
         const bool is_focused = contact.has_focus && begin < end &&
                                 (end - begin < 2.01 * setup.resolution.focus_size ||
                                  (begin < contact.focus_end && end > contact.focus_begin));
-        if (!is_focused)
+        const Tensor<1, 2> from_contact = cell->center() - Point<2>(setup.profile.contact_radius, 0);
+        if (!is_focused && from_contact.norm() > setup.zone_reach())
           cell->set_refine_flag();
       }
   refine();

@@ -22,8 +22,9 @@ struct MeridianMeshes
   /// other.
   void refine();
 
-  /// Halves all cells but those contact cells that lie in the focus of @p setup or are as small.
-  void refine_beyond_focus(const RevolutionSetup &setup);
+  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_reach(), but those contact
+  /// cells that lie in the focus of @p setup or are as small.
+  void refine_beyond_zone(const RevolutionSetup &setup);
 
   /// Halves all contact cells between the radii @p inner and @p outer, and @p n_halvings times those cells
   /// outside the contact zone that touch a re-entrant corner.

@@ -11,6 +11,15 @@
 namespace stemware::fem
 {
 
+namespace
+{
+
+/// Ratio of compliances with and without the foot up to which a rigid foot's mesh is the elastic foot's:
+/// cells grow with its square root.
+constexpr double most_added_by_foot = 1.2;
+
+} // namespace
+
 double RevolutionSetup::plane_strain_compliance() const
 {
   const auto of = [](const ElasticMaterial &material)
@@ -32,7 +41,7 @@ ContactCompliance RevolutionSetup::together(const ContactCompliance &foot,
 
 MeridianOptions RevolutionSetup::meridian_of_zone() const
 {
-  const double reach = 10 * contact_half_width;
+  const double reach = zone_reach();
   MeridianOptions options = meridian;
   if (reach > 0)
   {
@@ -115,7 +124,13 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  resolved.contact_half_width = expected_half_width(*this, normal_force);
+  // A rigid foot on a substrate that yields much more has the mesh of the elastic one: what differs between
+  // the two is then the model alone.
+  RevolutionSetup as_elastic = *this;
+  as_elastic.foot_is_rigid = false;
+  const bool is_meshed_as_elastic =
+    as_elastic.plane_strain_compliance() < most_added_by_foot * plane_strain_compliance();
+  resolved.contact_half_width = expected_half_width(is_meshed_as_elastic ? as_elastic : *this, normal_force);
   const bool flat = profile.crown_radius == 0;
   if (flat)
     resolved.resolution.land_grading = 1;

@@ -39,10 +39,10 @@ struct RevolutionSetup
   unsigned int n_lines = 256; ///< azimuth lines
   /// How stiff the spring is that stands for a hard interface, over the stiffness of the contact itself.
   double hardness = 1000;
-  double fineness = 1;                    ///< of the cells in the contact, over the usual
-  unsigned int halvings_beyond_focus = 0; ///< of the cells that do not touch the table in its focus
-  double normal_force = 1;                ///< N that the contact is resolved for [N], see resolved_for()
-  double contact_half_width = 0;          ///< of a crowned rim under it, expected_half_width() [m]
+  double fineness = 1;                   ///< of the cells in the contact, over the usual
+  unsigned int halvings_beyond_zone = 0; ///< of the cells beyond zone_reach()
+  double normal_force = 1;               ///< N that the contact is resolved for [N], see resolved_for()
+  double contact_half_width = 0;         ///< of a crowned rim under it, expected_half_width() [m]
 
   /// This setup with a meridional mesh that resolves the contact under @p normal_force [N]. Where the bodies'
   /// own elasticity shapes the pressure, cells of a sixth of the contact's half-width, and of a third of a
@@ -58,9 +58,12 @@ struct RevolutionSetup
   /// substrate.
   ContactCompliance together(const ContactCompliance &foot, const ContactCompliance *disc) const;
 
-  /// The meridional problems with forces on the elements near the contact radius alone: ten half-widths of a
-  /// narrow contact to either side, room for a load that gathers on a part of the rim; the whole land of a
-  /// wide one.
+  /// Distance from the contact circle up to which it may have pressure [m]: ten half-widths of a narrow
+  /// contact, room for a load that gathers on a part of the rim; 0 for a flat land.
+  double zone_reach() const { return 10 * contact_half_width; }
+
+  /// The meridional problems with forces on the elements within zone_reach() alone; on the whole land where
+  /// that is 0.
   MeridianOptions meridian_of_zone() const;
 
   /// Load per length of the rim under @p normal_force [N/m].

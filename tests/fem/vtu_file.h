@@ -12,12 +12,13 @@ namespace stemware::fem_tests
 {
 
 /// The arrays of a VTU file of one piece: as much of the format as deal.II writes (zlib-compressed base64),
-/// and appended raw ones with headers of 64 bits.
+/// and base64 without compression behind a length of 64 bits.
 class VtuFile
 {
 public:
   explicit VtuFile(const std::string &text)
   {
+    const bool is_compressed = has(text.substr(0, text.find("<Piece")), "compressor=");
     for (std::size_t at = text.find("<DataArray"); at != std::string::npos;
          at = text.find("<DataArray", at + 1))
     {
@@ -25,9 +26,8 @@ public:
       const std::string tag = text.substr(at, begin - at);
       const bool is_point_list = text.rfind("<Points>", at) != std::string::npos && !has(tag, "Name=");
       const std::string name = is_point_list ? "points" : attribute(tag, "Name");
-      const std::string bytes = has(tag, "appended")
-                                  ? appended(text, std::stoul(attribute(tag, "offset")))
-                                  : inflated(text.substr(begin, text.find('<', begin) - begin));
+      const std::string body = text.substr(begin, text.find('<', begin) - begin);
+      const std::string bytes = is_compressed ? inflated(body) : counted(decoded(body));
       if (has(tag, "Float32"))
         numbers[name] = converted<float>(bytes);
       else if (has(tag, "Int32"))
@@ -58,12 +58,15 @@ private:
   static std::string decoded(const std::string &base64)
   {
     static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<std::size_t> values(256, std::string::npos);
+    for (std::size_t i = 0; i < letters.size(); ++i)
+      values[static_cast<unsigned char>(letters[i])] = i;
     std::string bytes;
     std::uint32_t bits = 0;
     unsigned int n_bits = 0;
     for (const char letter : base64)
     {
-      const std::size_t value = letters.find(letter);
+      const std::size_t value = values[static_cast<unsigned char>(letter)];
       if (value == std::string::npos)
         continue; // white space and padding
       bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xffffff;
@@ -77,13 +80,14 @@ private:
     return bytes;
   }
 
-  /// The array at @p offset behind the underscore, with its length before it.
-  static std::string appended(const std::string &text, std::size_t offset)
+  /// What follows the length before it.
+  static std::string counted(const std::string &bytes)
   {
-    const std::size_t begin = text.find('_', text.find("<AppendedData encoding=\"raw\">")) + 1 + offset;
     std::uint64_t n_bytes = 0;
-    std::memcpy(&n_bytes, text.data() + begin, sizeof(n_bytes));
-    return text.substr(begin + sizeof(n_bytes), n_bytes);
+    std::memcpy(&n_bytes, bytes.data(), sizeof(n_bytes));
+    if (bytes.size() != sizeof(n_bytes) + n_bytes)
+      throw std::runtime_error("an array of another length than it says");
+    return bytes.substr(sizeof(n_bytes));
   }
 
   /// A header of four numbers (blocks, their size, the last one's, compressed size) stands before the data.

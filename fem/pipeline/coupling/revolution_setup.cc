@@ -22,7 +22,7 @@ fem::RevolutionSetup revolution_setup(const Study &study)
   setup.halved = study.contact.halved;
   setup.n_lines = study.contact.azimuth_lines;
   setup.fineness = study.contact.fineness;
-  setup.halvings_beyond_focus = study.contact.halvings_beyond_focus;
+  setup.halvings_beyond_zone = study.contact.halvings_beyond_zone;
   setup.hardness *= study.contact.hardness;
   setup.foot_is_rigid = study.model.foot_is_rigid;
   setup.friction_in_foot = study.model.friction_in_foot;

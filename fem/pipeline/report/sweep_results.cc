@@ -151,6 +151,13 @@ std::vector<TurningGlass> extreme_glasses(const SweepPlan &plan, const SweepFind
   return { { title(true), spin->least }, { title(false), spin->most } };
 }
 
+/// A value of a sweep as it is shown: a number with six digits.
+std::string shown(const std::string &value)
+{
+  const std::optional<double> number = parse_number(value);
+  return number ? to_short_text(*number) : value;
+}
+
 /// Varied entries with their units and values.
 Table plan_table(const SweepPlan &plan)
 {
@@ -162,11 +169,11 @@ Table plan_table(const SweepPlan &plan)
     if (plan.is_random())
       values = plan.spreads[i].description();
     else if (entry.values.size() > (entry.by_factors ? 4 : 8))
-      values = std::to_string(entry.values.size()) + " values from " + entry.values.front() + " to " +
-               entry.values.back() + (entry.by_factors ? ", by equal factors" : "");
+      values = std::to_string(entry.values.size()) + " values from " + shown(entry.values.front()) + " to " +
+               shown(entry.values.back()) + (entry.by_factors ? ", by equal factors" : "");
     else
       for (const std::string &value : entry.values)
-        values += (values.empty() ? "" : ", ") + value;
+        values += (values.empty() ? "" : ", ") + shown(value);
     rows.push_back({ entry.path, entry.unit == "1" ? "–" : entry.unit, values });
   }
   return words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows);

@@ -145,7 +145,7 @@ struct ContactSection
   unsigned int azimuth_lines = 256; ///< on which a body of revolution meets the table
   unsigned int rings = 5;           ///< that take the pressure over
   double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
-  unsigned int halvings_beyond_focus = 0; ///< of cells, see fem::RevolutionSetup; likewise
+  unsigned int halvings_beyond_zone = 0; ///< of cells, see fem::RevolutionSetup; likewise
   double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; below 1 under a
                        ///< solid foot of any interface over its own; not an entry
   unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for

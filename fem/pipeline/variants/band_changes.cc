@@ -93,9 +93,15 @@ void add_gathering(const Study &study, const ElasticFoot &foot,
 std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)
 {
   std::vector<BandChange> changes;
-  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
+  // What a mesh changes is told with half the harmonics: beyond them a compliance hardly moves the load.
+  const bool has_fewer = study.contact.harmonics > 1;
+  const std::string from = has_fewer ? "harmonics" : "";
+  const Study fewer =
+    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
+  if (has_fewer)
+    changes.push_back(change_of("harmonics", 0.5, fewer));
   // Meshes for a goal: the one before.
-  const Study coarse = changed(study,
+  const Study coarse = changed(fewer,
                                [](ContactSection &contact)
                                {
                                  if (contact.halved.empty())
@@ -103,22 +109,17 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
                                  else
                                    contact.halved.pop_back();
                                });
-  changes.push_back(change_of("mesh", usual_factor, coarse));
+  changes.push_back(change_of("mesh", usual_factor, coarse, from));
+  // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
-    changes.push_back(change_of("degree", usual_factor, changed(study, raise_degree)));
-  const Study fewer =
-    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
-  const bool has_fewer = study.contact.harmonics > 1;
-  if (has_fewer)
-    changes.push_back(change_of("harmonics", 0.5, fewer));
-  // At re-entrant corners the error falls with the first order: the halved cells show half of it. What cells
-  // that far from the contact change fades with the harmonic, so that half of them will do.
+    changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
+  // At re-entrant corners, far from the contact, the error falls with the first order: halved cells show half
+  // of it.
   if (study.contact.halved.empty() && has_focused_mesh(study))
-    changes.push_back(
-      change_of("mesh", 2, changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_focus; }),
-                has_fewer ? "harmonics" : ""));
+    changes.push_back(change_of(
+      "mesh", 2, changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_zone; }), from));
   if (!is_full)
     changes.push_back(change_of("lines", usual_factor,
                                 changed(study, [](ContactSection &contact) { contact.azimuth_lines *= 4; })));

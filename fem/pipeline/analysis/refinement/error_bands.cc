@@ -28,8 +28,10 @@ namespace
 /// Where a study is looked at.
 struct Probe
 {
-  std::vector<double> spins; ///< rest, half, below, at, above and one and a half times the terminal spin
-  double first = 0;          ///< terminal spin of the first harmonic alone
+  /// Rest, half, once and one and a half times the terminal spin; two close to it where these do not tell its
+  /// slope.
+  std::vector<double> spins;
+  double first = 0; ///< terminal spin of the first harmonic alone
   bool has_first = false;
   std::vector<ring::Orientation> phases;
 };
@@ -135,18 +137,19 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
                          torque_noise });
   quantities.push_back({ "tau_at_spin_1", "torque at " + to_short_text(probe.spins[1]) + " rad/s", "N m",
                          found.torques[1].friction, torque_noise });
-  quantities.push_back({ "tau_at_spin_2", "torque at " + to_short_text(probe.spins[5]) + " rad/s", "N m",
-                         found.torques[5].friction, torque_noise });
+  quantities.push_back({ "tau_at_spin_2", "torque at " + to_short_text(probe.spins[3]) + " rad/s", "N m",
+                         found.torques[3].friction, torque_noise });
+  // Round the terminal spin; from the side of rest where the glass tips on the other.
+  const bool goes_beyond = std::isfinite(own.torques[3].all) && std::isfinite(found.torques[3].all);
+  const std::size_t begin = probe.spins.size() > 4 ? 4 : 1, end = begin == 4 ? 5 : goes_beyond ? 3 : 2;
   const auto slope_of = [&](const Findings &at)
-  { return (at.torques[4].all - at.torques[2].all) / (probe.spins[4] - probe.spins[2]); };
-  const double slope = slope_of(found);
-  const double moved = -(found.torques[3].all - own.torques[3].all) / slope;
+  { return (at.torques[end].all - at.torques[begin].all) / (probe.spins[end] - probe.spins[begin]); };
+  const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
+  const double moved = -(found.torques[2].all - own.torques[2].all) / slope;
   const double spin_noise = noise.relative * spin_scale(study);
   quantities.push_back(
     { "omega_terminal", "terminal spin", "rad/s", row.terminal->omega + moved, spin_noise });
-  const double reported =
-    std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
-  const double time = motion.yaw_inertia / std::abs(reported + (slope - slope_of(own)));
+  const double time = motion.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)));
   quantities.push_back({ "time_constant", "time constant", "s", time, 1e3 * noise.relative * time });
   if (probe.has_first)
   {
@@ -167,9 +170,12 @@ bool carries_all_round(const SpinRow &all, const LoadReport &at_rest)
 
 Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const std::optional<double> &first)
 {
-  const double step = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius / 512;
   Probe probe;
-  probe.spins = { 0, omega / 2, omega - step, omega, omega + step, 1.5 * omega };
+  probe.spins = { 0, omega / 2, omega, 1.5 * omega };
+  // The torque bends sharply where the rim rolls on one side, |omega| = v / R.
+  const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
+  if (omega == 0 || 1.5 * std::abs(omega) > scale)
+    probe.spins.insert(probe.spins.end(), { omega - scale / 512, omega + scale / 512 });
   probe.has_first = first.has_value();
   probe.first = first.value_or(0);
   probe.phases = phases_of(study, foot);

@@ -254,17 +254,18 @@ function plot(id, { x_label, y_label, series, x_range, zero, x_ticks, marks = []
   let x = Math.max(left + 8, 14 + 6.4 * y_label.length);
   shown.forEach(s => { if (!s.name) return; svg += `<path d="M${x} 12h16" stroke="${s.colour}" stroke-width="2.5" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''}/><text x="${x + 20}" y="16">${escaped(s.name)}</text>`; x += 30 + 6.4 * s.name.length; });
   svg += `<text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(x_label)}</text><text class="quiet" x="2" y="16">${escaped(y_label)}</text>`;
-  picture(id, `0 0 ${W} ${H}`, svg, shown.map(s => ({ name: s.name || id, x: s.x, y: s.y })), x_label, y_label);
+  picture(id, `0 0 ${W} ${H}`, svg, ['curve', x_label, y_label], shown.flatMap(s => s.x.map((x, i) => [s.name || id, x, s.y[i]])));
 }
 const tables = {};
-function picture(id, box, inside, columns, x_label, y_label) {
+// Shows a picture; its CSV has one heading line and a row for each point.
+function picture(id, box, inside, heading, rows) {
   const plot = $(id), title = plot.closest('section').querySelector('h2').textContent;
   if (!plot.querySelector('svg')) plot.innerHTML = `<svg role="img"></svg><span class="save print-no"><button data-as="svg">SVG</button><button data-as="png">PNG</button><button data-as="csv">CSV</button></span>`;
   const svg = plot.querySelector('svg');
   svg.setAttribute('viewBox', box); svg.setAttribute('aria-label', title);
   svg.innerHTML = inside;
   for (const b of plot.querySelectorAll('.save button')) { b.setAttribute('aria-label', `${title}: ${b.dataset.as.toUpperCase()}`); b.onclick = () => save_picture(id, b.dataset.as); }
-  tables[id] = { columns, x_label, y_label, title };
+  tables[id] = { heading, rows };
 }
 function draw() { draw_load(); draw_torque(); draw_spin(); draw_budget(); draw_pressure(); draw_side(); draw_scene_parts(); }
 
@@ -325,7 +326,7 @@ function draw_budget() {
   });
   const end = rows[rows.length - 1], y = top + row * shown.length;
   svg += `<circle cx="${X(end.omega).toFixed(1)}" cy="${y + 11}" r="4" fill="var(--all)"/><text x="${left - 8}" y="${y + 16}" text-anchor="end">=</text><text x="${(X(end.omega) + 8).toFixed(1)}" y="${y + 15}">${digits(end.omega)}</text>`;
-  picture('budget', `0 0 ${W} ${H}`, svg + `<text class="quiet" x="${W - 2}" y="${H - 10}" text-anchor="end">rad/s</text>`, [{ name: 'omega', x: rows.map(r => r.name + (r.harmonics ? ' ' + r.harmonics : '')), y: rows.map(r => r.omega) }], 'model', 'rad/s');
+  picture('budget', `0 0 ${W} ${H}`, svg + `<text class="quiet" x="${W - 2}" y="${H - 10}" text-anchor="end">rad/s</text>`, ['model', 'harmonics', 'omega (rad/s)'], rows.map(r => [r.name, r.harmonics || '', r.omega]));
 }
 // Pale to dark: a load of none is the ground.
 const shade = x => `color-mix(in srgb, var(--all) ${(100 * Math.max(0, Math.min(1, x))).toFixed(0)}%, var(--glass))`;
@@ -344,13 +345,15 @@ function draw_pressure() {
   for (const x of [-180, -90, 0, 90, 180]) svg += `<text class="quiet" x="${(left + (W - left - right) * (x + 180) / 360).toFixed(1)}" y="${H - bottom + 16}" text-anchor="middle">${tick_text(x)}</text>`;
   for (const r of ticks(1e3 * r0, 1e3 * r1, 4)) svg += `<text class="quiet" x="${left - 5}" y="${(H - bottom - (H - top - bottom) * (r / 1e3 - r0) / (r1 - r0) + 4).toFixed(1)}" text-anchor="end">${tick_text(r)}</text>`;
   svg += `<text class="quiet" x="2" y="14">${escaped(t.radius)}</text><text x="${W - right}" y="14" text-anchor="end">≤ ${most >= 1e6 ? (most / 1e6).toPrecision(3) + ' MPa' : (most / 1e3).toPrecision(3) + ' kPa'}</text><text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(t.theta)}</text>`;
-  picture('pressure', `0 0 ${W} ${H}`, svg, [{ name: 'p(r) at each azimuth, Pa', x: pressure.cuts.flatMap((cut, j) => cut[0].map(r => `${pressure.azimuth[j]}, ${r}`)), y: pressure.cuts.flatMap(cut => cut[1]) }], 'theta (rad), r (m)', 'Pa');
+  picture('pressure', `0 0 ${W} ${H}`, svg, ['theta (rad)', 'r (m)', 'p (Pa)'],
+    pressure.cuts.flatMap(([radii, values], j) => radii.map((r, i) => [pressure.azimuth[j], r, values[i]])));
 }
 function draw_side() {
   const t = T(), W = 380, H = 300, ground = 262, mm = v => 1e3 * v, scale = 1.5, middle = 190;
   const R = mm(value_of('Glass/Contact radius')), z = mm(value_of('Motion/Centre of mass height')), hand = z + mm(value_of('Motion/Force offset')), mass = value_of('Motion/Mass'), N = mass * 9.81;
   const X = x => middle + scale * x, Y = y => ground - scale * y, foot = mm(value_of('Glass/Foot radius')) || R + 4, top = Math.max(z * 1.9, 110), bowl = foot * 0.95;
   const end = answer && answer.all ? answer.all.at_end || answer.all.at_rest : null;
+  const said = [[t.mass_centre, z, 'mm']];
   const arrow = (x, y, dx, dy, colour, text, anchor = 'start') => { const n = Math.hypot(dx, dy) || 1, u = dx / n, v = dy / n, ex = x + dx, ey = y + dy; return n < 2 ? '' : `<path d="M${x.toFixed(1)} ${y.toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}M${(ex - 7 * u + 4 * v).toFixed(1)} ${(ey - 7 * v - 4 * u).toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}L${(ex - 7 * u - 4 * v).toFixed(1)} ${(ey - 7 * v + 4 * u).toFixed(1)}" fill="none" stroke="${colour}" stroke-width="2"/><text x="${(ex + (anchor === 'end' ? -6 : 6)).toFixed(1)}" y="${(ey + 4).toFixed(1)}" text-anchor="${anchor}">${escaped(text)}</text>`; };
   const lean = answer && answer.contact ? -answer.contact.motion[1] * 180 / Math.PI : 0;
   let svg = `<path d="M10 ${ground}H${W - 10}" stroke="var(--ink)" stroke-width="1.5"/>`;
@@ -362,9 +365,10 @@ function draw_side() {
     svg += arrow(X(R * 0.2), ground + 16, per * end.friction[0], 0, 'var(--all)', `${t.fric} ${Math.abs(end.friction[0]).toFixed(2)} N`, 'end');
     const lever = end.moment ? end.moment[1] / -end.normal_force * 1e3 : 0;
     svg += arrow(X(lever), ground + 36, 0, -36, 'var(--all)', '') + `<text x="${X(lever) + 8}" y="${ground + 34}">N = ${N.toFixed(2)} N, ${tick_text(Number(lever.toFixed(1)))} mm</text>`;
+    said.push([t.hand, fx, 'N'], [t.fric, Math.abs(end.friction[0]), 'N'], ['N', N, 'N'], ['M_N/N', lever, 'mm'], ['v', v, 'm/s'], ['v²/ρ', v * v / rho, 'm/s²']);
     svg += `<text class="quiet" x="${W - 10}" y="16" text-anchor="end">v = ${v} m/s, v²/ρ = ${(v * v / rho).toFixed(2)} m/s²</text>`;
   }
-  picture('side', `0 0 ${W} ${H}`, svg, [], '', '');
+  picture('side', `0 0 ${W} ${H}`, svg, ['quantity', 'value', 'unit'], said);
 }
 
 // ---- From above: two orbits, elastic foot and paper's ring, in real time.
@@ -427,7 +431,11 @@ function frame(now) {
 
 // ---- Take along.
 function download(name, type, content) { const a = document.createElement('a'); a.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type })); a.download = name; a.click(); setTimeout(() => URL.revokeObjectURL(a.href), 1000); }
-const csv_of = table => { const { columns, x_label, y_label } = table; let text = ''; for (const c of columns) { text += `# ${c.name}\n${x_label}, ${y_label}\n`; c.x.forEach((x, i) => { text += `${x}, ${c.y[i]}\n`; }); text += '\n'; } return text; };
+const cell = x => (/[",\n]/.test(x) ? `"${String(x).replace(/"/g, '""')}"` : `${x}`);
+const csv_of = ({ heading, rows }) => [heading, ...rows].map(row => row.map(cell).join(',') + '\n').join('');
+// Points of all curves: which picture and curve, what x and y are, and x and y.
+const all_curves = () => ({ heading: ['picture', 'curve', 'x is', 'y is', 'x', 'y'],
+  rows: Object.entries(tables).filter(([, t]) => t.heading[0] === 'curve').flatMap(([id, t]) => t.rows.map(([curve, x, y]) => [id, curve, t.heading[1], t.heading[2], x, y])) });
 function standalone(id) {
   const svg = $(id).querySelector('svg').cloneNode(true), style = getComputedStyle(document.documentElement);
   svg.setAttribute('xmlns', NS); const box = svg.getAttribute('viewBox').split(' ').map(Number); svg.setAttribute('width', box[2]); svg.setAttribute('height', box[3]);
@@ -489,7 +497,7 @@ $('restart').onclick = () => { omega = omega_paper = psi = psi_paper = 0; phi = 
 $('pause').setAttribute('aria-pressed', held);
 $('pause').onclick = () => { held = !held; $('pause').setAttribute('aria-pressed', held); };
 $('as-prm').onclick = () => download('explored.prm', 'text/plain', study_text());
-$('as-csv').onclick = () => download('explored.csv', 'text/csv', Object.entries(tables).filter(([, t]) => t.columns.length).map(([id, t]) => `## ${id}: ${t.title}\n${csv_of(t)}`).join(''));
+$('as-csv').onclick = () => download('explored.csv', 'text/csv', csv_of(all_curves()));
 $('as-link').onclick = async () => { try { await navigator.clipboard.writeText(location.href); $('as-link').textContent = T().copied; setTimeout(() => { $('as-link').textContent = T().as_link; }, 1500); } catch { prompt('', location.href); } };
 $('as-print').onclick = () => print();
 $('measured').onchange = e => take_file(e.target.files[0]);

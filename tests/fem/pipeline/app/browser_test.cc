@@ -1,5 +1,5 @@
 // The report of every verb in a real browser, on a phone and on a desk, and on paper.
-#include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/browser.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
@@ -51,21 +51,6 @@ const std::vector<Opened> &opened()
   return reports;
 }
 
-/// A text as a string of a script within a page.
-std::string script_string(const std::string &text)
-{
-  std::string quoted = nlohmann::json(text).dump();
-  for (auto at = quoted.find("</"); at != std::string::npos; at = quoted.find("</", at + 3))
-    quoted.insert(at + 1, "\\");
-  return quoted;
-}
-
-/// axe-core, which looks for what keeps people from reading a page; empty where it is not installed.
-std::string axe()
-{
-  return std::string(STEMWARE_AXE).empty() ? "" : read_text(STEMWARE_AXE);
-}
-
 /// A page that shows @p html in a frame of each width and replaces itself by what it measures there: for each
 /// figure its width, height and number of visible texts, and the width of all that is in the page; texts of
 /// figures that are cut off or lie on each other, folds opened; what the answer box says; where the answer
@@ -73,8 +58,7 @@ std::string axe()
 std::string measuring_page(const std::string &html)
 {
   return R"(<!DOCTYPE html><meta charset="utf-8"/><body><script>
-const axe_source = )" +
-         script_string(axe()) + R"(;
+)" + axe_script() + R"(
 const widths = )" +
          nlohmann::json(widths).dump() + R"(, measured = {};
 const troubles = page => Array.from(page.querySelectorAll("figure svg")).flatMap(svg => {
@@ -96,8 +80,8 @@ const troubles = page => Array.from(page.querySelectorAll("figure svg")).flatMap
     }
   return found;
 });
-const finish = serious => {
-  measured.serious = serious;
+const finish = found => {
+  measured.serious = found;
   document.body.textContent = "MEASURED" + JSON.stringify(measured) + "MEASURED";
   console.log("the browser has measured");
 };
@@ -119,14 +103,7 @@ const measure = (frame, width) => {
                       answer: page.querySelector("p.answer").textContent };
   if (Object.keys(measured).length < widths.length)
     return;
-  if (!axe_source)
-    return finish([]);
-  const first = document.querySelector("iframe").contentWindow;
-  first.eval(axe_source);
-  first.axe.run().then(
-    found => finish(found.violations.filter(one => one.impact == "serious" || one.impact == "critical")
-                      .map(one => one.id + ": " + one.nodes.map(node => node.html.slice(0, 120)).join(" | "))),
-    error => finish(["axe-core does not run: " + error]));
+  serious(document.querySelector("iframe").contentWindow).then(finish);
 };
 for (const width of widths) {
   const frame = document.createElement("iframe");
@@ -136,25 +113,6 @@ for (const width of widths) {
          script_string(html) + R"(;
   document.body.appendChild(frame);
 }</script></body>)";
-}
-
-/// Runs Chromium without a window in the folder.
-Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
-{
-  std::vector<std::string> command = { STEMWARE_CHROMIUM,
-                                       "--headless",
-                                       "--no-sandbox",
-                                       "--disable-gpu",
-                                       "--disable-dev-shm-usage",
-                                       "--no-first-run",
-                                       "--hide-scrollbars",
-                                       "--disable-extensions",
-                                       "--disable-background-networking",
-                                       "--user-data-dir=" + (scratch / "profile").string(),
-                                       "--enable-logging=stderr",
-                                       "--window-size=1300,1000" };
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return RunningProgram(command, scratch.path()).end();
 }
 
 std::size_t n_found(const std::string &text, const std::string &part)

@@ -2,7 +2,7 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/browser.h"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +25,8 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
 /// replaces itself by what it finds. It is not loaded before: a frame in it that nobody closes holds it open.
 std::string moving_page(const std::string &page)
 {
-  std::string quoted = nlohmann::json(page).dump();
-  for (auto at = quoted.find("</"); at != std::string::npos; at = quoted.find("</", at + 3))
-    quoted.insert(at + 1, "\\");
   return R"(<!DOCTYPE html><meta charset="utf-8"><body><script>
+)" + axe_script() + R"(
 const holder = document.createElement("iframe");
 document.body.append(holder);
 holder.contentDocument.open();
@@ -38,7 +36,7 @@ holder.contentDocument.open();
     const frame = document.createElement("iframe");
     frame.style = "border:0;height:900px;width:" + width + "px";
     frame.srcdoc = )" +
-         quoted + R"(;
+         script_string(page) + R"(;
     document.body.append(frame);
     while (!frame.contentWindow.started)
       await new Promise(r => setTimeout(r, 20));
@@ -49,7 +47,8 @@ holder.contentDocument.open();
       last = await frame.contentWindow.move(path, value);
       omega.push(last.omega);
     }
-    found[width] = { omega: omega, errors: last.errors, text: last.text, width: frame.contentDocument.documentElement.scrollWidth };
+    found[width] = { omega: omega, errors: last.errors, text: last.text, width: frame.contentDocument.documentElement.scrollWidth,
+                     serious: await serious(frame.contentWindow) };
     frame.remove();
   }
   const closing = holder.contentDocument;
@@ -64,12 +63,7 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
   const ScratchFolder scratch;
   const std::string page =
     scratch.write("moving.html", moving_page(read_text(fs::path(STEMWARE_DOCS) / "explore.html")));
-  const Ended ended = RunningProgram({ STEMWARE_CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu",
-                                       "--disable-dev-shm-usage", "--no-first-run",
-                                       "--user-data-dir=" + (scratch / "profile").string(), "--dump-dom",
-                                       "--window-size=1280,1000", "file://" + page },
-                                     scratch.path())
-                        .end();
+  const Ended ended = chromium(scratch, { "--dump-dom", "file://" + page });
   const nlohmann::json found = nlohmann::json::parse(between(ended.out, "MEASURED", "MEASURED"));
   pipeline::Study study;
   fem::ComplianceCache cache;
@@ -85,6 +79,7 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
   for (const char *const width : { "1100", "400" })
   {
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
+    EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
   }

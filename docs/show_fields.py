@@ -1,7 +1,7 @@
 """Shows the fields of a foot in ParaView: the foot cut open, its displacements enlarged, coloured by von Mises stress.
 
-    pvpython docs/paraview.py results/default/fields/contact.vtu foot.png     # a picture
-    paraview --script=docs/paraview.py                                        # in ParaView, of the file below
+    pvpython docs/show_fields.py results/default/fields/contact.vtu foot.png     # a picture
+    paraview --script=docs/show_fields.py                                        # in ParaView, of the file below
 """
 
 import sys
@@ -26,7 +26,10 @@ shown = Show(bent, view)
 ColorBy(shown, ("POINTS", "von_mises_stress"))  # Pa
 shown.RescaleTransferFunctionToDataRange(True)
 shown.SetScalarBarVisibility(view, True)
-GetColorTransferFunction("von_mises_stress").ApplyPreset("Cividis", True)
+colours = GetColorTransferFunction("von_mises_stress")
+colours.ApplyPreset("Cividis", True)
+colours.MapControlPointsToLogSpace()  # the contact has most of the stress, the foot the rest
+colours.UseLogScale = 1
 view.CameraPosition = [0.12, 0, 0.05]
 view.CameraFocalPoint = [0, 0, 0.008]
 view.CameraViewUp = [0, 0, 1]
