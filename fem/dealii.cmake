@@ -10,7 +10,7 @@ target_include_directories(stemware_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DI
 target_compile_definitions(stemware_dealii INTERFACE BOOST_NO_AUTO_PTR $<${STEMWARE_DEALII_IS_DEBUG}:DEBUG>)
 if(TARGET dealii::dealii_release) # since 9.5; the folders of MPI's and Trilinos' headers come with these
   target_link_libraries(stemware_dealii INTERFACE $<IF:${STEMWARE_DEALII_IS_DEBUG},dealii::dealii_debug,dealii::dealii_release>)
-else()
-  target_link_libraries(stemware_dealii INTERFACE $<IF:${STEMWARE_DEALII_IS_DEBUG},deal.ii.g,deal.ii>)
+else() # Debian calls the library deal.ii, its makers deal_II
+  target_link_libraries(stemware_dealii INTERFACE $<IF:${STEMWARE_DEALII_IS_DEBUG},${DEAL_II_TARGET_DEBUG},${DEAL_II_TARGET_RELEASE}>)
 endif()
 target_compile_features(stemware_dealii INTERFACE cxx_std_17)
