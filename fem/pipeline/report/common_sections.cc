@@ -6,11 +6,13 @@
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stemware::pipeline
 {
@@ -65,6 +67,14 @@ Table part_table(const std::vector<BandedQuantity> &bands)
   return table;
 }
 
+/// The value of an entry to ten digits, which is what a reader can tell apart.
+std::string shown_value(const StudyEntry &entry)
+{
+  const std::string text = value_of(entry);
+  const std::optional<double> number = parse_number(text);
+  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text;
+}
+
 /// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
 std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
 {
@@ -81,8 +91,8 @@ void add_study(const Study &study, Document &document)
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     const StudyEntry &entry = entries[i];
-    if (entry.text() != defaults[i].text())
-      changed.push_back({ entry.path(), value_of(entry), value_of(defaults[i]), unit_of(entry) });
+    if (shown_value(entry) != shown_value(defaults[i]))
+      changed.push_back({ entry.path(), shown_value(entry), shown_value(defaults[i]), unit_of(entry) });
     all.push_back({ entry.path(), value_of(entry), unit_of(entry), entry.help });
   }
   document.facts["is_default_study"] = changed.empty();
