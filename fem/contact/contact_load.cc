@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -17,21 +16,79 @@ namespace
 
 using boost::math::double_constants::pi;
 
+/// Shares of rings in many forces. What each has of the sum is found from the forces' sums with Chebyshev's
+/// polynomials of the radius: a few products a force, while its share in J rings takes J^2.
+class SharedForces
+{
+public:
+  /// Without radii one ring gets all.
+  explicit SharedForces(const std::vector<double> &radii)
+      : sums(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::max<std::size_t>(radii.size(), 1))))
+      , coefficients(Eigen::MatrixXd::Ones(sums.size(), sums.size()))
+  {
+    if (radii.empty())
+      return;
+    const RingShares shares(radii);
+    const Eigen::Index n = sums.size();
+    middle = (radii.front() + radii.back()) / 2;
+    half = n > 1 ? (radii.back() - radii.front()) / 2 : middle;
+    // The coefficients of each share, a polynomial of the radius, from its values at the roots of the n-th.
+    coefficients.setZero();
+    for (Eigen::Index i = 0; i < n; ++i)
+    {
+      const double angle = pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+      const Eigen::VectorXd &values = shares.at(middle + half * std::cos(angle));
+      for (Eigen::Index k = 0; k < n; ++k)
+        coefficients.col(k) +=
+          (k == 0 ? 1. : 2.) / static_cast<double>(n) * std::cos(static_cast<double>(k) * angle) * values;
+    }
+  }
+
+  Eigen::Index n_rings() const { return sums.size(); }
+
+  void add(double force, double radius)
+  {
+    const double x = (radius - middle) / half;
+    double before = x * force, now = force; // T_-1 = T_1
+    for (Eigen::Index k = 0; k < sums.size(); ++k)
+    {
+      sums(k) += now;
+      const double next = 2 * x * now - before;
+      before = now;
+      now = next;
+    }
+  }
+
+  /// What each ring has of the forces since the last call.
+  Eigen::VectorXd take()
+  {
+    const Eigen::VectorXd forces = coefficients * sums;
+    sums.setZero();
+    return forces;
+  }
+
+private:
+  Eigen::VectorXd sums;
+  Eigen::MatrixXd coefficients; ///< of the rings' shares, by row, as series of Chebyshev's polynomials
+  double middle = 0;
+  double half = 1; ///< [m]
+};
+
 /// Fourier sums of point forces on rings. Points that follow each other on one azimuth line are taken
 /// together, and cos and sin of n theta come from turning the point's direction: a law has thousands of
 /// points.
 class AzimuthSums
 {
 public:
-  AzimuthSums(std::size_t n_rings, unsigned int n_harmonics)
-      : a(n_rings, std::vector<double>(n_harmonics + 1, 0))
+  AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
+      : shared(radii)
+      , a(static_cast<std::size_t>(shared.n_rings()), std::vector<double>(n_harmonics + 1, 0))
       , b(a)
-      , forces(n_rings, 0)
   {
   }
 
-  /// Adds the force of @p point at @p radius, the share @p shares[j] of it to ring j.
-  void add(const PointForce &point, double radius, const Eigen::VectorXd &shares)
+  /// Adds the force of @p point at @p radius.
+  void add(const PointForce &point, double radius)
   {
     const double new_cosine = radius > 0 ? point.x / radius : 1;
     const double new_sine = radius > 0 ? point.y / radius : 0;
@@ -41,8 +98,7 @@ public:
       cosine = new_cosine;
       sine = new_sine;
     }
-    for (std::size_t j = 0; j < forces.size(); ++j)
-      forces[j] += shares(static_cast<Eigen::Index>(j)) * point.force;
+    shared.add(point.force, radius);
   }
 
   /// Brings the last line's forces into the sums, and hands over those of all @p parts on rings of @p radii.
@@ -64,9 +120,10 @@ public:
 private:
   void flush()
   {
-    for (std::size_t j = 0; j < forces.size(); ++j)
+    const Eigen::VectorXd forces = shared.take();
+    for (std::size_t j = 0; j < a.size(); ++j)
     {
-      double even = forces[j] / pi;
+      double even = forces(static_cast<Eigen::Index>(j)) / pi;
       double odd = 0;
       for (std::size_t n = 0; n < a[j].size(); ++n)
       {
@@ -76,13 +133,12 @@ private:
         odd = even * sine + odd * cosine;
         even = next;
       }
-      forces[j] = 0;
     }
   }
 
+  SharedForces shared; ///< of the present line
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
-  std::vector<double> forces; ///< of the present line on each ring
   double cosine = 1;
   double sine = 0;
 };
@@ -143,14 +199,12 @@ ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_h
 {
   using Moments = Eigen::Matrix<double, 5, 1>; // sums of f, M_Nx, M_Ny, f r, f r^2
   Moments moments = Moments::Zero();
-  const std::optional<RingShares> shares = radii.empty() ? std::nullopt : std::optional(RingShares(radii));
-  const Eigen::VectorXd whole = Eigen::VectorXd::Ones(1);
-  AzimuthSums sums(std::max<std::size_t>(radii.size(), 1), n_harmonics);
+  AzimuthSums sums(radii, n_harmonics);
   for (const PointForce &point : forces)
   {
     const double radius = std::sqrt(point.x * point.x + point.y * point.y);
     moments += point.force * Moments(1, point.y, -point.x, radius, radius * radius);
-    sums.add(point, radius, shares ? shares->at(radius) : whole);
+    sums.add(point, radius);
   }
   moments = parts.sum(moments);
   if (!(moments(0) > 0))

@@ -53,12 +53,10 @@ LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
   return lower;
 }
 
-struct SparseCholesky::Factors : Eigen::CholmodSupernodalLLT<LowerTriangle, Eigen::Lower>
+struct SparseCholesky::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen::Lower>
 {
   explicit Factors(const LowerTriangle &lower)
   {
-    const std::lock_guard<std::mutex> alone(entering_blas);
-    omp_set_max_active_levels(0);
     cholmod().nmethods = 1;
     cholmod().method[0].ordering = CHOLMOD_AMD;
     cholmod().postorder = 1;
@@ -78,7 +76,6 @@ SparseCholesky::~SparseCholesky() = default;
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) const
 {
-  const std::lock_guard<std::mutex> alone(entering_blas);
   return factors->solve(right_hand_sides);
 }
 

@@ -13,16 +13,22 @@ constexpr std::uint8_t hexahedron = 12, triquadratic_hexahedron = 29;
 void append_base64(const std::string &bytes, std::string &text)
 {
   constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte = [&](std::size_t i)
-  { return i < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) : 0; };
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
+  const std::size_t n_whole = bytes.size() / 3, n_left = bytes.size() % 3, begin = text.size();
+  text.resize(begin + 4 * (n_whole + (n_left > 0 ? 1 : 0)));
+  const auto *from = reinterpret_cast<const unsigned char *>(bytes.data());
+  char *to = text.data() + begin;
+  const auto put = [&](unsigned int first, unsigned int second, unsigned int third)
   {
-    const std::uint32_t bits = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    const char four[] = { letters[bits >> 18], letters[bits >> 12 & 63],
-                          i + 1 < bytes.size() ? letters[bits >> 6 & 63] : '=',
-                          i + 2 < bytes.size() ? letters[bits & 63] : '=' };
-    text.append(four, 4);
-  }
+    const unsigned int bits = first << 16 | second << 8 | third;
+    for (const int shift : { 18, 12, 6, 0 })
+      *to++ = letters[bits >> shift & 63];
+  };
+  for (std::size_t i = 0; i < n_whole; ++i, from += 3)
+    put(from[0], from[1], from[2]);
+  if (n_left == 0)
+    return;
+  put(from[0], n_left == 2 ? from[1] : 0, 0);
+  text.replace(text.size() - (3 - n_left), 3 - n_left, 3 - n_left, '=');
 }
 
 /// Appends an array to the text of a file, with its length before it.
