@@ -59,7 +59,7 @@ public:
     }
   }
 
-  /// What each ring has of the forces since the last call.
+  /// Shares of each ring in the forces since the last call.
   Eigen::VectorXd take()
   {
     const Eigen::VectorXd forces = coefficients * sums;
