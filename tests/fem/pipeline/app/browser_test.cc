@@ -58,7 +58,8 @@ const std::vector<Opened> &opened()
 std::string measuring_page(const std::string &html)
 {
   return R"(<!DOCTYPE html><meta charset="utf-8"/><body><script>
-)" + axe_script() + R"(
+)" + axe_script() +
+         R"(
 const widths = )" +
          nlohmann::json(widths).dump() + R"(, measured = {};
 const troubles = page => Array.from(page.querySelectorAll("figure svg")).flatMap(svg => {

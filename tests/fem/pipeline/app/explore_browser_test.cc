@@ -26,7 +26,8 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
 std::string moving_page(const std::string &page)
 {
   return R"(<!DOCTYPE html><meta charset="utf-8"><body><script>
-)" + axe_script() + R"(
+)" + axe_script() +
+         R"(
 const holder = document.createElement("iframe");
 document.body.append(holder);
 holder.contentDocument.open();
