@@ -1,5 +1,7 @@
 #include "fem/geometry/vtu_writer.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <array>
 
 namespace stemware::fem
@@ -10,42 +12,22 @@ namespace
 
 constexpr std::uint8_t hexahedron = 12, triquadratic_hexahedron = 29;
 
-void append_base64(const std::string &bytes, std::string &text)
-{
-  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t n_whole = bytes.size() / 3, n_left = bytes.size() % 3, begin = text.size();
-  text.resize(begin + 4 * (n_whole + (n_left > 0 ? 1 : 0)));
-  const auto *from = reinterpret_cast<const unsigned char *>(bytes.data());
-  char *to = text.data() + begin;
-  const auto put = [&](unsigned int first, unsigned int second, unsigned int third)
-  {
-    const unsigned int bits = first << 16 | second << 8 | third;
-    for (const int shift : { 18, 12, 6, 0 })
-      *to++ = letters[bits >> shift & 63];
-  };
-  for (std::size_t i = 0; i < n_whole; ++i, from += 3)
-    put(from[0], from[1], from[2]);
-  if (n_left == 0)
-    return;
-  put(from[0], n_left == 2 ? from[1] : 0, 0);
-  text.replace(text.size() - (3 - n_left), 3 - n_left, 3 - n_left, '=');
-}
-
 /// Appends an array to the text of a file, with its length before it.
 template <typename Number>
 void append_array(const std::string &name, unsigned int n_components, const std::vector<Number> &values,
                   std::string &text)
 {
   const std::uint64_t n_bytes = values.size() * sizeof(Number);
-  std::string bytes(reinterpret_cast<const char *>(&n_bytes), sizeof(n_bytes));
-  bytes.append(reinterpret_cast<const char *>(values.data()), n_bytes);
+  const auto *length = reinterpret_cast<const unsigned char *>(&n_bytes);
+  const auto *data = reinterpret_cast<const unsigned char *>(values.data());
+  std::vector<unsigned char> bytes(length, length + sizeof(n_bytes));
+  bytes.insert(bytes.end(), data, data + n_bytes);
   const std::string type = std::is_same_v<Number, float>          ? "Float32"
                            : std::is_same_v<Number, std::int32_t> ? "Int32"
                                                                   : "UInt8";
   text += "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-          std::to_string(n_components) + "\" format=\"binary\">";
-  append_base64(bytes, text);
-  text += "</DataArray>\n";
+          std::to_string(n_components) + "\" format=\"binary\">" + dealii::Utilities::encode_base64(bytes) +
+          "</DataArray>\n";
 }
 
 } // namespace

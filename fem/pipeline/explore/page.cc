@@ -12,6 +12,8 @@
 #include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <deal.II/base/utilities.h>
+
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
@@ -35,17 +37,7 @@ namespace
 
 std::string base64(const std::string &bytes)
 {
-  constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k < bytes.size() + 1 ? letters[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
+  return dealii::Utilities::encode_base64({ bytes.begin(), bytes.end() });
 }
 
 std::string gzipped(const std::string &bytes)
