@@ -64,6 +64,8 @@ struct Ending
   double seconds = 0;
   double seconds_of_foot = 0; ///< meshes and compliances
   double omega = 0;           ///< terminal spin [rad/s]
+  double uncertainty = 0;     ///< of a mean over phases [rad/s]
+  std::size_t n_contacts = 0; ///< solved
   bool is_confirmed = false;  ///< tipping that a check without the contact solver or a fold shows
 };
 
@@ -75,7 +77,10 @@ void find_spin(const Study &study, Ending &ending)
   const auto foot = study_foot(study, cache);
   ending.seconds_of_foot = deadline.clock.seconds();
   const SharedLoad load = find_load(study, foot, deadline);
-  ending.omega = terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
+  const LongRunSpin found = terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque);
+  ending.omega = found.spin.omega;
+  ending.uncertainty = found.uncertainty;
+  ending.n_contacts = foot ? foot->n_contacts() : 0;
 }
 
 Ending attempt(const Study &study)
@@ -274,11 +279,12 @@ public:
     all.add(ending);
     if (!lists_all && ending.name == "converged" && ending.seconds <= slow)
       return;
-    std::printf("%s: %s, crown %.2g mm, %s, friction %s, %u rings%s: %s, %.2f s (foot %.2f s), %.9g rad/s",
+    std::printf("%s: %s, crown %.2g mm, %s, friction %s, %u rings%s: %s, %.2f s (foot %.2f s), %zu contacts, "
+                "%.9g +- %.1e rad/s",
                 name.c_str(), table_name(study.table).c_str(), 1000 * study.glass.profile.crown_radius,
                 balance_name(study).c_str(), study.friction_deforms() ? "elastic" : "none",
                 study.contact.rings, study.has_waviness() ? ", wavy" : "", ending.name.c_str(),
-                ending.seconds, ending.seconds_of_foot, ending.omega);
+                ending.seconds, ending.seconds_of_foot, ending.n_contacts, ending.omega, ending.uncertainty);
     std::printf("%s%s\n", ending.message.empty() ? "" : "\n    ", ending.message.c_str());
     std::fflush(stdout);
   }

@@ -222,7 +222,8 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   // Of the mean in the long run; finer than the loads are known would be in vain.
   const PhaseLoads &phases = *load.phases();
   constexpr double coarsest = 1e-3; // where the loads between phases are known badly, their mean is not
-  const double accuracy = std::clamp(0.1 * phases.error(), 1e-9, std::max(coarsest, phases.mean_error()));
+  const double accuracy =
+    std::clamp(0.1 * phases.error().between, 1e-9, std::max(coarsest, phases.error().mean));
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
@@ -233,8 +234,9 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
                                                           : 1;
-  const double torque_error = (phases.mean_error() + longer * phases.error()) * motion.friction_coefficient *
-                              motion.normal_force() * load.report().rings.radius();
+  const double torque_error = (phases.error().mean + longer * phases.error().between) *
+                              motion.friction_coefficient * motion.normal_force() *
+                              load.report().rings.radius();
   result.uncertainty = mean.uncertainty;
   if (!result.spin.held)
     result.uncertainty += torque_error / std::abs(result.spin.torque_slope);

@@ -44,7 +44,7 @@ PhaseStudy study_phases(const PhaseLoads &loads, const SpinRow &row, const ring:
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();
   study.n_spins = loads.n_spins();
-  study.interpolation_error = loads.error();
+  study.interpolation_error = loads.error().between;
   for (unsigned int i = 0; i < loads.phases().size(); ++i)
     study.phases.push_back(loads.phases().phase(i));
   study.torque_at_rest = torques_at(0, loads, motion);

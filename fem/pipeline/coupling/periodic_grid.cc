@@ -18,7 +18,7 @@ PeriodicGrid::PeriodicGrid(double period, unsigned int n_nodes)
 
 PeriodicGrid PeriodicGrid::halved() const
 {
-  return PeriodicGrid(period, n_nodes > 2 ? n_nodes / 2 : n_nodes);
+  return PeriodicGrid(period, n_nodes > 1 ? n_nodes / 2 : 1);
 }
 
 Eigen::VectorXd PeriodicGrid::weights(double angle) const

@@ -17,7 +17,7 @@ public:
   double node(unsigned int i) const { return period * i / n_nodes; }
   double step() const { return period / n_nodes; }
   PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
-  /// With half the nodes, at least two; one remains one.
+  /// With half the nodes; one remains one.
   PeriodicGrid halved() const;
   /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
   Eigen::VectorXd weights(double angle) const;

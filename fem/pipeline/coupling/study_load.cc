@@ -192,9 +192,10 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     return load->at(omega);
   };
   // Where each phase takes a curve over the spins, or ten times as long under a hard contact, fewer have to
-  // do.
+  // do: so a study takes seconds.
   const bool follows = follows_spin(study), is_hard = study.table.is_hard();
-  const PhaseGrids grids = find_phases(exact, periods_of(study, *foot), follows || is_hard ? 64 : 256);
+  const PhasePeriods periods = periods_of(study, *foot);
+  const PhaseSamples samples = find_phases(exact, periods, follows ? 32 : is_hard ? 64 : 256);
 
   const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
   SpinSampling spins;
@@ -202,12 +203,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   if (follows)
     spins.unit = study.motion.orbit.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
-  {
-    spins.enough = 3e-2;
     spins.most_steps = 8;
-  }
-  else if (grids.glass.size() > 1 && grids.table.size() > 1)
-    spins.enough = 1e-3;
   PhaseExtremes worst = { report.minimum, report.contact_fraction };
   for (const auto &[phase, load] : *by_phase)
   {
@@ -216,7 +212,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
   }
   return std::make_shared<LoadByPhase>(
     load_at_one_phase(study, foot, moment_balance(study).orientation, at_rest, n_harmonics, progress),
-    std::make_shared<const PhaseLoads>(exact, grids, spins, worst));
+    std::make_shared<const PhaseLoads>(exact, periods, samples, spins, worst));
 }
 
 /// A band of radii [m].
