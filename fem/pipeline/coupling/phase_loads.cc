@@ -16,8 +16,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Of the mean over the phases, and of the load between spins: a hundredth of what rim and table out of flat
-/// leave unknown in most studies.
+/// Error wanted of the mean over the phases, and of the load between spins: a hundredth of what rim and table
+/// out of flat leave unknown in most studies.
 constexpr double tolerance = 1e-6;
 /// Largest errors allowed: of the mean over the phases, which the band of error contains, and between them,
 /// where ripple alone depends on it.

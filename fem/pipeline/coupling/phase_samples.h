@@ -61,10 +61,10 @@ public:
   /// Mean over all phases, the trapezoidal rule. It carries the mean moment.
   LeaningLoad mean() const;
 
-  /// What the samples tell of their error in one angle. Of the mean: what half of the phases say otherwise;
-  /// between: what half and a quarter of them leave at the others, extrapolated to all.
+  /// Error in one angle, as the samples tell it. Of the mean: what half of the phases say otherwise; between:
+  /// what half and a quarter of them leave at the others, extrapolated to all.
   SampleError error(PhaseGrids::Angle angle) const;
-  /// That of both angles: the sum of the mean's, the larger of those between.
+  /// Error in both angles: the sum of those of the mean, the larger of those between.
   SampleError error() const;
 
 private:
