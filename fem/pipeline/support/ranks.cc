@@ -57,9 +57,14 @@ void start_mpi()
       "each other; start it by itself.");
   static int n_arguments = 0;
   static char **arguments = nullptr;
-  // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for.
+  // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for;
+  // nor the folder in /tmp, which has the same name for all such processes: where two start at once, one
+  // finds it made, or gone, and aborts.
   if (!launched_by_mpirun())
+  {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  }
   // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
   // machine.
   if (!running_session)
