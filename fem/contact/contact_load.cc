@@ -74,12 +74,15 @@ private:
   double half = 1; ///< [m]
 };
 
-/// Fourier sums of point forces on rings. Points that follow each other on one azimuth line are taken
-/// together, and cos and sin of n theta come from turning the point's direction: a law has thousands of
-/// points.
+/// Fourier sums of point forces on rings, and their moments. Points that follow each other on one azimuth
+/// line are taken together, and cos and sin of n theta come from turning the line's direction: a law has
+/// thousands of points.
 class AzimuthSums
 {
 public:
+  /// sum f, f y, -f x, f r, f r^2
+  using Moments = Eigen::Matrix<double, 5, 1>;
+
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
       : shared(radii)
       , a(static_cast<std::size_t>(shared.n_rings()), std::vector<double>(n_harmonics + 1, 0))
@@ -87,39 +90,51 @@ public:
   {
   }
 
-  /// Adds the force of @p point at @p radius.
-  void add(const PointForce &point, double radius)
+  void add(const PointForce &point)
   {
-    const double new_cosine = radius > 0 ? point.x / radius : 1;
-    const double new_sine = radius > 0 ? point.y / radius : 0;
-    if (std::abs(new_cosine - cosine) + std::abs(new_sine - sine) > 1e-14)
+    double radius = point.x * cosine + point.y * sine;
+    if (!(std::abs(point.y * cosine - point.x * sine) <= 1e-14 * radius))
     {
       flush();
-      cosine = new_cosine;
-      sine = new_sine;
+      radius = std::hypot(point.x, point.y);
+      cosine = radius > 0 ? point.x / radius : 1;
+      sine = radius > 0 ? point.y / radius : 0;
     }
+    on_line += Eigen::Vector3d(1, radius, radius * radius) * point.force;
     shared.add(point.force, radius);
   }
 
-  /// Brings the last line's forces into the sums, and hands over those of all @p parts on rings of @p radii.
-  std::vector<ring::RingStack::Ring> finish(const std::vector<double> &radii, const SurfaceParts &parts)
+  /// Brings the last line's forces into the sums, and adds up those of all @p parts.
+  void finish(const SurfaceParts &parts)
   {
     flush();
-    std::vector<ring::RingStack::Ring> rings;
+    sums = parts.sum(sums);
     for (std::size_t j = 0; j < a.size(); ++j)
     {
       parts.sum_in_place(a[j]);
       parts.sum_in_place(b[j]);
       a[j][0] /= 2;
       b[j][0] = 0;
-      rings.push_back({ radii[j], std::move(a[j]), std::move(b[j]) });
     }
+  }
+
+  const Moments &moments() const { return sums; }
+
+  /// The sums as rings of @p radii.
+  std::vector<ring::RingStack::Ring> rings(const std::vector<double> &radii) const
+  {
+    std::vector<ring::RingStack::Ring> rings;
+    for (std::size_t j = 0; j < a.size(); ++j)
+      rings.push_back({ radii[j], a[j], b[j] });
     return rings;
   }
 
 private:
   void flush()
   {
+    sums +=
+      (Moments() << on_line(0), on_line(1) * sine, -on_line(1) * cosine, on_line(1), on_line(2)).finished();
+    on_line.setZero();
     const Eigen::VectorXd forces = shared.take();
     for (std::size_t j = 0; j < a.size(); ++j)
     {
@@ -136,7 +151,9 @@ private:
     }
   }
 
-  SharedForces shared; ///< of the present line
+  SharedForces shared;                               ///< of the present line
+  Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 of the present line
+  Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
   double cosine = 1;
@@ -197,21 +214,16 @@ ContactLoad ContactLoad::turned(double angle) const
 ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
                          const std::vector<double> &radii, const SurfaceParts &parts)
 {
-  using Moments = Eigen::Matrix<double, 5, 1>; // sums of f, M_Nx, M_Ny, f r, f r^2
-  Moments moments = Moments::Zero();
   AzimuthSums sums(radii, n_harmonics);
   for (const PointForce &point : forces)
-  {
-    const double radius = std::sqrt(point.x * point.x + point.y * point.y);
-    moments += point.force * Moments(1, point.y, -point.x, radius, radius * radius);
-    sums.add(point, radius);
-  }
-  moments = parts.sum(moments);
+    sums.add(point);
+  sums.finish(parts);
+  const AzimuthSums::Moments &moments = sums.moments();
   if (!(moments(0) > 0))
     throw std::invalid_argument("There is no load on the table, so there are no load harmonics.");
   const double mean_radius = moments(3) / moments(0);
   std::vector<ring::RingStack::Ring> rings =
-    sums.finish(radii.empty() ? std::vector<double>{ moments(4) / moments(3) } : radii, parts);
+    sums.rings(radii.empty() ? std::vector<double>{ moments(4) / moments(3) } : radii);
   double rotation = 0;
   const double moment = std::hypot(moments(1), moments(2));
   const double even = n_harmonics > 0 ? rings.front().a[1] : 0,

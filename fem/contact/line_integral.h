@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace stemware::fem
@@ -31,12 +32,51 @@ struct PositiveSegments
   unsigned int n_segments = 0;
 };
 
+/// A quadratic along a line by its coefficients: c(0) + c(1) xi + c(2) xi^2.
+inline Eigen::Vector3d quadratic_through(const Eigen::Vector3d &samples)
+{
+  return { samples(1), (samples(2) - samples(0)) / 2, (samples(0) + samples(2)) / 2 - samples(1) };
+}
+
+/// Its value at @p xi.
+inline double value_at(const Eigen::Vector3d &coefficients, double xi)
+{
+  return coefficients(0) + xi * (coefficients(1) + xi * coefficients(2));
+}
+
 /// A quadrature point on a loaded segment.
 struct LinePoint
 {
-  Eigen::Vector3d shape;       ///< of the three samples
-  double area = 0;             ///< table area that it stands for, > 0 [m^2]
-  Eigen::RowVector2d position; ///< (x, y) [m]
+  double xi = 0;   ///< local coordinate
+  double area = 0; ///< table area that it stands for, > 0 [m^2]
+};
+
+/// Table area along a contact line per local coordinate and quadrature weight, d(x, y)/dxi times the
+/// transverse tangent: a cubic.
+class AreaElement
+{
+public:
+  explicit AreaElement(const ContactLine &line)
+  {
+    const Eigen::Vector3d x = quadratic_through(line.position.col(0)),
+                          y = quadratic_through(line.position.col(1)),
+                          across_x = quadratic_through(line.transverse_tangent.col(0)),
+                          across_y = quadratic_through(line.transverse_tangent.col(1));
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+      cubic(i) += x(1) * across_y(i) - y(1) * across_x(i);
+      cubic(i + 1) += 2 * (x(2) * across_y(i) - y(2) * across_x(i));
+    }
+  }
+
+  /// [m^2]
+  double operator()(double xi) const
+  {
+    return std::abs(cubic(0) + xi * (cubic(1) + xi * (cubic(2) + xi * cubic(3))));
+  }
+
+private:
+  Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
 };
 
 /// The part of @p line and of the @p depth at its samples between two of its local coordinates: positions,
@@ -54,42 +94,35 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   return { part, at_samples * depth };
 }
 
-/// Calls visit(const LinePoint &) at the given Gauss points of one segment of @p line.
+/// Calls visit(const LinePoint &) at the given Gauss points of one segment of a line.
 template <std::size_t n_points, typename Visitor>
-void for_each_gauss_point(const ContactLine &line, const LineSegment &segment,
+void for_each_gauss_point(const AreaElement &area, const LineSegment &segment,
                           const std::array<double, n_points> &points,
                           const std::array<double, n_points> &weights, const Visitor &visit)
 {
-  const double half_length = (segment.end - segment.begin) / 2;
+  const double middle = (segment.begin + segment.end) / 2, half_length = (segment.end - segment.begin) / 2;
   for (std::size_t q = 0; q < n_points; ++q)
   {
-    const double xi = (segment.begin + segment.end) / 2 + half_length * points[q];
-    LinePoint point;
-    point.shape = line_shape(xi);
-    const Eigen::Vector3d slope(xi - 0.5, -2 * xi, xi + 0.5);
-    const Eigen::RowVector2d along = slope.transpose() * line.position;
-    const Eigen::RowVector2d across = point.shape.transpose() * line.transverse_tangent;
-    point.area = std::abs(along(0) * across(1) - along(1) * across(0)) * half_length * weights[q];
-    point.position = point.shape.transpose() * line.position;
-    visit(point);
+    const double xi = middle + half_length * points[q];
+    visit(LinePoint{ xi, area(xi) * half_length * weights[q] });
   }
 }
 
-/// Calls visit(const LinePoint &) at the four Gauss points of one segment of @p line: exact for polynomials
+/// Calls visit(const LinePoint &) at the four Gauss points of one segment of a line: exact for polynomials
 /// in the local coordinate of degree 7, the area element included.
 template <typename Visitor>
-void for_each_point(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+void for_each_point(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
   static constexpr std::array<double, 4> points = { -0.8611363115940526, -0.3399810435848563,
                                                     0.3399810435848563, 0.8611363115940526 };
   static constexpr std::array<double, 4> weights = { 0.3478548451374538, 0.6521451548625461,
                                                      0.6521451548625461, 0.3478548451374538 };
-  for_each_gauss_point(line, segment, points, weights, visit);
+  for_each_gauss_point(area, segment, points, weights, visit);
 }
 
 /// for_each_point() with six points, for what is not a polynomial: exact for degree 11.
 template <typename Visitor>
-void for_each_of_six_points(const ContactLine &line, const LineSegment &segment, const Visitor &visit)
+void for_each_of_six_points(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
   static constexpr std::array<double, 6> points = { -0.9324695142031521, -0.6612093864662645,
                                                     -0.2386191860831969, 0.2386191860831969,
@@ -97,27 +130,27 @@ void for_each_of_six_points(const ContactLine &line, const LineSegment &segment,
   static constexpr std::array<double, 6> weights = { 0.1713244923791704, 0.3607615730481386,
                                                      0.4679139345726910, 0.4679139345726910,
                                                      0.3607615730481386, 0.1713244923791704 };
-  for_each_gauss_point(line, segment, points, weights, visit);
+  for_each_gauss_point(area, segment, points, weights, visit);
 }
 
 /// Calls visit(const LinePoint &) at the four Gauss points of each of @p n_panels equal parts of the whole
 /// line.
 template <typename Visitor>
-void for_each_point(const ContactLine &line, unsigned int n_panels, const Visitor &visit)
+void for_each_point(const AreaElement &area, unsigned int n_panels, const Visitor &visit)
 {
   for (unsigned int panel = 0; panel < n_panels; ++panel)
-    for_each_point(line, LineSegment{ 2. * panel / n_panels - 1, 2. * (panel + 1) / n_panels - 1 }, visit);
+    for_each_point(area, LineSegment{ 2. * panel / n_panels - 1, 2. * (panel + 1) / n_panels - 1 }, visit);
 }
 
 /// Calls visit(const LinePoint &) at the four Gauss points of every segment where the quadratic through @p
 /// penetration is positive: exact for (shape)^2 times a penetration and a cubic area element, i.e. closed
 /// form on a straight line.
 template <typename Visitor>
-void for_each_loaded_point(const ContactLine &line, const Eigen::Vector3d &penetration, const Visitor &visit)
+void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penetration, const Visitor &visit)
 {
   const PositiveSegments loaded(penetration);
   for (unsigned int s = 0; s < loaded.n_segments; ++s)
-    for_each_point(line, loaded.segments[s], visit);
+    for_each_point(area, loaded.segments[s], visit);
 }
 
 /// Penetration at the samples of @p line [m], from the normal displacement of the contact nodes relative to
@@ -139,11 +172,12 @@ inline Eigen::Vector3d penetration(const ContactLine &line, const Eigen::VectorX
 /// Adds what @p line contributes to int N_i dA of its nodes, ContactSurface::node_area [m^2].
 inline void add_node_areas(const ContactLine &line, Eigen::VectorXd &node_area)
 {
-  for_each_point(line, LineSegment{ -1, 1 },
+  for_each_point(AreaElement(line), LineSegment{ -1, 1 },
                  [&](const LinePoint &point)
                  {
+                   const Eigen::Vector3d shape = line_shape(point.xi);
                    for (unsigned int i = 0; i < line.nodes.size(); ++i)
-                     node_area(line.nodes[i]) += point.area * line.shape.col(i).dot(point.shape);
+                     node_area(line.nodes[i]) += point.area * line.shape.col(i).dot(shape);
                  });
 }
 

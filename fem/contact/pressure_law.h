@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace stemware::fem
@@ -15,8 +16,9 @@ namespace stemware::fem
 /// A table whose pressure depends on the local penetration alone, integrated along the contact lines.
 ///
 /// @p Pressure offers, for a penetration d [m], `pressure(d)` [Pa], not decreasing, and `stiffness(d)` =
-/// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(line, depth, visit)`, which calls visit(const
-/// LinePoint &) at the quadrature points of a line that carry load; and `least_depth(deepest)`, below which a
+/// dp/dd [Pa/m]; `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const
+/// LinePoint &) at the quadrature points of a line that carry load, from its area element and the penetration
+/// at its samples; and `least_depth(deepest)`, below which a
 /// place carries nothing that counts where another one has the penetration `deepest` [m].
 template <typename Pressure>
 class PressureLaw : public TableLaw
@@ -26,6 +28,7 @@ public:
   PressureLaw(const ContactSurface &surface, const Pressure &pressure)
       : surface(surface)
       , pattern(surface)
+      , areas(surface.lines.begin(), surface.lines.end())
       , law(pressure)
   {
   }
@@ -58,25 +61,27 @@ public:
     for (std::size_t l = 0; l < surface.lines.size(); ++l)
     {
       double line_force = 0;
-      const auto add = [&](const ContactLine &line, const Eigen::Vector3d &depth)
+      const auto add = [&](const ContactLine &line, const AreaElement &area, const Eigen::Vector3d &depth)
       {
         if (greatest(depth) < least)
           return;
-        law.integrate(line, depth,
+        const Eigen::Vector3d along = quadratic_through(depth), x = quadratic_through(line.position.col(0)),
+                              y = quadratic_through(line.position.col(1));
+        law.integrate(area, depth,
                       [&](const LinePoint &point)
                       {
-                        const double force = law.pressure(point.shape.dot(depth)) * point.area;
-                        result.points.push_back({ point.position(0), point.position(1), force });
+                        const double force = law.pressure(value_at(along, point.xi)) * point.area;
+                        result.points.push_back({ value_at(x, point.xi), value_at(y, point.xi), force });
                         line_force += force;
                       });
       };
       if (n_parts == 1)
-        add(surface.lines[l], depths[l]);
+        add(surface.lines[l], areas[l], depths[l]);
       for (unsigned int i = 0; n_parts > 1 && i < n_parts; ++i)
       {
         const auto [part, depth] =
           part_of(surface.lines[l], depths[l], { 2. * i / n_parts - 1, 2. * (i + 1) / n_parts - 1 });
-        add(part, depth);
+        add(part, AreaElement(part), depth);
       }
       line_forces.push_back(line_force);
     }
@@ -146,27 +151,45 @@ private:
   /// those of its @p image if that is another one.
   void add_line(std::size_t l, std::size_t image, const Eigen::Vector3d &depth, ContactForces &contact) const
   {
-    const ContactLine &line = surface.lines[l];
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+    const Eigen::Vector3d along = quadratic_through(depth);
+    double pressures[3] = {}, stiffnesses[5] = {}; // moments in the local coordinate
     bool loaded = false;
-    law.integrate(line, depth,
+    law.integrate(areas[l], depth,
                   [&](const LinePoint &point)
                   {
                     loaded = true;
-                    const double local_depth = point.shape.dot(depth);
-                    force += law.pressure(local_depth) * point.area * point.shape;
-                    tangent +=
-                      law.stiffness(local_depth) * point.area * point.shape * point.shape.transpose();
+                    const auto [pressure, stiffness] = law.pressure_and_stiffness(value_at(along, point.xi));
+                    const double xi = point.xi, xi_2 = xi * xi, force = pressure * point.area,
+                                 tangent = stiffness * point.area;
+                    pressures[0] += force;
+                    pressures[1] += force * xi;
+                    pressures[2] += force * xi_2;
+                    stiffnesses[0] += tangent;
+                    stiffnesses[1] += tangent * xi;
+                    stiffnesses[2] += tangent * xi_2;
+                    stiffnesses[3] += tangent * xi_2 * xi;
+                    stiffnesses[4] += tangent * xi_2 * xi_2;
                   });
     for (const std::size_t place : { l, image })
       contact.active_set[place] = loaded;
-    if (loaded)
-      pattern.add(l, image, force, tangent, contact.forces, contact.tangent);
+    if (!loaded)
+      return;
+    // The shape functions (xi^2 - xi)/2, 1 - xi^2, (xi^2 + xi)/2 and their products, by their moments.
+    const Eigen::Vector3d force((pressures[2] - pressures[1]) / 2, pressures[0] - pressures[2],
+                                (pressures[2] + pressures[1]) / 2);
+    const auto &[k0, k1, k2, k3, k4] = stiffnesses;
+    const double to_left = (k2 - k1 - k4 + k3) / 2, to_right = (k2 + k1 - k4 - k3) / 2,
+                 across = (k4 - k2) / 4;
+    Eigen::Matrix3d tangent;
+    tangent << (k4 - 2 * k3 + k2) / 4, to_left, across, //
+      to_left, k0 - 2 * k2 + k4, to_right,              //
+      across, to_right, (k4 + 2 * k3 + k2) / 4;
+    pattern.add(l, image, force, tangent, contact.forces, contact.tangent);
   }
 
   const ContactSurface &surface;
   const LinePattern pattern;
+  const std::vector<AreaElement> areas; ///< of the lines
   const Pressure law;
 };
 
@@ -182,6 +205,13 @@ public:
     const Law &law = static_cast<const Law &>(*this);
     law.validate();
     return std::make_unique<PressureLaw<Law>>(surface, law);
+  }
+
+  /// p [Pa] and dp/dd [Pa/m] at a penetration; for laws that find both at once to do so.
+  std::pair<double, double> pressure_and_stiffness(double depth) const
+  {
+    const Law &law = static_cast<const Law &>(*this);
+    return { law.pressure(depth), law.stiffness(depth) };
   }
 };
 

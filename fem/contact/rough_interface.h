@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -56,6 +57,13 @@ struct RoughInterface : PressureInterface<RoughInterface>
   {
     return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
   }
+  /// Both from one exponential.
+  std::pair<double, double> pressure_and_stiffness(double depth) const
+  {
+    const double ratio = depth / decay_length, factor = ratio < 0 ? std::exp(ratio) : 1;
+    return { reference_pressure * (factor + std::max(ratio, 0.)),
+             reference_pressure / decay_length * factor };
+  }
   /// Where the pressure is 1e-20 of the greatest.
   double least_depth(double deepest) const { return std::min(deepest, 0.) - 46 * decay_length; }
 
@@ -63,7 +71,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
   /// little from one to the next, where the pressure is more than rounding of the line's largest; the law's
   /// second derivative jumps where the mean planes meet, so panels end there.
   template <typename Visitor>
-  void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const
+  void integrate(const AreaElement &area, const Eigen::Vector3d &depth, const Visitor &visit) const
   {
     constexpr double rounding = 36, unloaded = -100; // exponents
     const double slope = (depth(2) - depth(0)) / 2, curvature = depth(0) - 2 * depth(1) + depth(2);
@@ -73,7 +81,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
       top = -slope / curvature;
     const double highest = depth_at(top);
     if (highest < unloaded * decay_length)
-      return for_each_point(line, LineSegment{ -1, 1 }, visit);
+      return for_each_point(area, LineSegment{ -1, 1 }, visit);
 
     // Where the exponential is largest: the highest place, or where the mean planes meet.
     const double level = std::min(highest, 0.);
@@ -93,7 +101,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
         const double n_panels = std::clamp(std::ceil(panels_per_length * (end - begin)), 1., 200.);
         const double length = (end - begin) / n_panels;
         for (double panel = 0; panel < n_panels; ++panel)
-          for_each_of_six_points(line, { begin + panel * length, begin + (panel + 1) * length }, visit);
+          for_each_of_six_points(area, { begin + panel * length, begin + (panel + 1) * length }, visit);
         begin = end;
       };
       for (unsigned int b = 0; b < beyond.n_segments; ++b)

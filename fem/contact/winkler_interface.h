@@ -35,9 +35,9 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   double least_depth(double) const { return 0; }
 
   template <typename Visitor>
-  void integrate(const ContactLine &line, const Eigen::Vector3d &depth, const Visitor &visit) const
+  void integrate(const AreaElement &area, const Eigen::Vector3d &depth, const Visitor &visit) const
   {
-    for_each_loaded_point(line, depth, visit);
+    for_each_loaded_point(area, depth, visit);
   }
 
   void validate() const

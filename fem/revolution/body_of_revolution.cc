@@ -10,70 +10,84 @@ namespace stemware::fem
 
 BodyOfRevolution::BodyOfRevolution(ContactCompliance compliance_given, const Gap &gap, unsigned int n_lines)
     : response(std::move(compliance_given), n_lines)
+    , surface(lines())
 {
-  make_lines();
   set_gap(gap);
   reset();
 }
 
-void BodyOfRevolution::make_lines()
+std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
 {
   const ContactCompliance &circles = response.compliance();
-  const unsigned int n_radii = circles.n_nodes();
-  const unsigned int degree = circles.degree;
+  const FourierBasis &basis = response.basis();
+  const unsigned int n_radii = circles.n_nodes(), n_lines = basis.n_lines(), degree = circles.degree;
   const unsigned int n_pieces = degree > 2 ? 2 : 1;
-  const double width = FourierBasis::norm(0) / response.basis().n_lines();
-  surface.lines_are_radial = true;
-  surface.n_sectors = response.basis().n_lines();
-  surface.node_position.resize(n_radii * response.basis().n_lines(), 2);
-  surface.node_area = Eigen::VectorXd::Zero(n_radii * response.basis().n_lines());
-  for (unsigned int j = 0; j < response.basis().n_lines(); ++j)
+  const double width = FourierBasis::norm(0) / n_lines;
+  // What the contact lines on all azimuths have in common.
+  struct Piece
   {
-    const Eigen::RowVector2d outward(response.basis().cosine(1, j), response.basis().sine(1, j));
+    unsigned int first;
+    Eigen::Vector3d radii; ///< of the samples
+    Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
+  };
+  std::vector<Piece> pieces;
+  for (unsigned int first = 0; first + degree < n_radii; first += degree)
+    for (unsigned int piece = 0; piece < n_pieces; ++piece)
+    {
+      const Eigen::VectorXd nodes = circles.radii.segment(first, degree + 1);
+      const double length = (nodes(degree) - nodes(0)) / n_pieces;
+      Piece &added = pieces.emplace_back(Piece{ first, {}, Eigen::MatrixXd::Identity(3, degree + 1) });
+      for (unsigned int sample = 0; sample < 3; ++sample)
+      {
+        added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
+        if (degree != 2) // else the samples are the nodes, to the last bit
+          added.shape.row(sample) = lagrange_values(nodes, added.radii(sample));
+      }
+    }
+
+  const auto result = std::make_shared<ContactSurface>();
+  result->lines_are_radial = true;
+  result->n_sectors = n_lines;
+  result->node_position.resize(n_radii * n_lines, 2);
+  result->lines.reserve(n_lines * pieces.size());
+  result->mirrored_lines.reserve(n_lines * pieces.size());
+  for (unsigned int j = 0; j < n_lines; ++j)
+  {
+    const Eigen::RowVector2d outward(basis.cosine(1, j), basis.sine(1, j));
     const Eigen::RowVector2d across(-outward(1), outward(0));
     for (unsigned int i = 0; i < n_radii; ++i)
-      surface.node_position.row(j * n_radii + i) = circles.radii(i) * outward;
-    for (unsigned int first = 0; first + degree < n_radii; first += degree)
-      for (unsigned int piece = 0; piece < n_pieces; ++piece)
-      {
-        const Eigen::VectorXd nodes = circles.radii.segment(first, degree + 1);
-        const double length = (nodes(degree) - nodes(0)) / n_pieces;
-        ContactLine line;
-        line.shape.resize(3, degree + 1);
-        for (unsigned int i = 0; i <= degree; ++i)
-          line.nodes.push_back(j * n_radii + first + i);
-        for (unsigned int sample = 0; sample < 3; ++sample)
-        {
-          const double radius = nodes(0) + length * (piece + sample / 2.);
-          line.shape.row(sample) = lagrange_values(nodes, radius);
-          line.position.row(sample) = radius * outward;
-          line.transverse_tangent.row(sample) = radius * width * across;
-        }
-        line.samples_are_nodes = degree == 2;
-        if (line.samples_are_nodes)
-          line.shape.setIdentity(); // to the last bit
-        line.azimuth = response.basis().azimuth(j);
-        line.azimuth_width = width;
-        add_node_areas(line, surface.node_area);
-        surface.lines.push_back(std::move(line));
-      }
+      result->node_position.row(j * n_radii + i) = circles.radii(i) * outward;
+    for (const Piece &piece : pieces)
+    {
+      ContactLine &line = result->lines.emplace_back();
+      for (unsigned int i = 0; i <= degree; ++i)
+        line.nodes.push_back(j * n_radii + piece.first + i);
+      line.shape = piece.shape;
+      line.samples_are_nodes = degree == 2;
+      line.position = piece.radii * outward;
+      line.transverse_tangent = piece.radii * width * across;
+      line.azimuth = basis.azimuth(j);
+      line.azimuth_width = width;
+      const std::size_t place = result->mirrored_lines.size() - j * pieces.size();
+      result->mirrored_lines.push_back((n_lines - j) % n_lines * pieces.size() + place);
+    }
   }
-  const std::size_t n_pieces_of_line = surface.lines.size() / response.basis().n_lines();
-  for (std::size_t j = 0; j < response.basis().n_lines(); ++j)
-    for (std::size_t piece = 0; piece < n_pieces_of_line; ++piece)
-      surface.mirrored_lines.push_back(
-        (response.basis().n_lines() - j) % response.basis().n_lines() * n_pieces_of_line + piece);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(n_radii * n_lines);
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    add_node_areas(result->lines[piece], areas);
+  result->node_area = areas.head(n_radii).replicate(n_lines, 1);
+  return result;
 }
 
 void BodyOfRevolution::set_gap(const Gap &gap)
 {
   const ContactCompliance &circles = response.compliance();
   const unsigned int n_radii = circles.n_nodes();
-  surface.node_gap.resize(n_radii * response.basis().n_lines());
+  surface->node_gap.resize(n_radii * response.basis().n_lines());
   for (unsigned int j = 0; j < response.basis().n_lines(); ++j)
     for (unsigned int i = 0; i < n_radii; ++i)
-      surface.node_gap(j * n_radii + i) = gap(circles.radii(i), response.basis().azimuth(j));
-  for (ContactLine &line : surface.lines)
+      surface->node_gap(j * n_radii + i) = gap(circles.radii(i), response.basis().azimuth(j));
+  for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
 }

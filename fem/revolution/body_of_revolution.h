@@ -5,6 +5,7 @@
 #include "fem/revolution/line_newton.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace stemware::fem
@@ -13,7 +14,8 @@ namespace stemware::fem
 /// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md).
 ///
 /// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on
-/// circle i and line j. Its state are the nodal forces whose elastic response its displacement is.
+/// circle i and line j. Its state are the nodal forces whose elastic response its displacement is. Copies
+/// have a state of their own and share the contact surface.
 class BodyOfRevolution : public ElasticBody
 {
 public:
@@ -26,15 +28,15 @@ public:
   /// the harmonics.
   BodyOfRevolution(ContactCompliance compliance, const Gap &gap, unsigned int n_lines = 256);
 
-  /// Another gap over the same circles: imperfections that turn with the glass or with the ground. Keeps the
-  /// state.
+  /// Another gap over the same circles, for copies too: imperfections that turn with the glass or with the
+  /// ground. Keeps the state.
   void set_gap(const Gap &gap);
 
   /// Friction that deforms the foot, or none. Keeps the state as a start for the next contact solution.
   /// Throws as SlidingTraction::validate.
   void set_sliding(const std::optional<SlidingTraction> &traction);
 
-  const ContactSurface &contact_surface() const override { return surface; }
+  const ContactSurface &contact_surface() const override { return *surface; }
   Eigen::VectorXd contact_displacement() const override { return displacement.reshaped(); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
@@ -60,10 +62,11 @@ public:
   const Eigen::MatrixXd &forces() const { return state; }
 
 private:
-  void make_lines();
+  /// The surface without its gaps.
+  std::shared_ptr<ContactSurface> lines() const;
 
   ElasticResponse response;
-  ContactSurface surface;
+  std::shared_ptr<ContactSurface> surface;
   Eigen::MatrixXd state;        ///< forces on the lines, shape [n_radii, n_lines]
   Eigen::MatrixXd displacement; ///< their elastic response
   Eigen::MatrixXd increment;    ///< of the forces, by the last solve()

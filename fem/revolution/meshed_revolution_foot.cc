@@ -19,11 +19,15 @@ MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup)
 {
 }
 
+MeshedRevolutionFoot::MeshedRevolutionFoot(const MeshedRevolutionFoot &other)
+    : RevolutionFoot(other)
+    , whole_land(other.whole_land)
+{
+}
+
 std::shared_ptr<const Foot> MeshedRevolutionFoot::twin() const
 {
-  const auto twin = std::make_shared<MeshedRevolutionFoot>(setup, compliance);
-  twin->whole_land = whole_land;
-  return twin;
+  return std::make_shared<MeshedRevolutionFoot>(*this);
 }
 
 std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::of_whole_land() const

@@ -24,6 +24,9 @@ public:
   /// Takes the compliances from @p cache, which other feet share.
   MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
+  /// The same foot with a state of its own.
+  MeshedRevolutionFoot(const MeshedRevolutionFoot &other);
+
   std::shared_ptr<const Foot> twin() const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;

@@ -42,9 +42,20 @@ RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup,
   zones.front() = std::make_unique<Zone>(*this, this->compliance->part(first, size));
 }
 
+RevolutionFoot::RevolutionFoot(const RevolutionFoot &other)
+    : setup(other.setup)
+    , compliance(other.compliance)
+    , interface(other.interface)
+{
+  const Zone &zone = *other.zones.front();
+  // Gaps that move are those of one foot alone.
+  zones.front() = setup.imperfection.empty() ? std::make_unique<Zone>(zone)
+                                             : std::make_unique<Zone>(*this, zone.body.contact_compliance());
+}
+
 std::shared_ptr<const Foot> RevolutionFoot::twin() const
 {
-  return std::make_shared<RevolutionFoot>(setup, compliance);
+  return std::make_shared<RevolutionFoot>(*this);
 }
 
 std::shared_ptr<const ContactCompliance> RevolutionFoot::of_whole_land() const

@@ -24,6 +24,9 @@ public:
   /// that is not allowed.
   RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
 
+  /// The same foot with a state of its own.
+  RevolutionFoot(const RevolutionFoot &other);
+
   std::shared_ptr<const Foot> twin() const override;
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
@@ -48,8 +51,8 @@ protected:
     Zone(const RevolutionFoot &foot, ContactCompliance compliance);
 
     BodyOfRevolution body;
-    const std::unique_ptr<TableLaw> law;
-    ring::Orientation marks; ///< that the gaps stand at
+    const std::shared_ptr<TableLaw> law; ///< has no state; copies share it
+    ring::Orientation marks;             ///< that the gaps stand at
   };
 
   /// The zone of @p state with its body as the state has it.

@@ -57,11 +57,12 @@ TEST(LineIntegral, AgreesWithBruteForceOnRandomPenetrations)
     const ContactLine line = radial_line(uniform(generator));
     const Eigen::Vector3d depth(uniform(generator), uniform(generator), uniform(generator));
     Eigen::Vector3d exact = Eigen::Vector3d::Zero();
-    for_each_loaded_point(line, depth,
+    for_each_loaded_point(AreaElement(line), depth,
                           [&](const LinePoint &point)
                           {
                             EXPECT_GT(point.area, 0);
-                            exact += point.shape * point.shape.dot(depth) * point.area;
+                            const Eigen::Vector3d shape = line_shape(point.xi);
+                            exact += shape * shape.dot(depth) * point.area;
                           });
     Eigen::Vector3d brute = Eigen::Vector3d::Zero();
     for (unsigned int i = 0; i < n_points; ++i)

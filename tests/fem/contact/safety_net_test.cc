@@ -42,9 +42,9 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
   }
   double least_depth(double) const { return -std::numeric_limits<double>::infinity(); }
   template <typename Visitor>
-  void integrate(const ContactLine &line, const Eigen::Vector3d &, const Visitor &visit) const
+  void integrate(const AreaElement &area, const Eigen::Vector3d &, const Visitor &visit) const
   {
-    for_each_point(line, 1u, visit);
+    for_each_point(area, 1u, visit);
   }
   void validate() const {}
 };
