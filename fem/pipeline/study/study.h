@@ -142,7 +142,7 @@ struct ContactSection
   unsigned int refinements = 0; ///< halvings of every cell
   double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
   unsigned int harmonics = 16;  ///< of a body of revolution
-  unsigned int azimuth_lines = 256; ///< on which a body of revolution meets the table
+  unsigned int azimuth_lines = 128; ///< on which a body of revolution meets the table
   unsigned int rings = 5;           ///< that take the pressure over
   double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
   unsigned int halvings_beyond_zone = 0; ///< of cells, see fem::RevolutionSetup; likewise

@@ -160,7 +160,7 @@ const std::vector<Effect> effects = {
   { "Contact/Land grading", "1", second_harmonic },
   { "Contact/Linear solver", "multigrid", "/contact/linear_iterations", quadratic_solid, second_harmonic },
   { "Contact/Harmonics", "2", "/load/a/4" },
-  { "Contact/Azimuth lines", "128", "/contact/contact_nodes" },
+  { "Contact/Azimuth lines", "96", "/contact/contact_nodes" },
   { "Contact/Rings", "1", "/ring/omega_terminal" },
   { "Contact/Load harmonics", "2", "/load/a" },
   { "Contact/Friction coupling", "elastic", second_harmonic },

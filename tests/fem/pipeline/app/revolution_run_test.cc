@@ -188,7 +188,7 @@ TEST(RevolutionRun, PointwiseLoadAndFootprintShowTheLoad)
   const auto summary = lifted.summary();
   const auto lines = lifted.table("load_lines.csv");
   const std::size_t n_lines = lines[0].size();
-  ASSERT_EQ(n_lines, 256u);
+  ASSERT_EQ(n_lines, 128u);
   double force = 0, moment = 0, loaded = 0;
   for (std::size_t i = 0; i < n_lines; ++i)
   {

@@ -84,10 +84,10 @@ TEST(StudyChecks, SolidBodyStandsOnRigidGroundWithEveryInterface)
 
 TEST(StudyChecks, LoadHarmonicsNeedLines)
 {
-  EXPECT_EQ(refusal_of({ { "Contact/Load harmonics", "127" } }), "");
+  EXPECT_EQ(refusal_of({ { "Contact/Load harmonics", "63" } }), "");
   EXPECT_EQ(
-    refusal_of({ { "Contact/Load harmonics", "128" } }),
-    "Contact/Load harmonics = 128 needs more than 256 Contact/Azimuth lines, not 256; give more lines, "
+    refusal_of({ { "Contact/Load harmonics", "64" } }),
+    "Contact/Load harmonics = 64 needs more than 128 Contact/Azimuth lines, not 128; give more lines, "
     "or fewer load harmonics.");
 }
 

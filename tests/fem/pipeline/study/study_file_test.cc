@@ -90,7 +90,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Land grading", "3" },
     { "Contact/Linear solver", "automatic" },
     { "Contact/Harmonics", "16" },
-    { "Contact/Azimuth lines", "256" },
+    { "Contact/Azimuth lines", "128" },
     { "Contact/Rings", "5" },
     { "Contact/Load harmonics", "0" },
     { "Contact/Friction coupling", "elastic" },

@@ -44,11 +44,11 @@ TEST(RefinementAxes, OfABodyOfRevolution)
   EXPECT_EQ(sizes(axes[2]), (Sizes{ 8, 16, 32 }));
   EXPECT_EQ(axes[2].own, 1u);
   EXPECT_EQ(axes[3].key, "azimuth_lines");
-  EXPECT_EQ(sizes(axes[3]), (Sizes{ 128, 256, 512 }));
+  EXPECT_EQ(sizes(axes[3]), (Sizes{ 64, 128, 256 }));
   // Each level differs in its own parameter only.
   EXPECT_EQ(axes[0].levels[2].study.contact.refinements, 2u);
   EXPECT_EQ(axes[0].levels[2].study.contact.harmonics, 16u);
-  EXPECT_EQ(axes[3].levels[0].study.contact.azimuth_lines, 128u);
+  EXPECT_EQ(axes[3].levels[0].study.contact.azimuth_lines, 64u);
   EXPECT_EQ(axes[3].levels[0].study.contact.refinements, 0u);
 }
 
