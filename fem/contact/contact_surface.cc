@@ -21,13 +21,20 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
   constexpr std::size_t n_bins_side_by_side = 8; // azimuths that are equal but for rounding share all but one
   const std::size_t n_bins = 8 * n_bins_side_by_side * n_sectors;
   std::vector<double> n_loaded(n_bins, 0);
+  Eigen::RowVector2d before(0, 0); // nodes that follow each other on a line share their azimuth
+  std::size_t bin = 0;
   for (unsigned int i = 0; i < n_own_nodes(); ++i)
     if (pressure(i) > 0)
     {
-      const double turns =
-        std::atan2(node_position(i, 1), node_position(i, 0)) / boost::math::double_constants::two_pi;
-      const auto bin = static_cast<std::size_t>((turns - std::floor(turns)) * double(n_bins));
-      ++n_loaded[bin % n_bins];
+      const Eigen::RowVector2d node = node_position.row(i);
+      const double along = node.dot(before), across = node(1) * before(0) - node(0) * before(1);
+      if (!(std::abs(across) < 1e-14 * along))
+      {
+        const double turns = std::atan2(node(1), node(0)) / boost::math::double_constants::two_pi;
+        bin = static_cast<std::size_t>((turns - std::floor(turns)) * double(n_bins)) % n_bins;
+        before = node;
+      }
+      ++n_loaded[bin];
     }
   parts.sum_in_place(n_loaded);
   double most = 0;

@@ -37,10 +37,11 @@ std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const 
 
 } // namespace
 
-std::shared_ptr<const ContactCompliance>
-ComplianceCache::with_twice_the_harmonics(std::vector<double> key, const MeridianOptions &options)
+std::shared_ptr<const ContactCompliance> ComplianceCache::with_more_harmonics(std::vector<double> key,
+                                                                              const MeridianOptions &options,
+                                                                              unsigned int factor)
 {
-  key[harmonics_place] = 2 * options.n_harmonics;
+  key[harmonics_place] = factor * options.n_harmonics;
   std::unique_lock<std::mutex> lock(mutex);
   const auto found = entries.find(key);
   if (found == entries.end())
@@ -59,8 +60,9 @@ std::shared_ptr<const ContactCompliance> ComplianceCache::get(const dealii::Tria
 {
   material.validate(); // a NaN equals every key
   const std::vector<double> key = key_of(triangulation, material, options);
-  if (const auto more = with_twice_the_harmonics(key, options))
-    return more;
+  for (const unsigned int factor : { 2, 4 })
+    if (const auto more = with_more_harmonics(key, options, factor))
+      return more;
   std::promise<std::shared_ptr<const ContactCompliance>> promise;
   {
     std::unique_lock<std::mutex> lock(mutex);

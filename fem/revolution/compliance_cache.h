@@ -35,9 +35,10 @@ public:
   unsigned int n_computed() const;
 
 private:
-  /// The part of a compliance that is known with twice as many harmonics; nothing where there is none.
-  std::shared_ptr<const ContactCompliance> with_twice_the_harmonics(std::vector<double> key,
-                                                                    const MeridianOptions &options);
+  /// The part of a compliance that is known with @p factor times as many harmonics; nothing where there is
+  /// none.
+  std::shared_ptr<const ContactCompliance>
+  with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
 
   using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
 

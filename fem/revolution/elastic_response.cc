@@ -1,5 +1,7 @@
 #include "fem/revolution/elastic_response.h"
 
+#include "fem/revolution/dense_algebra.h"
+
 #include <utility>
 
 namespace stemware::fem
@@ -30,6 +32,8 @@ ElasticResponse::ElasticResponse(ContactCompliance compliance, unsigned int n_li
     : circles(std::move(compliance))
     , modes(circles.n_harmonics(), n_lines)
 {
+  for (unsigned int n = 0; n <= circles.n_harmonics(); ++n)
+    differences.push_back(difference(n, 0, n_radii()));
 }
 
 void ElasticResponse::set_sliding(const std::optional<SlidingTraction> &traction)
@@ -72,27 +76,28 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
   const auto columns = [&](const Eigen::MatrixXd &matrix)
   { return matrix.middleCols(loaded.first, loaded.size); };
 
-  Eigen::MatrixXd result = per_line * (columns(circles.beyond.normal) * normal);
-  Eigen::MatrixXd radial, radial_modes, azimuthal_modes;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_radii(), n_lines());
+  add_product(columns(circles.beyond.normal), per_line * normal, result);
+  Eigen::MatrixXd radial_modes, azimuthal_modes;
   if (has_sliding())
   {
-    radial = normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size));
-    result.noalias() += per_line * (columns(circles.beyond.radial) * radial);
+    const Eigen::MatrixXd radial = normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size));
+    add_product(columns(circles.beyond.radial), per_line * radial, result);
     radial_modes = modes.project(radial);
     azimuthal_modes =
       modes.project_on_conjugates(normal.cwiseProduct(slide_azimuthal.middleRows(loaded.first, loaded.size)));
   }
   const Eigen::MatrixXd normal_modes = modes.project(normal);
-  Eigen::MatrixXd amplitudes(n_radii(), modes.n_modes());
+  Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(n_radii(), modes.n_modes());
   for (unsigned int mode = 0; mode < modes.n_modes(); ++mode)
   {
-    const HarmonicCompliance &harmonic = circles.harmonics[FourierBasis::harmonic(mode)];
-    amplitudes.col(mode) =
-      (columns(harmonic.normal) - columns(circles.beyond.normal)) * normal_modes.col(mode);
+    const HarmonicCompliance &harmonic = differences[FourierBasis::harmonic(mode)];
+    add_product(columns(harmonic.normal), normal_modes.col(mode), amplitudes.col(mode));
     if (has_sliding())
-      amplitudes.col(mode) +=
-        (columns(harmonic.radial) - columns(circles.beyond.radial)) * radial_modes.col(mode) +
-        columns(harmonic.azimuthal) * azimuthal_modes.col(mode);
+    {
+      add_product(columns(harmonic.radial), radial_modes.col(mode), amplitudes.col(mode));
+      add_product(columns(harmonic.azimuthal), azimuthal_modes.col(mode), amplitudes.col(mode));
+    }
     amplitudes.col(mode) /= FourierBasis::norm(mode);
   }
   return result + modes.evaluate(amplitudes);

@@ -75,6 +75,7 @@ public:
 
 private:
   ContactCompliance circles;
+  std::vector<HarmonicCompliance> differences; ///< difference() of each harmonic, on all circles
   FourierBasis modes;
   Eigen::MatrixXd slide_radial; ///< shape [n_radii, n_lines]
   Eigen::MatrixXd slide_azimuthal;

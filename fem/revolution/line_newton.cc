@@ -1,6 +1,7 @@
 #include "fem/revolution/line_newton.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/revolution/dense_algebra.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -253,8 +254,9 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
   // C y + (corner - weight) dq = rhs. Columns beside A: B and a.
   const Eigen::Index n = n_modes * p;
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd beside = Eigen::MatrixXd::Zero(n, 4);
+  RowMatrix system = RowMatrix::Zero(n, n + 4);
+  auto matrix = system.leftCols(n);
+  auto beside = system.rightCols<4>();
   for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
   {
     const bool conjugate = kind == 2;
@@ -293,7 +295,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
     tested.middleCols(mode * p, p) = on_modes.col(mode).reshaped(3, p);
 
   // With the table held the system is that of an elastic foot on springs; the motions follow by themselves.
-  const Eigen::MatrixXd held = matrix.partialPivLu().solve(beside);
+  solve_dense(system, 4);
+  const Eigen::MatrixXd held = beside;
   Increment increment;
   increment.resistance = corner - tested * held.leftCols<3>();
   // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns

@@ -20,6 +20,9 @@ namespace
 /// On what converges faster than any order, or with the first order and more.
 constexpr double usual_factor = 1.25;
 
+/// Elastic harmonics that a comparison of meshes takes at least.
+constexpr unsigned int fewest_harmonics = 4;
+
 using Setting = std::function<void(ContactSection &)>;
 
 Study changed(Study copy, const Setting &change)
@@ -93,13 +96,25 @@ void add_gathering(const Study &study, const ElasticFoot &foot,
 std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)
 {
   std::vector<BandChange> changes;
-  // What a mesh changes is told with half the harmonics: beyond them a compliance hardly moves the load.
-  const bool has_fewer = study.contact.harmonics > 1;
-  const std::string from = has_fewer ? "harmonics" : "";
-  const Study fewer =
-    changed(study, [](ContactSection &contact) { contact.harmonics = std::max(contact.harmonics / 2, 1u); });
-  if (has_fewer)
-    changes.push_back(change_of("harmonics", 0.5, fewer));
+  const auto with_harmonics = [&](unsigned int n)
+  { return changed(study, [=](ContactSection &contact) { contact.harmonics = n; }); };
+  const unsigned int n_harmonics = study.contact.harmonics;
+  Study fewer = study;
+  std::string from;
+  if (n_harmonics > 1)
+  {
+    from = "harmonics";
+    fewer = with_harmonics(n_harmonics / 2);
+    changes.push_back(change_of(from, 0.5, fewer));
+  }
+  // What a mesh changes is told with a quarter of the harmonics: beyond them a mesh changes what all others
+  // share.
+  if (n_harmonics >= 4 * fewest_harmonics)
+  {
+    from = "few harmonics";
+    fewer = with_harmonics(n_harmonics / 4);
+    changes.push_back(change_of(from, 0, fewer));
+  }
   // Meshes for a goal: the one before.
   const Study coarse = changed(fewer,
                                [](ContactSection &contact)

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 /// BandedQuantity::parts: several may go into one.
 struct BandChange : Variant
 {
-  double factor = 1;     ///< on what is changed
+  double factor = 1;     ///< on what is changed; 0: no part, others are compared with it
   std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;

@@ -100,11 +100,12 @@ TEST(RigidLimit, PartsOfLinesKnowHighRadialMoments)
     {
       const auto [part, penetration] =
         part_of(line, at_samples, { 2. * i / n_parts - 1, 2. * (i + 1) / n_parts - 1 });
-      for_each_loaded_point(part, penetration,
-                            [&, &depths = penetration](const LinePoint &point)
+      for_each_loaded_point(AreaElement(part), penetration,
+                            [&, &depths = penetration, &position = part.position](const LinePoint &point)
                             {
-                              const double r = point.position(0);
-                              sum += point.shape.dot(depths) / depth * point.area / (r * width) *
+                              const Eigen::Vector3d shape = line_shape(point.xi);
+                              const double r = shape.dot(position.col(0));
+                              sum += shape.dot(depths) / depth * point.area / (r * width) *
                                      std::pow((r - radius) / width, order);
                             });
     }

@@ -201,6 +201,8 @@ Findings look(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {
+  if (change.factor == 0)
+    return;
   for (BandedQuantity &banded : bands)
   {
     const std::string &key = banded.quantity.key;
