@@ -36,6 +36,16 @@ void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, dou
     row.at_rest->minimum = std::min(row.at_rest->minimum, load.truncated(row.harmonics).minimum());
 }
 
+/// Whether the harmonics of the load above @p n move neither torque nor balance at the terminal spin of @p
+/// whole: by a tenth of what the search for it leaves, as the bound of their torque tells.
+bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Motion &motion)
+{
+  constexpr double negligible = 1e-12; // of the terminal spin
+  const std::optional<ring::KnownZero> zero = known_zero(whole);
+  return zero && ring::truncation_bound(motion, whole.at_terminal->load, n, zero->omega) <
+                   negligible * std::abs(zero->slope * zero->omega);
+}
+
 /// The load interpolated in the spin; nothing where it has no balance somewhere.
 SharedLoad interpolated(const BalancedLoad &load, double lower, double upper, double coarsest = 1e-5)
 {
@@ -145,15 +155,21 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   const LoadedRow whole = { spin_row(load, question), load.shared_from_this() };
   question.with_slope = false;
   question.near = known_zero(whole.row);
-  std::vector<LoadedRow> rows;
+  std::vector<LoadedRow> rows, sharing;
   std::vector<Variant> cut;
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)
-    if (study.load.is_in_balance())
+    if (study.load.is_in_balance() &&
+        (load.phases() || !are_negligible_above(orders[i], whole.row, question.motion)))
       cut.push_back({ "harmonics", std::to_string(orders[i]), study, orders[i], true });
     else if (const SharedLoad less = load.truncated(orders[i]))
-      rows.push_back({ attempt_spin_row(*less, question), less });
+      sharing.push_back({ attempt_spin_row(*less, question), less });
+  // Torques of rows that share the contacts of the whole load are asked for side by side: half-way it is to
+  // be known.
+  if (!sharing.empty() && study.load.is_in_balance())
+    if_balanced([&] { return load.at(*whole.row.omega_terminal() / 2); });
   if (!cut.empty())
     rows = solve_rows(cut, foot, question, executor, progress, "rows by harmonics");
+  rows.insert(rows.end(), sharing.begin(), sharing.end());
   rows.push_back(whole);
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
