@@ -206,65 +206,58 @@ LaneTable LineNewton::tested(const Bundle &bundle, const Eigen::MatrixX3d &weigh
   return products(tests, bundle.solution);
 }
 
-LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
-                                        const Eigen::Vector3d &residual) const
+LineNewton::LineSums LineNewton::sums_over_lines(const LinearConditions &conditions) const
 {
-  const FourierBasis &basis = response.basis();
-  const Eigen::Index p = smooth.values.cols();
-  const Eigen::Index n_modes = basis.n_modes();
-  const Eigen::Index n_lines = response.n_lines();
-  const Eigen::Index n_radii = response.n_radii();
-  const Eigen::Index n_kinds = this->n_kinds();
-
-  // What each line contributes, by kind: its answer to the functions, to the table motions and to what is
-  // unbalanced, tested with the functions; and the same tested with the conditions.
-  std::vector<Eigen::MatrixXd> to_functions(n_kinds, Eigen::MatrixXd::Zero(p * p, n_lines));
-  std::vector<Eigen::MatrixXd> to_motions(n_kinds, Eigen::MatrixXd::Zero(p * 3, n_lines));
-  std::vector<Eigen::MatrixXd> to_unbalanced(n_kinds, Eigen::MatrixXd::Zero(p, n_lines));
-  Eigen::MatrixXd conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
-  Eigen::Matrix3d corner = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d rhs = residual;
+  const Eigen::Index p = smooth.values.cols(), n_lines = response.n_lines(), n_kinds = this->n_kinds();
+  LineSums sums;
+  sums.to_functions.assign(n_kinds, Eigen::MatrixXd::Zero(p * p, n_lines));
+  sums.to_motions.assign(n_kinds, Eigen::MatrixXd::Zero(p * 3, n_lines));
+  sums.to_unbalanced.assign(n_kinds, Eigen::MatrixXd::Zero(p, n_lines));
+  sums.conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
   for (const Bundle &bundle : bundles)
   {
-    const LaneTable sums = tested(bundle, conditions.weights());
+    const LaneTable tests = tested(bundle, conditions.weights());
     for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
     {
       const auto sum = [&, lane = static_cast<int>(j - bundle.first_line)](Eigen::Index a, Eigen::Index c)
-      { return sums(a, c, lane); };
+      { return tests(a, c, lane); };
       for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
         for (Eigen::Index a = 0; a < p; ++a)
         {
           for (Eigen::Index c = 0; c < p; ++c)
-            to_functions[kind](a + p * c, j) = sum(kind * p + a, c);
+            sums.to_functions[kind](a + p * c, j) = sum(kind * p + a, c);
           for (Eigen::Index c = 0; c < 3; ++c)
-            to_motions[kind](a + p * c, j) = sum(kind * p + a, p + c);
-          to_unbalanced[kind](a, j) = sum(kind * p + a, p + 3);
+            sums.to_motions[kind](a + p * c, j) = sum(kind * p + a, p + c);
+          sums.to_unbalanced[kind](a, j) = sum(kind * p + a, p + 3);
         }
       for (Eigen::Index a = 0; a < 3; ++a)
       {
         for (Eigen::Index c = 0; c < p; ++c)
-          conditions_on_functions(a + 3 * c, j) = sum(n_kinds * p + a, c);
+          sums.conditions_on_functions(a + 3 * c, j) = sum(n_kinds * p + a, c);
         for (Eigen::Index c = 0; c < 3; ++c)
-          corner(a, c) += sum(n_kinds * p + a, p + c);
-        rhs(a) += sum(n_kinds * p + a, p + 3);
+          sums.corner(a, c) += sum(n_kinds * p + a, p + c);
+        sums.conditions_on_unbalanced(a) += sum(n_kinds * p + a, p + 3);
       }
     }
   }
+  return sums;
+}
 
-  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
-  // C y + (corner - weight) dq = rhs. Columns beside A: B and a.
-  const Eigen::Index n = n_modes * p;
+RowMatrix LineNewton::system_of_amplitudes(const LineSums &line_sums) const
+{
+  const FourierBasis &basis = response.basis();
+  const Eigen::Index p = smooth.values.cols(), n_modes = basis.n_modes(), n = n_modes * p;
   RowMatrix system = RowMatrix::Zero(n, n + 4);
   auto matrix = system.leftCols(n);
   auto beside = system.rightCols<4>();
-  for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
+  for (Eigen::Index kind = 0; kind < n_kinds(); ++kind)
   {
     const bool conjugate = kind == 2;
-    const FourierProducts products(basis, to_functions[kind], true);
+    const FourierProducts products(basis, line_sums.to_functions[kind], true);
     const auto project = [&](const Eigen::MatrixXd &samples)
     { return conjugate ? basis.project_on_conjugates(samples) : basis.project(samples); };
-    const Eigen::MatrixXd motions = project(to_motions[kind]);       // [p * 3, n_modes]
-    const Eigen::MatrixXd unbalanced = project(to_unbalanced[kind]); // [p, n_modes]
+    const Eigen::MatrixXd motions = project(line_sums.to_motions[kind]);       // [p * 3, n_modes]
+    const Eigen::MatrixXd unbalanced = project(line_sums.to_unbalanced[kind]); // [p, n_modes]
     Eigen::MatrixXd sums(p, n);
     for (Eigen::Index row = 0; row < n_modes; ++row)
     {
@@ -289,47 +282,65 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
     }
   }
   matrix.diagonal().array() += 1;
-  Eigen::MatrixXd tested(3, n);                                            // C
-  const Eigen::MatrixXd on_modes = basis.project(conditions_on_functions); // [3 * p, n_modes]
-  for (Eigen::Index mode = 0; mode < n_modes; ++mode)
-    tested.middleCols(mode * p, p) = on_modes.col(mode).reshaped(3, p);
+  return system;
+}
 
-  // With the table held the system is that of an elastic foot on springs; the motions follow by themselves.
-  solve_dense(system, 4);
-  const Eigen::MatrixXd held = beside;
-  Increment increment;
-  increment.resistance = corner - tested * held.leftCols<3>();
-  // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns
-  // of like size.
-  const double length = response.compliance().radii(n_radii - 1);
-  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / corner(0, 0);
-  const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
-  const Eigen::Matrix3d against =
-    row_scale.asDiagonal() * (increment.resistance - conditions.motion_weights()) * column_scale.asDiagonal();
-  increment.motion =
-    column_scale.asDiagonal() *
-    against.partialPivLu().solve(row_scale.asDiagonal() * (rhs - tested * held.col(3))).eval();
-  const Eigen::VectorXd solution = held.col(3) - held.leftCols<3>() * increment.motion;
-  if (!solution.allFinite() || !increment.motion.allFinite())
-    throw ContactFailure(
-      ContactOutcome::linear_solver_failed,
-      "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
-
-  increment.forces = Eigen::MatrixXd::Zero(n_radii, n_lines);
-  const Eigen::MatrixXd amplitudes = basis.evaluate(solution.reshaped(p, n_modes)); // [p, n_lines]
+Eigen::MatrixXd LineNewton::forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const
+{
+  const Eigen::Index p = smooth.values.cols(), n_lines = response.n_lines();
+  const Eigen::MatrixXd on_lines = response.basis().evaluate(amplitudes); // [p, n_lines]
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(response.n_radii(), n_lines);
   for (const Bundle &bundle : bundles)
     for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
       for (Eigen::Index i = 0; i < bundle.circles.size; ++i)
       {
         const auto part = [&](Eigen::Index c)
         { return bundle.solution(i, c, static_cast<int>(j - bundle.first_line)); };
-        double &force = increment.forces(bundle.circles.first + i, j);
+        double &force = forces(bundle.circles.first + i, j);
         force = part(p + 3);
         for (Eigen::Index k = 0; k < p; ++k)
-          force -= part(k) * amplitudes(k, j);
+          force -= part(k) * on_lines(k, j);
         for (Eigen::Index k = 0; k < 3; ++k)
-          force -= part(p + k) * increment.motion(k);
+          force -= part(p + k) * motion(k);
       }
+  return forces;
+}
+
+LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
+                                        const Eigen::Vector3d &residual) const
+{
+  const Eigen::Index p = smooth.values.cols(), n_modes = response.basis().n_modes(), n = n_modes * p;
+  const LineSums sums = sums_over_lines(conditions);
+
+  // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
+  // C y + (corner - weight) dq = rhs. With the table held the system is that of an elastic foot on springs;
+  // the motions follow by themselves.
+  RowMatrix system = system_of_amplitudes(sums); // [A, B, a]
+  solve_dense(system, 4);
+  const Eigen::MatrixXd held = system.rightCols<4>();
+  Eigen::MatrixXd tested(3, n);                                                            // C
+  const Eigen::MatrixXd on_modes = response.basis().project(sums.conditions_on_functions); // [3 * p, n_modes]
+  for (Eigen::Index mode = 0; mode < n_modes; ++mode)
+    tested.middleCols(mode * p, p) = on_modes.col(mode).reshaped(3, p);
+  Increment increment;
+  increment.resistance = sums.corner - tested * held.leftCols<3>();
+
+  // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns
+  // of like size.
+  const double length = response.compliance().radii(response.n_radii() - 1);
+  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / sums.corner(0, 0);
+  const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
+  const Eigen::Matrix3d against =
+    row_scale.asDiagonal() * (increment.resistance - conditions.motion_weights()) * column_scale.asDiagonal();
+  const Eigen::Vector3d rhs = residual + sums.conditions_on_unbalanced - tested * held.col(3);
+  increment.motion =
+    column_scale.asDiagonal() * against.partialPivLu().solve(row_scale.asDiagonal() * rhs).eval();
+  const Eigen::VectorXd amplitudes = held.col(3) - held.leftCols<3>() * increment.motion;
+  if (!amplitudes.allFinite() || !increment.motion.allFinite())
+    throw ContactFailure(
+      ContactOutcome::linear_solver_failed,
+      "The contact system of the body of revolution is singular: the loaded places do not support the foot.");
+  increment.forces = forces_of(amplitudes.reshaped(p, n_modes), increment.motion);
   return increment;
 }
 

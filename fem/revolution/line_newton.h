@@ -67,6 +67,19 @@ private:
     LaneTable solution;
   };
 
+  /// Answers of each line, by kind of force in the first three: to the functions, to the table's motions and
+  /// to what is unbalanced, summed over its circles with the functions; and the same with the weights of the
+  /// conditions, those to motions and unbalanced forces summed over the lines.
+  struct LineSums
+  {
+    std::vector<Eigen::MatrixXd> to_functions;  ///< shapes [p * p, n_lines], p the number of functions
+    std::vector<Eigen::MatrixXd> to_motions;    ///< shapes [p * 3, n_lines]
+    std::vector<Eigen::MatrixXd> to_unbalanced; ///< shapes [p, n_lines]
+    Eigen::MatrixXd conditions_on_functions;    ///< shape [3 * p, n_lines]
+    Eigen::Matrix3d corner = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d conditions_on_unbalanced = Eigen::Vector3d::Zero();
+  };
+
   void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
                   double negligible);
   Functions chosen_functions() const;
@@ -74,6 +87,12 @@ private:
   /// Sums over the circles of a bundle of its solution with the functions, these times the tractions, and @p
   /// weights of the conditions, shape [n_kinds n_functions + 3, n_functions + 4].
   LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
+  LineSums sums_over_lines(const LinearConditions &conditions) const;
+  /// The system of the amplitudes with the table held, and beside it the columns of the motions and of what
+  /// is unbalanced: shape [n_modes * p, n_modes * p + 4].
+  RowMatrix system_of_amplitudes(const LineSums &line_sums) const;
+  /// df under @p amplitudes, shape [p, n_modes], and a @p motion of the table.
+  Eigen::MatrixXd forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const;
   /// Normal, radial and azimuthal forces.
   Eigen::Index n_kinds() const { return response.has_sliding() ? 3 : 1; }
 
