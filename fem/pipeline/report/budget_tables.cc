@@ -1,7 +1,6 @@
 #include "fem/pipeline/report/budget_tables.h"
 
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/render/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +8,10 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
 using Json = nlohmann::ordered_json;
 
-/// A spin that nothing is related to [rad/s].
-double rounding_of_spins(const Study &study)
+namespace
 {
-  return 1e-9 * spin_scale(study);
-}
 
 /// "formal", or why something is missing; empty for what stands as it is.
 std::string state_of(const BudgetRow &row)
@@ -26,11 +19,6 @@ std::string state_of(const BudgetRow &row)
   if (!row.reason.empty())
     return row.reason;
   return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
-}
-
-std::optional<std::string> reason_or_nothing(const std::string &reason)
-{
-  return reason.empty() ? std::nullopt : std::optional(reason);
 }
 
 } // namespace
@@ -50,61 +38,49 @@ std::string title_of(const BudgetRow &row, const std::string &at_most)
                        : "harmonics, all";
 }
 
-Table budget_table(const Study &study, const Budget &budget)
+Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
 {
-  using Row = BudgetRow;
-  const std::vector<Row> &rows = budget.rows;
-  const double small_spin = rounding_of_spins(study);
-  const auto harmonics = [](const Row &row) { return row.harmonics ? Json(*row.harmonics) : Json("all"); };
-  const auto relative = [&](const Row &row)
+  Json list = Json::array();
+  for (const BudgetRow &row : rows)
   {
     const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
-    return relative_to(above, row.difference, spin_scale(study));
-  };
-  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
-  Table table = {
-    "",
-    { column(quantity::step_of_budget, rows, [](const Row &row) { return label_of(row.step); }),
-      column(quantity::effect_name, rows, &Row::name),
-      column(quantity::effect, rows, [](const Row &row) { return title_of(row); }),
-      column(
-        quantity::effect.with(&Quantity::key, "console_title").with(&Quantity::label, "model, row by row"),
-        rows, [](const Row &row) { return title_of(row, "<="); }),
-      column(quantity::harmonics, rows, harmonics),
-      column(quantity::harmonics.with(&Quantity::key, "harmonics_kept")
-               .with(&Quantity::name, "harmonics kept, nan: all"),
-             rows, &Row::harmonics),
-      column(quantity::omega_terminal, rows, &Row::omega_terminal, small_spin),
-      column(quantity::spin_difference, rows, &Row::difference, small_spin),
-      column(quantity::relative_difference, rows, relative, 1e-9),
-      column(quantity::spin_band, rows, &Row::band), column(quantity::budget_state, rows, state_of),
-      column(quantity::state, rows, [](const Row &row) { return to_string(row.standing); }),
-      column(quantity::formal_flag, rows, [](const Row &row) { return row.standing == Standing::formal; }),
-      column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) }
-  };
-  const char *places[] = { "rest", "half the terminal spin", "the terminal spin" };
-  for (std::size_t i = 0; i < 3; ++i)
-    table.columns.push_back(column(
-      quantity::torque_of_budget(places[i]), rows, [=](const Row &row) { return row.torques[i]; },
-      1e-9 * std::abs(torque_at_rest)));
-  return table;
+    list.push_back({ { "step", label_of(row.step) },
+                     { "name", row.name },
+                     { "title", title_of(row) },
+                     { "console_title", title_of(row, "<=") },
+                     { "harmonics", row.harmonics ? Json(*row.harmonics) : Json("all") },
+                     { "harmonics_kept", row.harmonics },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(above, row.difference, spin_scale(study)) },
+                     { "band", row.band },
+                     { "torques", row.torques },
+                     { "remark", state_of(row) },
+                     { "state", to_string(row.standing) },
+                     { "formal", row.standing == Standing::formal },
+                     { "reason", if_said(row.reason) } });
+  }
+  return list;
 }
 
-Table shown_budget_table(const Study &study, const Budget &budget)
+Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
 {
-  Budget shown = budget;
-  const double band = budget.rows.empty() ? 0 : budget.rows.back().band.value_or(0);
+  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
+  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
   const auto changes_nothing = [&](const BudgetRow &row)
   {
     return row.name == "harmonics" && row.harmonics && row.difference &&
            std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
   };
-  shown.rows.erase(std::remove_if(shown.rows.begin(), shown.rows.end(), changes_nothing), shown.rows.end());
-  Table table = budget_table(study, shown);
-  for (Column &column : table.columns)
-    if (column.quantity.key == quantity::omega_terminal.key)
-      column.uncertainty = band;
-  return table;
+  rows.erase(std::remove_if(rows.begin(), rows.end(), changes_nothing), rows.end());
+  Json shown = chain_rows(study, rows);
+  leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));
+  leave_out_rounding(shown, "relative_difference", 1e-9);
+  leave_out_rounding(shown, "torques", 1e-9 * std::abs(torque_at_rest));
+  for (Json &row : shown)
+    if (Json &omega = row["omega_terminal"]; band > 0 && omega.is_number() && omega != 0.)
+      omega = format::to_spread(omega, band);
+  return shown;
 }
 
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
@@ -126,48 +102,41 @@ std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
   return steps;
 }
 
-Table without_table(const Study &study, const Budget &budget)
+Json without_rows(const Study &study, const Budget &budget)
 {
-  using Row = WithoutRow;
-  const std::vector<Row> &rows = budget.without;
-  const std::optional<double> complete =
-    budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;
-  return { "",
-           { column(quantity::left_out, rows, &Row::name),
-             column(quantity::omega_terminal, rows, &Row::omega_terminal),
-             column(quantity::spin_difference, rows, &Row::difference, rounding_of_spins(study)),
-             column(
-               quantity::relative_difference, rows,
-               [&](const Row &row) { return relative_to(complete, row.difference, spin_scale(study)); },
-               1e-9),
-             column(quantity::budget_state, rows, &Row::reason),
-             column(quantity::reason, rows, [](const Row &row) { return reason_or_nothing(row.reason); }) } };
+  const auto complete = budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;
+  Json list = Json::array();
+  for (const WithoutRow &row : budget.without)
+    list.push_back({ { "name", row.name },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(complete, row.difference, spin_scale(study)) },
+                     { "remark", row.reason },
+                     { "reason", if_said(row.reason) } });
+  return list;
 }
 
-Budget chain_alone(std::vector<BudgetRow> rows)
+Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
 {
-  Budget budget;
-  budget.rows = std::move(rows);
-  return budget;
-}
-
-Json budget_summary(const Study &study, const Budget &budget)
-{
-  const bool has_torques = std::any_of(budget.rows.begin(), budget.rows.end(),
-                                       [](const BudgetRow &row) { return row.torques[0].has_value(); });
-  return json_table(budget_table(study, budget)
-                      .with("", std::string("step name harmonics omega_terminal difference band ") +
-                                  (has_torques ? "torques[] " : "") + "state reason"));
+  const bool has_torques =
+    std::any_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); });
+  return picked(chain_rows(study, rows), std::string("step name harmonics omega_terminal difference band ") +
+                                           (has_torques ? "torques " : "") + "state reason");
 }
 
 Json without_summary(const Study &study, const Budget &budget)
 {
-  return json_table(without_table(study, budget).with("", "name omega_terminal difference reason"));
+  return picked(without_rows(study, budget), "name omega_terminal difference reason");
 }
 
 Json harmonic_effect_summary(const HarmonicEffect &effect)
 {
-  return { { "absolute", json_number(effect.absolute) }, { "relative", json_number(effect.relative) } };
+  return { { "absolute", effect.absolute }, { "relative", effect.relative } };
+}
+
+double rounding_of_spins(const Study &study)
+{
+  return 1e-9 * spin_scale(study);
 }
 
 bool is_spin(const Study &study, double omega)

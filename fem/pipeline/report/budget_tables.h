@@ -1,10 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/report/render/json.h"
 #include "fem/pipeline/study/study.h"
-
-#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -22,25 +20,22 @@ std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 
 /// The chain of models by row: what each adds, how many harmonics it keeps, its terminal spin and the
 /// difference to the row above, in rad/s and relative, and tau_z at 0, half and all of the complete model's
-/// terminal spin. Relative differences to a glass that does not spin do not exist; people read 0 where a
-/// difference is less than 1e-9 v/R.
-Table budget_table(const Study &study, const Budget &budget);
+/// terminal spin. Relative differences to a glass that does not spin do not exist.
+nlohmann::ordered_json chain_rows(const Study &study, const std::vector<BudgetRow> &rows);
 
-/// budget_table() without the numbers of harmonics that change nothing.
-Table shown_budget_table(const Study &study, const Budget &budget);
+/// chain_rows() for people: without the numbers of harmonics that change nothing, 0 where a difference is
+/// less than 1e-9 v/R, and terminal spins with the digits that the band of the last row leaves.
+nlohmann::ordered_json shown_chain(const Study &study, std::vector<BudgetRow> rows);
 
 /// The chain with its rows of harmonics as one, from the first harmonic to all of them.
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 
 /// The complete model with one thing left out at a time, beside the complete model.
-Table without_table(const Study &study, const Budget &budget);
-
-/// The chain of models alone as a budget.
-Budget chain_alone(std::vector<BudgetRow> rows);
+nlohmann::ordered_json without_rows(const Study &study, const Budget &budget);
 
 /// "budget" of summary.json; "harmonics" is "all" where none are left out, "torques" is left away where no
 /// row has any.
-nlohmann::ordered_json budget_summary(const Study &study, const Budget &budget);
+nlohmann::ordered_json budget_summary(const Study &study, const std::vector<BudgetRow> &rows);
 
 /// "without" of summary.json.
 nlohmann::ordered_json without_summary(const Study &study, const Budget &budget);
@@ -48,7 +43,10 @@ nlohmann::ordered_json without_summary(const Study &study, const Budget &budget)
 /// "harmonic_effect" of summary.json: absolute [rad/s] and relative.
 nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
 
-/// Whether a spin is more than rounding: |omega| >= 1e-9 v/R.
+/// A spin that nothing is related to [rad/s]: 1e-9 v/R.
+double rounding_of_spins(const Study &study);
+
+/// Whether a spin is more than rounding.
 bool is_spin(const Study &study, double omega);
 
 } // namespace stemware::pipeline

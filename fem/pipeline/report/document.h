@@ -14,12 +14,14 @@ namespace stemware::pipeline
 struct Document
 {
   Findings findings; ///< for summary.json and --json
-  /// Words, flags and derived numbers for sentences, which see the findings too.
+  /// Words, flags and derived numbers for sentences, and rows of tables; both see the findings too.
   nlohmann::ordered_json facts = nlohmann::ordered_json::object();
-  std::map<std::string, Table> tables = {};
+  std::map<std::string, Table> tables = {};                ///< data files made of columns
   std::map<std::string, std::string> texts = {};           ///< files that are no table
   std::map<std::string, std::function<Plot()>> plots = {}; ///< pictures, made where they are shown
   std::vector<fem::FieldFile> fields = {};
+  /// Quantities whose names depend on the study, as quantity_named() takes them.
+  nlohmann::ordered_json quantities = nullptr;
 };
 
 /// The @p document as the template fem/pipeline/report/templates/NAME.txt shows it, filled as filled_text()
@@ -33,12 +35,13 @@ struct Document
 ///   @drawing NAME                    templates/NAME.svg, filled likewise; in front of the first section a
 ///                                    picture of the head
 ///   @plot NAME | WORDS               with what is to be seen, in numbers, for those who do not see it;
-///   without
-///                                    words the caption says it
-///   @table NAME                      all columns under the table's own title
-///   @table NAME: KEY KEY | TITLE     these columns under this title (Table::with())
-///   @file FILE = NAME | WORDS        a file of the text, table or columns NAME, listed with WORDS unless
-///   they are
+///                                    without words the caption says it
+///   @table NAME: KEY KEY | TITLE     rows of the findings or facts, a list of objects: NAME is a path,
+///                                    chain.rows, the keys are columns, by default all; quantities.json
+///                                    declares them, in a section for the first part of NAME or for all
+///   @list NAME: KEY KEY | TITLE      one object as a list of what it is and how large
+///   @words KEY KEY | TITLE           a table of words, which has a row in each line "@row WORD | WORD"
+///   @file FILE = NAME: KEY KEY | WORDS  a file of the text or table NAME, listed with WORDS unless they are
 ///                                    empty; without "= NAME" one that is written elsewhere
 ///   @console                         what follows is the console's; "@block" begins a new part of it, and so
 ///                                    does what follows a table

@@ -17,7 +17,13 @@ namespace
 /// "0.27 %", "2110 %".
 std::string in_percent_of_sweep(double value)
 {
-  return std::abs(value) < 1000 ? format::significant<3>(value) + " %" : format::fixed<0>(value) + " %";
+  return format::number(value, "short") + " %";
+}
+
+/// "+0.15 rad/s".
+std::string signed_spin(double omega)
+{
+  return format::number(omega, "+.3g");
 }
 
 /// " (Load/Moment ratio = 1.3)": where something happens.
@@ -77,14 +83,13 @@ std::string absolute_range(const SweepPlan &plan, const QuantityFindings *about)
   if (about == nullptr)
     return "";
   if (about->band)
-    return "by " + format::signed_significant<3>(about->band->mean) +
-           " rad/s (mean; 95 % of the samples: " + format::signed_significant<3>(about->band->lower) +
-           " to " + format::signed_significant<3>(about->band->upper) + " rad/s).";
+    return "by " + signed_spin(about->band->mean) +
+           " rad/s (mean; 95 % of the samples: " + signed_spin(about->band->lower) + " to " +
+           signed_spin(about->band->upper) + " rad/s).";
   if (about->most - about->least < 1e-9 * std::abs(about->most))
-    return "by " + format::signed_significant<3>(about->most) + " rad/s";
-  return "by between " + format::signed_significant<3>(about->least) + " rad/s" +
-         at_case(plan, about->least_case) + " and " + format::signed_significant<3>(about->most) + " rad/s" +
-         at_case(plan, about->most_case);
+    return "by " + signed_spin(about->most) + " rad/s";
+  return "by between " + signed_spin(about->least) + " rad/s" + at_case(plan, about->least_case) + " and " +
+         signed_spin(about->most) + " rad/s" + at_case(plan, about->most_case);
 }
 
 /// Clause on the harmonics beyond the first: "make it up to 2 % faster (...)"; empty where nobody knows.

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace nlohmann
+{
+
+/// A value that may not exist: null where it does not.
+template <typename Value>
+struct adl_serializer<std::optional<Value>, void>
+{
+  template <typename AnyJson>
+  static void to_json(AnyJson &json, const std::optional<Value> &value)
+  {
+    if (value)
+      json = *value;
+    else
+      json = nullptr;
+  }
+};
+
+} // namespace nlohmann
+
+namespace stemware::pipeline
+{
+
+/// A number, or nothing where it is not finite: null in JSON, which has no word for it.
+inline std::optional<double> if_finite(double value)
+{
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// A text, or nothing where it is empty.
+inline std::optional<std::string> if_said(const std::string &text)
+{
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// The object @p json, or each of a list of objects, with these keys alone (parted by blanks), in this order.
+/// Throws nlohmann::json::out_of_range for a key that there is not.
+nlohmann::ordered_json picked(const nlohmann::ordered_json &json, const std::string &keys);
+
+} // namespace stemware::pipeline
