@@ -1,9 +1,9 @@
 #include "fem/pipeline/report/common_sections.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
 

@@ -1,28 +1,12 @@
 #pragma once
 
-#include "fem/contact/foot.h"
+#include "fem/pipeline/document/document.h"
 #include "fem/pipeline/report/results.h"
 
-#include <functional>
-#include <map>
 #include <string>
 
 namespace stemware::pipeline
 {
-
-/// Findings of a verb, and all that a template may show of them. SI units, or those of the study.
-struct Document
-{
-  Findings findings; ///< for summary.json and --json
-  /// Words, flags and derived numbers for sentences, and rows of tables; both see the findings too.
-  nlohmann::ordered_json facts = nlohmann::ordered_json::object();
-  std::map<std::string, Table> tables = {};                ///< data files made of columns
-  std::map<std::string, std::string> texts = {};           ///< files that are no table
-  std::map<std::string, std::function<Plot()>> plots = {}; ///< pictures, made where they are shown
-  std::vector<fem::FieldFile> fields = {};
-  /// Quantities whose names depend on the study, as quantity_named() takes them.
-  nlohmann::ordered_json quantities = nullptr;
-};
 
 /// The @p document as the template fem/pipeline/report/templates/NAME.txt shows it, filled as filled_text()
 /// says. Its lines:

@@ -1,8 +1,8 @@
 #include "fem/pipeline/report/facts.h"
 
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/report/budget_tables.h"
-#include "fem/pipeline/report/render/number_format.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/number_format.h"
 
 #include <boost/math/constants/constants.hpp>
 

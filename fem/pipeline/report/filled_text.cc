@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/filled_text.h"
 
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/render/html_page.h"
-#include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/support/shared_files.h"
 
 #include <boost/algorithm/string/split.hpp>

@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/profile_results.h"
 
-#include "fem/pipeline/report/render/json.h"
-#include "fem/pipeline/report/render/number_format.h"
+#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/study/profile_file.h"
 
 #include <cmath>

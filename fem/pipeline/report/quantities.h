@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 /// Quantities that pictures name by themselves; all are declared in quantities.json.
 namespace stemware::pipeline::quantity

@@ -1,10 +1,10 @@
 #include "fem/pipeline/report/run_facts.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/profile_results.h"
-#include "fem/pipeline/report/render/json.h"
-#include "fem/pipeline/report/render/number_format.h"
 
 #include <algorithm>
 #include <cmath>

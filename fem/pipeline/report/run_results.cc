@@ -1,6 +1,7 @@
 #include "fem/pipeline/report/run_results.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
@@ -9,7 +10,6 @@
 #include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/run_facts.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/study/measured_spin_file.h"
 #include "fem/pipeline/study/study_file.h"
 
@@ -149,23 +149,16 @@ Json contact_summary(const std::optional<FootReport> &report)
   if (foot.n_cells)
     mesh["cells"] = *foot.n_cells;
   if (foot.mesh_report)
-    mesh.update({ { "round_rim", foot.mesh_report->round_rim },
-                  { "rim_radius", foot.mesh_report->rim_radius },
-                  { "land_area_deficit", foot.mesh_report->land_area_deficit } });
-  return { { "body", foot.body },
-           { "friction_coupling", report->friction_coupling },
-           { "outcome", fem::to_string(solution.outcome) },
-           { "mesh", mesh },
-           { "unknowns", foot.n_unknowns },
-           { "contact_nodes", foot.n_contact_nodes },
-           { "loaded_nodes", solution.n_loaded_nodes },
-           { "nodes_across", solution.n_nodes_across },
-           { "iterations", solution.n_iterations },
-           { "linear_iterations", solution.n_linear_iterations },
-           { "force_residual", solution.force_residual },
-           { "moment_residual", solution.moment_residual },
-           { "equilibrium_residual", solution.equilibrium_residual },
-           { "table_motion", { solution.motion(0), solution.motion(1), solution.motion(2) } } };
+    mesh.update(STEMWARE_JSON(*foot.mesh_report, round_rim, rim_radius, land_area_deficit));
+  Json summary = { { "body", foot.body },
+                   { "friction_coupling", report->friction_coupling },
+                   { "outcome", fem::to_string(solution.outcome) },
+                   { "mesh", mesh } };
+  summary.update(STEMWARE_JSON(foot, n_unknowns, n_contact_nodes));
+  summary.update(STEMWARE_JSON(solution, n_loaded_nodes, n_nodes_across, n_iterations, n_linear_iterations,
+                               force_residual, moment_residual, equilibrium_residual));
+  summary["table_motion"] = { solution.motion(0), solution.motion(1), solution.motion(2) };
+  return summary;
 }
 
 /// The mesh that was made for a number, what is estimated to be missing to that, and the part of its band
@@ -241,16 +234,8 @@ Json waviness_summary(const std::optional<PhaseStudy> &phases)
 {
   if (!phases)
     return nullptr;
-  return { { "spin_ripple", phases->spin_ripple },
-           { "spin_uncertainty", phases->spin_uncertainty },
-           { "zero_of_mean_torque", phases->zero_of_mean_torque },
-           { "torque_ripple", phases->torque_ripple },
-           { "least_load", phases->least_load },
-           { "least_contact_fraction", phases->least_contact_fraction },
-           { "glass_phases", phases->n_glass_phases },
-           { "table_phases", phases->n_table_phases },
-           { "spins", phases->n_spins },
-           { "interpolation_error", phases->interpolation_error } };
+  return STEMWARE_JSON(*phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
+                       least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
 }
 
 Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
@@ -259,11 +244,7 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
     return nullptr;
   return { { "balanced_spins", coupling->n_balances },
            { "contact_solutions", coupling->n_contact_solutions },
-           { "contacts",
-             { { "answer", coupling->contacts.answer },
-               { "curves", coupling->contacts.curves },
-               { "budget", coupling->contacts.budget },
-               { "bands", coupling->contacts.bands } } },
+           { "contacts", STEMWARE_JSON(coupling->contacts, answer, curves, budget, bands) },
            { "response_error", coupling->response_error },
            { "interpolation_error", coupling->interpolation_error } };
 }

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 #include <string>
 #include <vector>

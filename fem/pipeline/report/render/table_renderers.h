@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // The budget of effects from one made by hand: its tables in every form, and its
 // pictures. The second row is formal, that with tilt has no balance.
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_results.h"

@@ -1,6 +1,7 @@
 // One table in its forms: every kind of cell, what does not exist, and who sees which digits.
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -178,6 +179,23 @@ TEST(Quantities, OfASectionStandBeforeThoseOfAll)
   EXPECT_EQ(quantity_named("load harmonics", "band_parts").digits, "band");
   EXPECT_EQ(quantity_named("harmonic effect (%)").unit, "%");
   EXPECT_EQ(quantity_named("harmonic effect (%)").name, "harmonic effect");
+}
+
+TEST(Quantities, HaveTheUnitsOfTheSchema)
+{
+  const Json schema = Json::parse(test::read_text(STEMWARE_SCHEMA))["properties"];
+  std::size_t n_compared = 0;
+  for (const auto &[part, section] :
+       { std::pair("budget", "chain"), std::pair("without", "without"),
+         std::pair("truncation", "truncations"), std::pair("comparison", "comparison") })
+    for (const auto &[key, value] : schema[part]["items"]["properties"].items())
+      if (const Quantity quantity = quantity_named(key, section);
+          value.contains("unit") && quantity.name != key) // one that is declared
+      {
+        EXPECT_EQ(quantity.unit, value["unit"].get<std::string>()) << part << ' ' << key;
+        ++n_compared;
+      }
+  EXPECT_GE(n_compared, 15u);
 }
 
 TEST(NumberFormat, BandsAreRoundedUp)

@@ -1,6 +1,6 @@
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
 
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 #include <algorithm>
 #include <cmath>

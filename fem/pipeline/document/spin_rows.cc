@@ -1,6 +1,6 @@
-#include "fem/pipeline/report/spin_table.h"
+#include "fem/pipeline/document/spin_rows.h"
 
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 #include <cmath>
 #include <functional>

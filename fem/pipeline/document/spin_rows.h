@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_row.h"
-#include "fem/pipeline/report/render/json.h"
+#include "fem/pipeline/document/json.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/document/table.h"
 
 #include "fem/pipeline/support/shared_files.h"
 

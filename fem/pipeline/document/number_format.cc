@@ -1,4 +1,4 @@
-#include "fem/pipeline/report/render/number_format.h"
+#include "fem/pipeline/document/number_format.h"
 
 #include <algorithm>
 
