@@ -121,37 +121,29 @@ double place_of(const RefinementAxis &axis, std::size_t level)
   return is_of_halvings(axis) ? std::pow(2., -size) : size;
 }
 
-/// Relative distances from the limit, without the levels that are at the limit to within rounding.
-struct ErrorCurve
-{
-  std::vector<double> size, error, band;
-};
+/// Rows of size, relative error and relative band.
+using ErrorCurve = std::vector<std::vector<double>>;
 
+/// Relative distances from the limit, without the levels that are at the limit to within rounding.
 ErrorCurve errors_of(const AxisResult &result, std::size_t i, const QuantityOfInterest &quantity)
 {
-  const QuantitySequence &sequence = result.quantities[i];
-  const double scale = std::abs(sequence.judged.limit);
+  const auto &[values, judged, corrections] = result.quantities[i];
+  const double scale = std::abs(judged.limit);
   ErrorCurve curve;
-  for (std::size_t l = 0; l < sequence.values.size(); ++l)
-  {
-    const double error = std::abs(sequence.values[l] - sequence.judged.limit);
-    if (error <= quantity.rounding || scale <= quantity.rounding)
-      continue;
-    curve.size.push_back(place_of(result.axis, l));
-    curve.error.push_back(error / scale);
-    curve.band.push_back(sequence.judged.bands[l] / scale);
-  }
+  for (std::size_t l = 0; l < values.size(); ++l)
+    if (const double error = std::abs(values[l] - judged.limit);
+        error > quantity.rounding && scale > quantity.rounding)
+      curve.push_back({ place_of(result.axis, l), error / scale, judged.bands[l] / scale });
   return curve;
 }
 
-/// A triangle of this @p order below the last step of a curve of two levels or more.
+/// A triangle of this @p order below the last step of a curve of two levels or more; it has no band.
 ErrorCurve slope_triangle(const ErrorCurve &errors, double order)
 {
-  const std::size_t last = errors.size.size() - 1;
-  const double fine = errors.size[last], coarse = errors.size[last - 1];
-  const double low = 0.4 * std::min(errors.error[last], errors.error[last - 1]);
+  const auto &last = errors.back(), &before = errors[errors.size() - 2];
+  const double fine = last[0], coarse = before[0], low = 0.4 * std::min(last[1], before[1]);
   const double high = low * std::pow(std::max(fine, coarse) / std::min(fine, coarse), order);
-  return { { fine, coarse, coarse, fine }, { low, high, low, low }, {} };
+  return { { fine, low }, { coarse, high }, { coarse, low }, { fine, low } };
 }
 
 /// The errors of the drawn quantities by level; nothing where all levels agree.
@@ -160,31 +152,29 @@ std::optional<Plot> axis_plot(const AxisResult &result, const std::vector<Banded
   const std::string label =
     is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0" : result.axis.size;
   std::vector<std::string> titles, triangle;
-  std::vector<Table> blocks;
+  std::vector<Table> blocks, slope;
   std::vector<double> sizes;
-  Table slope;
   for (const std::size_t i : drawn_quantities(quantities))
   {
     const ErrorCurve curve = errors_of(result, i, quantities[i].quantity);
-    if (curve.size.empty())
+    if (curve.empty())
       continue;
     titles.push_back(quantities[i].quantity.name);
-    blocks.push_back({ titles.back(),
-                       { numbers(label, "1", curve.size), numbers("relative error", "1", curve.error),
-                         numbers("half-width of the error band", "1", curve.band) } });
-    sizes.insert(sizes.end(), curve.size.begin(), curve.size.end());
+    blocks.push_back(number_rows(
+      titles.back(), { { label, "1" }, { "relative error", "1" }, { "half-width of the error band", "1" } },
+      curve));
+    for (const std::vector<double> &row : curve)
+      sizes.push_back(row[0]);
     const std::optional<double> &order = result.quantities[i].judged.order;
-    if (!triangle.empty() || !order || curve.size.size() < 2)
+    if (!triangle.empty() || !order || curve.size() < 2)
       continue;
     triangle = { "order " + format::number(*order, ".1f") };
-    const ErrorCurve sides = slope_triangle(curve, *order);
-    slope = { triangle.front(),
-              { numbers(label, "1", sides.size), numbers("relative error", "1", sides.error) } };
+    slope = { number_rows(triangle.front(), { { label, "1" }, { "relative error", "1" } },
+                          slope_triangle(curve, *order)) };
   }
   if (titles.empty())
     return std::nullopt;
-  if (!triangle.empty())
-    blocks.push_back(slope);
+  blocks.insert(blocks.end(), slope.begin(), slope.end());
   const bool is_logarithmic = result.axis.decay == Decay::algebraic || result.axis.sizes_double;
   Plot plot = plot_from("convergence",
                         { { "x_label", label },

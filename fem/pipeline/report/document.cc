@@ -17,13 +17,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Throws where the document lacks what a template shows.
-void require(bool is_there, const std::string &name)
-{
-  if (!is_there)
-    throw std::logic_error("A template shows " + name + ", which the document does not have.");
-}
-
 /// The words before and after the first @p mark, without blanks round them; the second may be empty.
 std::pair<std::string, std::string> parted(const std::string &text, char mark)
 {
@@ -122,8 +115,8 @@ private:
   void add_plot(const std::string &what)
   {
     const auto [name, label] = parted(what, '|');
-    require(document.plots.count(name) > 0, name);
-    Plot plot = document.plots.at(name)();
+    const auto made = document.plots.find(name);
+    Plot plot = made == document.plots.end() ? plot_from(name) : made->second();
     if (!label.empty())
       plot.label = label;
     section().plots.push_back(plot);
@@ -174,7 +167,8 @@ private:
     if (const auto table = document.tables.find(path); table != document.tables.end())
       return table->second;
     const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
-    require(facts.contains(place), path);
+    if (!facts.contains(place))
+      throw std::logic_error("A template shows " + path + ", which the document does not have.");
     return table_of(facts[place], keys, path.substr(0, path.find('.')), title, document.quantities);
   }
 

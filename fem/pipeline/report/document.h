@@ -18,8 +18,8 @@ namespace stemware::pipeline
 ///   @inputs                          what follows is the line of inputs under the title, until "@answer"
 ///   @drawing NAME                    templates/NAME.svg, filled likewise; in front of the first section a
 ///                                    picture of the head
-///   @plot NAME | WORDS               with what is to be seen, in numbers, for those who do not see it;
-///                                    without words the caption says it
+///   @plot NAME | WORDS               of the document, else plots/NAME.gp as it stands; with what is to be
+///                                    seen, in numbers, for those who do not see it, else as the caption
 ///   @table NAME: KEY KEY | TITLE     rows of the findings or facts, a list of objects: NAME is a path,
 ///                                    chain.rows, the keys are columns, by default all; quantities.json
 ///                                    declares them, in a section for the first part of NAME or for all

@@ -187,17 +187,9 @@ Results tabulate(const Study &study, const SlideStudy &slide)
   add_head(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
   document.tables["path"] = path_table(slide);
-  document.plots = { { "path", [&] { return path_plot(slide); } },
-                     { "drift", [] { return plot_from("drift"); } },
-                     { "speeds",
-                       [=] {
-                         return plot_from("speeds", { { "radius", radius } });
-                       } },
-                     { "slip_ratio",
-                       [=] {
-                         return plot_from("slip_ratio", { { "at_stop", eps } });
-                       } },
-                     { "energy", [] { return plot_from("energy"); } } };
+  document.plots["path"] = [&] { return path_plot(slide); };
+  document.plots["speeds"] = [=] { return plot_from("speeds", { { "radius", radius } }); };
+  document.plots["slip_ratio"] = [=] { return plot_from("slip_ratio", { { "at_stop", eps } }); };
   add_study(study, document);
   return shown(document, "slide");
 }
