@@ -18,6 +18,7 @@ set(order
     fem/pipeline/coupling
     fem/pipeline/variants
     fem/pipeline/analysis
+    fem/pipeline/document
     fem/pipeline/explore
     fem/pipeline/report
     fem/pipeline/app)

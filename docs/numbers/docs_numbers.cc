@@ -341,7 +341,7 @@ std::string key_rows(const nlohmann::ordered_json &schema, const std::string &pa
 std::string page_of_keys(const nlohmann::ordered_json &schema)
 {
   return "# The keys of summary.json\n\n" + schema["description"].get<std::string>() +
-         " The schema is `fem/pipeline/report/summary.schema.json`, installed as "
+         " The schema is `fem/pipeline/document/summary.schema.json`, installed as "
          "`share/stemware/summary.schema.json`; "
          "this page is made from it by `cmake --build build/release --target docs_results`. A verb has those "
          "of the keys that it speaks of; `[]` stands for each of a list, `*` for any name.\n\n"
@@ -368,7 +368,7 @@ int work_on(const std::vector<std::string> &arguments)
   }
   const fs::path key_page = source / "docs/summary.md";
   const std::string keys = page_of_keys(
-    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/report/summary.schema.json")));
+    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json")));
   if (!only_check)
     std::ofstream(key_page, std::ios::binary) << keys;
   else if (read_file(key_page) != keys)

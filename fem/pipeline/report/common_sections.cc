@@ -1,13 +1,13 @@
 #include "fem/pipeline/report/common_sections.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -28,24 +28,10 @@ std::string value_of(const StudyEntry &entry)
   return text.empty() ? "(none)" : text;
 }
 
-/// The unit of an entry; empty for pure numbers and words.
-std::string unit_of(const StudyEntry &entry)
-{
-  return entry.unit == "1" ? "" : entry.unit;
-}
-
-/// A part of an error band: its key in BandedQuantity::parts and in summary.json, and its name in reports.
-struct BandPart
-{
-  const char *key, *name;
-};
-
-/// All of them, in the order in which they are shown.
-constexpr BandPart band_parts[] = { { "mesh", "mesh" },           { "degree", "degree" },
-                                    { "harmonics", "harmonics" }, { "lines", "lines" },
-                                    { "interface", "interface" }, { "load_harmonics", "load harmonics" },
-                                    { "rings", "rings" },         { "interpolation", "interpolation" },
-                                    { "solver", "solver" } };
+/// The parts of an error band in BandedQuantity::parts and in summary.json, in the order in which they are
+/// shown.
+constexpr const char *band_parts[] = { "mesh",           "degree", "harmonics",     "lines", "interface",
+                                       "load_harmonics", "rings",  "interpolation", "solver" };
 
 /// A part of the band; nothing where it was not estimated.
 std::optional<double> part_of(const BandedQuantity &quantity, const std::string &key)
@@ -54,17 +40,19 @@ std::optional<double> part_of(const BandedQuantity &quantity, const std::string 
   return part == quantity.parts.end() ? std::nullopt : std::optional(part->second);
 }
 
-/// Parts of error bands: a row for each band, a column for each part that one of them has.
-Table part_table(const std::vector<BandedQuantity> &bands)
+/// Parts of error bands: a row for each band, with each part that one of them has.
+Json part_rows(const std::vector<BandedQuantity> &bands)
 {
-  Table table = band_table(bands).with("What the bands are made of", "quantity");
-  for (const BandPart &part : band_parts)
-    if (std::any_of(bands.begin(), bands.end(),
-                    [&](const BandedQuantity &each) { return each.parts.count(part.key) > 0; }))
-      table.columns.push_back(column(Quantity(part.key, part.name, "1", part.name, part.name, format::band),
-                                     bands,
-                                     [&](const BandedQuantity &each) { return part_of(each, part.key); }));
-  return table;
+  Json rows = Json::array();
+  for (const BandedQuantity &each : bands)
+  {
+    rows.push_back({ { "quantity", each.quantity.name } });
+    for (const char *part : band_parts)
+      if (std::any_of(bands.begin(), bands.end(),
+                      [&](const BandedQuantity &any) { return any.parts.count(part) > 0; }))
+        rows.back()[boost::replace_all_copy(std::string(part), "_", " ")] = part_of(each, part);
+  }
+  return rows;
 }
 
 /// The value of an entry to ten digits, which is what a reader can tell apart.
@@ -81,32 +69,74 @@ std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
   return load.contact_fraction < 1 ? load.pointwise : std::vector<fem::AzimuthLoad>();
 }
 
+/// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonic_rows() and
+/// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
+std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
+{
+  if (bands.empty())
+    return {};
+  std::vector<double> widths(n_harmonics + 1, 0);
+  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
+    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
+                           band_of(bands, "b" + std::to_string(n)).value());
+  return widths;
+}
+
+/// The first harmonics of a load over its mean, for people; those that are smaller than their error band
+/// @p band, by n as in spectrum_plot(), are left out.
+Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
+{
+  constexpr double rounding = 1e-12;
+  Json rows = Json::array();
+  for (unsigned int n = 1; n <= std::min(load.n_harmonics(), 8u); ++n)
+  {
+    const double amplitude = std::hypot(load.a(n), load.b(n)) / load.a(0);
+    if (!band.empty() && band.at(n) > amplitude)
+      continue;
+    // Where a cos n theta + b sin n theta is largest, to a tenth, without the minus of a rounded zero.
+    const double crest = std::atan2(load.b(n), load.a(n)) / n / boost::math::double_constants::degree;
+    rows.push_back(
+      { { "n", n },
+        { "a", load.a(n) / load.a(0) },
+        { "b", load.b(n) / load.a(0) },
+        { "amplitude", amplitude },
+        { "crest", amplitude > rounding ? Json(std::round(10 * crest) / 10 + 0.) : Json(nullptr) } });
+  }
+  leave_out_rounding(rows, "a b amplitude", rounding);
+  return rows;
+}
+
 } // namespace
 
 void add_study(const Study &study, Document &document)
 {
   Study given = study, usual;
   const std::vector<StudyEntry> entries = study_entries(given), defaults = study_entries(usual);
-  std::vector<std::vector<std::string>> changed, all;
+  Json changed = Json::array(), all = Json::array();
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     const StudyEntry &entry = entries[i];
-    if (shown_value(entry) != shown_value(defaults[i]))
-      changed.push_back({ entry.path(), shown_value(entry), shown_value(defaults[i]), unit_of(entry) });
-    all.push_back({ entry.path(), value_of(entry), unit_of(entry), entry.help });
+    const std::string unit = entry.unit == "1" ? "" : entry.unit;
+    if (const std::string value = shown_value(entry), by_default = shown_value(defaults[i]);
+        value != by_default)
+      changed.push_back(
+        { { "entry", entry.path() }, { "value", value }, { "default", by_default }, { "unit", unit } });
+    all.push_back({ { "entry", entry.path() },
+                    { "value", value_of(entry) },
+                    { "unit", unit },
+                    { "meaning", entry.help } });
   }
   document.facts["is_default_study"] = changed.empty();
-  document.tables["study_differences"] = words("", { "entry", "value", "default", "unit" }, changed);
-  document.tables["study_entries"] = words("", { "entry", "value", "unit", "meaning" }, all);
+  document.facts["study_differences"] = changed;
+  document.facts["study_entries"] = all;
 }
 
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {
-  Budget steps = budget;
-  steps.rows = named_steps(budget.rows);
-  const double rounding = 1e-9 * spin_scale(study);
-  document.tables["chain"] = shown_budget_table(study, budget);
-  document.tables["named_steps"] = shown_budget_table(study, steps);
+  const double rounding = rounding_of_spins(study);
+  document.facts["chain"] = { { "rows", chain_rows(study, budget.rows) },
+                              { "shown", shown_chain(study, budget.rows) },
+                              { "steps", shown_chain(study, named_steps(budget.rows)) } };
   document.plots["waterfall"] = [&budget, rounding] { return waterfall_plot(budget, rounding); };
   document.plots["effects"] = [&budget, rounding] { return effects_plot(budget, rounding); };
   document.plots["harmonic_torque"] = [&budget] { return harmonic_torque_plot(budget); };
@@ -123,7 +153,8 @@ void add_load(const Study &study, const LoadReport &load, const std::vector<Band
   document.plots["higher_harmonics"] = [=, &load]
   { return higher_harmonics_plot(load.rings, !pointwise.empty()); };
   document.plots["spectrum"] = [=, &load] { return spectrum_plot(load.rings, band); };
-  document.tables["harmonics"] = harmonics_table(load.rings, band);
+  document.facts["load_harmonics"] = harmonic_rows(load.rings, band);
+  document.facts["mean_load"] = load.rings.a(0);
   document.tables["load"] = load_table(load.rings);
   document.tables["rings"] = ring_table(load.rings);
   document.tables["load_lines"] = pointwise_table(load.pointwise);
@@ -135,65 +166,16 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
   std::vector<BandedQuantity> listed;
   std::copy_if(bands.begin(), bands.end(), std::back_inserter(listed),
                [](const BandedQuantity &each) { return !each.is_zero(); });
-  document.tables["bands"] = band_table(listed);
-  document.tables["band_parts"] = part_table(listed);
-  document.facts["has_band_parts"] = document.tables["band_parts"].columns.size() > 1;
+  const Json parts = part_rows(listed);
+  document.facts["bands"] = band_rows(listed);
+  document.facts["band_parts"] = parts;
+  document.facts["has_band_parts"] = !parts.empty() && parts[0].size() > 1;
 }
 
 void say_one_way(Document &document)
 {
   for (auto &each : document.plots)
     each.second = [plot = each.second] { return one_way(plot()); };
-}
-
-std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
-{
-  if (bands.empty())
-    return {};
-  std::vector<double> widths(n_harmonics + 1, 0);
-  for (unsigned int n = 1; n <= std::min(n_harmonics, n_harmonics_of_interest); ++n)
-    widths[n] = std::hypot(band_of(bands, "a" + std::to_string(n)).value(),
-                           band_of(bands, "b" + std::to_string(n)).value());
-  return widths;
-}
-
-Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band)
-{
-  constexpr double rounding = 1e-12;
-  const auto amplitude = [&](unsigned int n) { return std::hypot(load.a(n), load.b(n)) / load.a(0); };
-  std::vector<unsigned int> orders;
-  for (unsigned int n = 1; n <= std::min(load.n_harmonics(), 8u); ++n)
-    if (band.empty() || band.at(n) <= amplitude(n))
-      orders.push_back(n);
-  /// Where a cos n theta + b sin n theta is largest [degrees], to a tenth, without the minus of a rounded
-  /// zero.
-  const auto crest = [&](unsigned int n) -> std::optional<double>
-  {
-    if (!(amplitude(n) > rounding))
-      return std::nullopt;
-    const double angle = std::atan2(load.b(n), load.a(n)) / n / boost::math::double_constants::degree;
-    return std::round(10 * angle) / 10 + 0.;
-  };
-  return {
-    "Harmonics of the load over its mean, a_0 = " + format::significant<6>(load.a(0)) + " N/rad",
-    { column(quantity::harmonic, orders),
-      column(
-        quantity::cosine_share, orders, [&](unsigned int n) { return load.a(n) / load.a(0); }, rounding),
-      column(
-        quantity::sine_share, orders, [&](unsigned int n) { return load.b(n) / load.a(0); }, rounding),
-      column(quantity::amplitude_share, orders, amplitude, rounding), column(quantity::crest, orders, crest) }
-  };
-}
-
-Json series_summary(const ring::RingStack &load)
-{
-  Json a = Json::array(), b = Json::array();
-  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-  {
-    a.push_back(load.a(n));
-    b.push_back(load.b(n));
-  }
-  return { { "a", a }, { "b", b } };
 }
 
 Json load_summary(const LoadReport &load)
@@ -215,22 +197,16 @@ Json load_summary(const LoadReport &load)
   return summary;
 }
 
-Table band_table(const std::vector<BandedQuantity> &bands)
+Json band_rows(const std::vector<BandedQuantity> &bands)
 {
-  using Row = BandedQuantity;
-  return { "",
-           { column(quantity::quantity_key, bands, [](const Row &row) { return row.quantity.key; }),
-             column(quantity::quantity_name, bands, [](const Row &row) { return row.quantity.name; }),
-             column(quantity::value, bands, [](const Row &row) { return row.quantity.value; }),
-             column(quantity::error_band, bands, &Row::band),
-             column(quantity::unit, bands, [](const Row &row) { return row.quantity.unit; }),
-             column(quantity::richardson, bands, &Row::richardson),
-             column(quantity::value.with(&Quantity::key, "shown_value"), bands,
-                    [](const Row &row) { return format::to_spread(row.quantity.value, row.band); }),
-             column(quantity::richardson.with(&Quantity::key, "shown_richardson"), bands,
-                    [](const Row &row) { return format::to_spread(row.richardson, row.band); }),
-             column(quantity::unit.with(&Quantity::key, "shown_unit"), bands,
-                    [](const Row &row) { return row.quantity.unit == "1" ? "–" : row.quantity.unit; }) } };
+  Json rows = Json::array();
+  for (const BandedQuantity &each : bands)
+    rows.push_back({ { "quantity", each.quantity.name },
+                     { "shown_value", format::to_spread(each.quantity.value, each.band) },
+                     { "band", each.band },
+                     { "shown_richardson", format::to_spread(each.richardson, each.band) },
+                     { "shown_unit", each.quantity.unit == "1" ? format::missing : each.quantity.unit } });
+  return rows;
 }
 
 Json band_summary(const std::vector<BandedQuantity> &bands)
@@ -239,8 +215,8 @@ Json band_summary(const std::vector<BandedQuantity> &bands)
   for (const BandedQuantity &each : bands)
   {
     Json parts = Json::object();
-    for (const BandPart &part : band_parts)
-      parts[part.key] = json_number(part_of(each, part.key));
+    for (const char *part : band_parts)
+      parts[part] = part_of(each, part);
     summary[each.quantity.key] = { { "value", each.quantity.value },
                                    { "band", each.band },
                                    { "parts", parts },

@@ -30,23 +30,12 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 /// Says in all plots that @p document has so far that the load of rest is kept at every spin.
 void say_one_way(Document &document);
 
-/// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonics_table() and
-/// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
-std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics);
-
-/// The first harmonics of a load over its mean; those that are smaller than their error band @p band, by n as
-/// in spectrum_plot(), are left out.
-Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band = {});
-
 /// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
 /// sum.
 nlohmann::ordered_json load_summary(const LoadReport &load);
 
-/// a_n and b_n [N/rad] of a load, as two lists.
-nlohmann::ordered_json series_summary(const ring::RingStack &load);
-
-/// Quantities of interest with their error bands and Richardson values.
-Table band_table(const std::vector<BandedQuantity> &bands);
+/// Quantities of interest with their error bands and Richardson values, for people.
+nlohmann::ordered_json band_rows(const std::vector<BandedQuantity> &bands);
 
 /// "error_bands" of summary.json: value, half-width, what it is made of (null where a part was not estimated)
 /// and unit of each quantity.

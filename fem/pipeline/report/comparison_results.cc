@@ -1,13 +1,11 @@
 #include "fem/pipeline/report/comparison_results.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
-#include "fem/pipeline/report/spin_table.h"
 
 #include <algorithm>
 
@@ -45,24 +43,20 @@ std::vector<SpinRow> rows_of(const Comparison &comparison, Closure closure)
 }
 
 /// All numbers of all rows; what the harmonics beyond the first do stands in the rows of all harmonics.
-Table row_table(const Comparison &comparison)
+Json comparison_rows(const Comparison &comparison)
 {
-  Table table =
-    spin_table(comparison.rows)
-      .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
-                "omega_terminal_band difference_to_paper load_minimum_at_terminal "
-                "contact_fraction_at_terminal state message");
-  const auto effect = [&](std::optional<double> HarmonicEffect::*value)
+  Json rows = spin_rows(comparison.rows);
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    return [&, value](const SpinRow &row)
-    { return row.all_harmonics ? comparison.harmonic_effect(row.closure, row.load).*value : std::nullopt; };
-  };
-  const auto before = table.columns.end() - 2; // state and message stay the last
-  table.columns.insert(
-    before,
-    { column(quantity::harmonic_effect, comparison.rows, effect(&HarmonicEffect::absolute)),
-      column(quantity::harmonic_effect_relative, comparison.rows, effect(&HarmonicEffect::relative)) });
-  return table;
+    const SpinRow &row = comparison.rows[i];
+    const HarmonicEffect effect =
+      row.all_harmonics ? comparison.harmonic_effect(row.closure, row.load) : HarmonicEffect();
+    rows[i]["harmonic_effect"] = effect.absolute;
+    rows[i]["harmonic_effect_relative"] = effect.relative;
+  }
+  return picked(rows, "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
+                      "omega_terminal_band difference_to_paper load_minimum_at_terminal "
+                      "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state message");
 }
 
 Findings findings_of(const Study &study, const Comparison &comparison)
@@ -71,13 +65,13 @@ Findings findings_of(const Study &study, const Comparison &comparison)
   const SpinRow *own = comparison.find(study.motion.closure, load);
   const HarmonicEffect effect = comparison.harmonic_effect(study.motion.closure, load);
   Findings findings;
-  findings.key_figures = { { "omega_terminal", json_number(own->omega_terminal()) },
-                           { "omega_terminal_band", json_number(own->band) },
-                           { "harmonic_effect", json_number(effect.absolute) },
-                           { "harmonic_effect_relative", json_number(effect.relative) } };
+  findings.key_figures = { { "omega_terminal", own->omega_terminal() },
+                           { "omega_terminal_band", own->band },
+                           { "harmonic_effect", effect.absolute },
+                           { "harmonic_effect_relative", effect.relative } };
   findings.summary = { { "harmonic_effect", harmonic_effect_summary(effect) },
-                       { "budget", budget_summary(study, chain_alone(comparison.budget)) },
-                       { "comparison", json_table(row_table(comparison)) } };
+                       { "budget", budget_summary(study, comparison.budget) },
+                       { "comparison", comparison_rows(comparison) } };
   return findings;
 }
 
@@ -87,68 +81,56 @@ std::string spin_text(const SpinRow &row, bool on_console)
   if (!row.omega_terminal())
     return on_console ? (row.standing == Standing::tips ? "tips  " : "none  ") : to_string(row.standing);
   const bool is_formal = row.standing == Standing::formal;
-  return format::all_significant<6>(*row.omega_terminal()) +
+  return format::number(*row.omega_terminal(), "#.6g") +
          (on_console ? (is_formal ? " f" : "  ") : (is_formal ? " (formal)" : ""));
 }
 
 /// Terminal spins: loads and truncations down, moment balances along; down a column what the harmonics do,
 /// along a row what the moment balances do.
-Table overview_table(const Comparison &comparison)
+Json overview_rows(const Comparison &comparison)
 {
-  Table table = { "Terminal spin (rad/s) by load and harmonics kept, and by moment balance",
-                  { column(quantity::load, rows_of(comparison, Closure::paper),
-                           [](const SpinRow &row) { return load_title(row, "≤"); }) } };
+  Json rows = Json::array();
+  for (const SpinRow &row : rows_of(comparison, Closure::paper))
+    rows.push_back({ { "load", load_title(row, "≤") } });
   for (const Closure closure : closures)
   {
-    const std::vector<SpinRow> rows = rows_of(comparison, closure);
-    table.columns.push_back(column(Quantity("", "", "1", ring::to_string(closure)), rows,
-                                   [](const SpinRow &row) { return spin_text(row, false); }));
-    table.columns.push_back(column(quantity::difference_to_paper, rows, &SpinRow::difference_to_paper));
+    const std::string name = ring::to_string(closure);
+    std::size_t i = 0;
+    for (const SpinRow &row : rows_of(comparison, closure))
+    {
+      rows.at(i)[name] = spin_text(row, false);
+      rows.at(i++)[name + "_against"] = row.difference_to_paper;
+    }
   }
-  return table;
+  return rows;
 }
 
 /// For the console: the terminal spin of each load with all its harmonics, and what those beyond the first do
 /// to it under the @p own moment balance of the study.
-Table console_overview(const Comparison &comparison, Closure own)
+Json console_overview(const Comparison &comparison, Closure own)
 {
-  const auto of_all_harmonics = [&](Closure closure)
-  {
-    std::vector<SpinRow> rows = rows_of(comparison, closure);
-    rows.erase(
-      std::remove_if(rows.begin(), rows.end(), [](const SpinRow &row) { return !row.all_harmonics; }),
-      rows.end());
-    return rows;
-  };
-  Table table = { "",
-                  { column(quantity::load, of_all_harmonics(Closure::paper),
-                           [](const SpinRow &row) { return name_of_load(row.load); }) } };
-  for (const Closure closure : closures)
-  {
-    const std::string name = ring::to_string(closure);
-    table.columns.push_back(column(Quantity("", "", "1", name, name + "\n(rad/s)  "),
-                                   of_all_harmonics(closure),
-                                   [](const SpinRow &row) { return spin_text(row, true); }));
-  }
-  table.columns.push_back(column(
-    quantity::harmonic_effect.with(&Quantity::label, "harmonics,\nclosure " + ring::to_string(own)),
-    of_all_harmonics(own),
-    [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; },
-    1e-9 * comparison.spin_scale));
-  return table;
+  Json rows = Json::array();
+  for (const SpinRow &each : rows_of(comparison, Closure::paper))
+    if (each.all_harmonics)
+    {
+      Json row = { { "load", name_of_load(each.load) } };
+      for (const Closure closure : closures)
+        row[ring::to_string(closure)] = spin_text(*comparison.find(closure, each.load), true);
+      row["harmonic_effect"] = comparison.harmonic_effect(own, each.load).absolute;
+      rows.push_back(row);
+    }
+  leave_out_rounding(rows, "harmonic_effect", 1e-9 * comparison.spin_scale);
+  return rows;
 }
 
 /// All rows of one moment balance, for the report.
-Table closure_table(const Comparison &comparison, Closure closure)
+Json closure_rows(const Comparison &comparison, Closure closure)
 {
-  const std::vector<SpinRow> rows = rows_of(comparison, closure);
-  Table table = spin_table(rows).with("Closure " + ring::to_string(closure),
-                                      "load tau_at_rest moment_ratio_at_rest omega_terminal "
-                                      "load_minimum_at_terminal contact_fraction_at_terminal state");
-  table["omega_terminal"].digits = format::significant<7>;
-  table.columns.front() =
-    column(quantity::load, rows, [](const SpinRow &row) { return load_title(row, "≤"); });
-  return table;
+  const std::vector<SpinRow> spins = rows_of(comparison, closure);
+  Json rows = shown_spin_rows(spins);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i]["load"] = load_title(spins[i], "≤");
+  return rows;
 }
 
 /// Note on the reference of the harmonics' effect: a foot leans on its table, a rim in closed form does not.
@@ -178,8 +160,8 @@ std::string own_spin(const Comparison &comparison, Closure closure)
     return text;
   if (std::abs(*effect.absolute) < 1e-9 * comparison.spin_scale)
     return text + " (harmonics: 0)";
-  return text + " (harmonics: " + format::signed_significant<3>(*effect.absolute) + " rad/s" +
-         (effect.relative ? ", " + format::change(*effect.relative) : "") + ")";
+  return text + " (harmonics: " + format::number(*effect.absolute, "+.3g") + " rad/s" +
+         (effect.relative ? ", " + format::number(*effect.relative, "+.3g%") : "") + ")";
 }
 
 Json facts_of(const Study &study, const Comparison &comparison)
@@ -206,7 +188,7 @@ Json facts_of(const Study &study, const Comparison &comparison)
   return { { "spins", std::any_of(rows.begin(), rows.end(), spins) },
            { "paper_first", spin_with_unit(paper) },
            { "full_first", spin_with_unit(full) },
-           { "change", change ? format::change(*change) : "" },
+           { "change", change ? format::number(*change, "+.3g%") : "" },
            { "own_load", name_of_load(rows.back().load) },
            { "paper_all", own_spin(comparison, Closure::paper) },
            { "full_all", own_spin(comparison, Closure::full) },
@@ -219,7 +201,8 @@ Json facts_of(const Study &study, const Comparison &comparison)
 
 Results tabulate(const Study &study, const Comparison &comparison)
 {
-  const Budget budget = chain_alone(comparison.budget);
+  Budget budget;
+  budget.rows = comparison.budget;
   Document document = { findings_of(study, comparison), facts_of(study, comparison) };
   const auto spin = [&](Closure closure, const std::string &load)
   { return comparison.find(closure, load)->omega_terminal(); };
@@ -230,18 +213,13 @@ Results tabulate(const Study &study, const Comparison &comparison)
   add_chain(study, budget, document);
   document.plots["comparison"] = [&] { return comparison_plot(comparison); };
   document.plots["harmonic_effect"] = [&] { return harmonic_effect_plot(comparison); };
-  document.tables["overview"] = overview_table(comparison);
-  document.tables["console_overview"] = console_overview(comparison, study.motion.closure);
+  const Closure own = study.motion.closure;
+  document.facts["overview"] = overview_rows(comparison);
+  document.facts["console_overview"] = console_overview(comparison, own);
+  document.quantities["console_overview"]["harmonic_effect"]["label"] =
+    "harmonics,\nclosure " + ring::to_string(own);
   for (const Closure closure : closures)
-    document.tables["closure_" + ring::to_string(closure)] = closure_table(comparison, closure);
-  Table rows = row_table(comparison)
-                 .with("", "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest "
-                           "omega_terminal difference_to_paper load_minimum_at_terminal "
-                           "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state "
-                           "message");
-  rows["harmonics"].unit = "";
-  rows["load_minimum_at_terminal"].name = "least load at terminal omega";
-  document.tables["rows"] = rows;
+    document.facts["closures"][ring::to_string(closure)] = closure_rows(comparison, closure);
   add_study(study, document);
   return shown(document, "compare");
 }

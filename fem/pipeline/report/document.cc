@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/report/filled_text.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -14,14 +15,7 @@ namespace stemware::pipeline
 namespace
 {
 
-template <typename Values>
-const auto &named(const Values &values, const std::string &name)
-{
-  const auto found = values.find(name);
-  if (found == values.end())
-    throw std::logic_error("A template shows " + name + ", which the document does not have.");
-  return found->second;
-}
+using Json = nlohmann::ordered_json;
 
 /// The words before and after the first @p mark, without blanks round them; the second may be empty.
 std::pair<std::string, std::string> parted(const std::string &text, char mark)
@@ -35,7 +29,7 @@ std::pair<std::string, std::string> parted(const std::string &text, char mark)
 class Reading
 {
 public:
-  Reading(const Document &document, const nlohmann::ordered_json &facts)
+  Reading(const Document &document, const Json &facts)
       : document(document)
       , facts(facts)
   {
@@ -91,7 +85,13 @@ private:
     else if (word == "inputs" || word == "answer")
       in_inputs = word == "inputs";
     else if (word == "table")
-      add_table(rest);
+      add_table(table_from(rest));
+    else if (word == "list")
+      add_table(table_of(as_list(table_from(rest)), "", "", parted(rest, '|').second));
+    else if (word == "words")
+      add_table(table_of(Json::array(), parted(rest, '|').first, "", parted(rest, '|').second));
+    else if (word == "row")
+      add_row(rest);
     else if (word == "file")
       add_file(rest);
     else if (word == "p")
@@ -115,22 +115,34 @@ private:
   void add_plot(const std::string &what)
   {
     const auto [name, label] = parted(what, '|');
-    Plot plot = named(document.plots, name)();
+    const auto made = document.plots.find(name);
+    Plot plot = made == document.plots.end() ? plot_from(name) : made->second();
     if (!label.empty())
       plot.label = label;
     section().plots.push_back(plot);
   }
 
-  void add_table(const std::string &what)
+  void add_table(const Table &table)
   {
-    const auto [columns, title] = parted(what, '|');
-    const Table table = view(columns, title);
     if (!on_console)
       section().tables.push_back(table);
     else
     {
       results.console.back().table = table;
       results.console.emplace_back();
+    }
+  }
+
+  /// A row of the table before; the last column has all that is left.
+  void add_row(std::string words)
+  {
+    const std::string bar = " | ";
+    std::vector<Column> &columns = section().tables.back().columns;
+    for (Column &column : columns)
+    {
+      const auto end = &column == &columns.back() ? words.size() : std::min(words.find(bar), words.size());
+      column.cells.push_back(words.substr(0, end));
+      words.erase(0, end + bar.size());
     }
   }
 
@@ -142,21 +154,26 @@ private:
     if (const auto text = document.texts.find(content); text != document.texts.end())
       results.files.back().content = text->second;
     else if (!content.empty())
-      results.files.back().content = view(content, "");
+      results.files.back().content = table_from(content);
     if (!words.empty())
       section().files.push_back({ file, words });
   }
 
-  /// "NAME", or "NAME: KEY KEY" under a title.
-  Table view(const std::string &columns, const std::string &title) const
+  /// "NAME: KEY KEY | TITLE".
+  Table table_from(const std::string &what) const
   {
-    const auto [name, keys] = parted(columns, ':');
-    const Table &whole = named(document.tables, name);
-    return keys.empty() ? whole : whole.with(title, keys);
+    const auto [columns, title] = parted(what, '|');
+    const auto [path, keys] = parted(columns, ':');
+    if (const auto table = document.tables.find(path); table != document.tables.end())
+      return table->second;
+    const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
+    if (!facts.contains(place))
+      throw std::logic_error("A template shows " + path + ", which the document does not have.");
+    return table_of(facts[place], keys, path.substr(0, path.find('.')), title, document.quantities);
   }
 
   const Document &document;
-  const nlohmann::ordered_json &facts;
+  const Json &facts;
   bool in_inputs = false;
   bool on_console = false;
 };
@@ -165,7 +182,7 @@ private:
 
 Results shown(const Document &document, const std::string &name)
 {
-  nlohmann::ordered_json facts = document.findings.summary;
+  Json facts = document.findings.summary;
   facts.update(document.facts);
   std::istringstream lines(filled_text(name + ".txt", facts));
   Reading reading(document, facts);

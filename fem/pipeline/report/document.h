@@ -1,26 +1,12 @@
 #pragma once
 
-#include "fem/contact/foot.h"
+#include "fem/pipeline/document/document.h"
 #include "fem/pipeline/report/results.h"
 
-#include <functional>
-#include <map>
 #include <string>
 
 namespace stemware::pipeline
 {
-
-/// Findings of a verb, and all that a template may show of them. SI units, or those of the study.
-struct Document
-{
-  Findings findings; ///< for summary.json and --json
-  /// Words, flags and derived numbers for sentences, which see the findings too.
-  nlohmann::ordered_json facts = nlohmann::ordered_json::object();
-  std::map<std::string, Table> tables = {};
-  std::map<std::string, std::string> texts = {};           ///< files that are no table
-  std::map<std::string, std::function<Plot()>> plots = {}; ///< pictures, made where they are shown
-  std::vector<fem::FieldFile> fields = {};
-};
 
 /// The @p document as the template fem/pipeline/report/templates/NAME.txt shows it, filled as filled_text()
 /// says. Its lines:
@@ -32,13 +18,14 @@ struct Document
 ///   @inputs                          what follows is the line of inputs under the title, until "@answer"
 ///   @drawing NAME                    templates/NAME.svg, filled likewise; in front of the first section a
 ///                                    picture of the head
-///   @plot NAME | WORDS               with what is to be seen, in numbers, for those who do not see it;
-///   without
-///                                    words the caption says it
-///   @table NAME                      all columns under the table's own title
-///   @table NAME: KEY KEY | TITLE     these columns under this title (Table::with())
-///   @file FILE = NAME | WORDS        a file of the text, table or columns NAME, listed with WORDS unless
-///   they are
+///   @plot NAME | WORDS               of the document, else plots/NAME.gp as it stands; with what is to be
+///                                    seen, in numbers, for those who do not see it, else as the caption
+///   @table NAME: KEY KEY | TITLE     rows of the findings or facts, a list of objects: NAME is a path,
+///                                    chain.rows, the keys are columns, by default all; quantities.json
+///                                    declares them, in a section for the first part of NAME or for all
+///   @list NAME: KEY KEY | TITLE      one object as a list of what it is and how large
+///   @words KEY KEY | TITLE           a table of words, which has a row in each line "@row WORD | WORD"
+///   @file FILE = NAME: KEY KEY | WORDS  a file of the text or table NAME, listed with WORDS unless they are
 ///                                    empty; without "= NAME" one that is written elsewhere
 ///   @console                         what follows is the console's; "@block" begins a new part of it, and so
 ///                                    does what follows a table

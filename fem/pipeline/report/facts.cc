@@ -1,9 +1,8 @@
 #include "fem/pipeline/report/facts.h"
 
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/report/budget_tables.h"
-#include "fem/pipeline/report/render/number_format.h"
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/number_format.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -44,9 +43,9 @@ Json effect_facts(const Study &study, const HarmonicEffect &effect)
   if (!effect.absolute)
     return nullptr;
   return { { "absolute", *effect.absolute },
-           { "relative", effect.relative ? Json(faster_or_slower(*effect.relative)) : Json(nullptr) },
+           { "relative", effect.relative ? faster_or_slower(*effect.relative) : "" },
            { "is_small", !is_spin(study, *effect.absolute) },
-           { "rounding", 1e-9 * spin_scale(study) } };
+           { "rounding", rounding_of_spins(study) } };
 }
 
 Json lift_off_facts(const std::vector<std::pair<std::string, const LoadReport *>> &states)
@@ -65,13 +64,13 @@ Json lift_off_facts(const std::vector<std::pair<std::string, const LoadReport *>
 
 std::string faster_or_slower(double change)
 {
-  return format::percent<3>(std::abs(change)) + (change > 0 ? " faster" : " slower");
+  return format::number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
 }
 
 std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))
-    return format::all_significant<6>(value);
+    return format::number(value, "#.6g");
   // Rounded up, so that what is printed contains all of value -/+ band.
   const double unit = std::pow(10, -format::decimals_of(*band));
   const double shift = std::abs(value - std::round(value / unit) * unit);

@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/filled_text.h"
 
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/render/html_page.h"
-#include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/support/shared_files.h"
 
 #include <boost/algorithm/string/split.hpp>
@@ -24,21 +24,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 using kainjow::mustache::data;
-
-/// @p value as a place-holder with this @p format writes it.
-std::string shown_number(double value, std::string format)
-{
-  const auto star = format.find('*');
-  const double factor = star == std::string::npos ? 1 : std::stod(format.substr(0, star));
-  format = format.substr(star == std::string::npos ? 0 : star + 1);
-  const bool is_percent = !format.empty() && format.back() == '%';
-  if (is_percent)
-    format.pop_back();
-  const bool nothing_is_zero = value == 0 && (format.front() == '+' || format.back() == 'e');
-  const format::Number shown = { value * factor * (is_percent ? 100 : 1) };
-  return (nothing_is_zero ? "0" : fmt::format(fmt::runtime("{:" + format + "}"), shown)) +
-         (is_percent ? " %" : "");
-}
 
 /// The facts as mustache asks for them, by name and inside of sections.
 class Facts : public kainjow::mustache::basic_context<std::string>
@@ -114,8 +99,7 @@ private:
     else if (value.is_number_integer())
       made.emplace_back(std::to_string(value.get<long>()));
     else
-      made.emplace_back(value.is_string() ? value.get<std::string>()
-                                          : shown_number(value.get<double>(), format));
+      made.emplace_back(value.is_string() ? value.get<std::string>() : format::number(value, format));
     values[&made.back()] = &value;
     return &made.back();
   }

@@ -11,10 +11,8 @@ namespace stemware::pipeline
 ///
 /// The language is mustache's: {{value}}; {{#fact}}...{{/fact}} where a fact is true, is there, or once for
 /// each of a list; {{^fact}}...{{/fact}} where it is not; {{> name}} for another template. A value is a path
-/// of keys, {{ring.standing}}. A number has its digits behind a colon, as fmt writes them: {{omega:.6g}}.
-/// More there: "%" for per cent, {{share:.1f%}}; a factor in front, {{length:1e3*.4g}} mm; a plus, which
-/// shows the sign and of nothing "0", {{difference:+.3g}}; an e, which writes nothing as "0". A number that
-/// does not exist is a dash.
+/// of keys, {{ring.standing}}. A number has its digits behind a colon, {{omega:.6g}}, as format::number()
+/// takes them: {{share:.1f%}}, {{length:1e3*.4g}} mm. A number that does not exist is a dash.
 ///
 /// Throws std::logic_error for a template, a key or a format that does not exist: no sentence loses its
 /// number silently. A key below null is as null.

@@ -1,6 +1,6 @@
 #include "fem/pipeline/report/head.h"
 
-#include "fem/pipeline/report/render/number_format.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
 

@@ -37,42 +37,39 @@ std::string mesh_range(const std::string &name, double least, double most)
 }
 
 /// Description of a mesh, line by line: a word, and what there is to say.
-std::vector<std::vector<std::string>> lines_of(const MeshFindings &findings)
+nlohmann::ordered_json lines_of(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
   using fem::FootBoundary;
-  std::vector<std::vector<std::string>> lines = {
-    { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
-                          check.n_vertices) },
-    { "Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
-               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
-               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)" },
-    { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
-                           n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
-                           n_faces(check, FootBoundary::free), n_other_faces(check)) },
-    { "Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
-                   mesh_range("z", check.lowest, check.highest) +
-                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area) }
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  const auto add = [&](const char *what, const std::string &is) {
+    lines.push_back({ { "what", what }, { "is", is } });
   };
+  add("Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
+                          check.n_vertices));
+  add("Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
+               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
+               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)");
+  add("Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
+                           n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
+                           n_faces(check, FootBoundary::free), n_other_faces(check)));
+  add("Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
+                   mesh_range("z", check.lowest, check.highest) +
+                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area));
   if (const auto &report = findings.report)
-    lines.push_back(
-      { "Rim",
-        report->round_rim
-          ? fmt::format(
-              FMT_STRING("round, middle radius {:.6g} mm: the cells of the land follow the circles"),
-              1e3 * report->rim_radius)
-          : fmt::format(
-              FMT_STRING("not round, middle radius {:.6g} mm: straight edges cut off about {:.2g} % of "
-                         "the land"),
-              1e3 * report->rim_radius, 100 * report->land_area_deficit) });
-  lines.push_back(
-    { "Quality",
+    add("Rim",
+        fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm: "), report->round_rim ? "" : "not ",
+                    1e3 * report->rim_radius) +
+          (report->round_rim ? "the cells of the land follow the circles"
+                             : fmt::format(FMT_STRING("straight edges cut off about {:.2g} % of the land"),
+                                           100 * report->land_area_deficit)));
+  add("Quality",
       fmt::format(
         FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
         check.least_jacobian, 1e3 * check.worst_place[0], 1e3 * check.worst_place[1],
-        1e3 * check.worst_place[2], check.mean_jacobian) });
+        1e3 * check.worst_place[2], check.mean_jacobian));
   for (const std::string &remark : mesh_remarks(findings))
-    lines.push_back({ "Remark", remark });
+    add("Remark", remark);
   return lines;
 }
 
@@ -128,15 +125,15 @@ Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
   };
   document.plots["contact_zone"] = [&] { return contact_zone_plot(pictures.contact_faces); };
   document.plots["quality"] = [&] { return quality_plot(pictures.scaled_jacobians); };
-  document.tables["lines"] = words("", { "", "" }, lines_of(findings));
+  document.facts["lines"] = lines_of(findings);
   return shown(document, "mesh");
 }
 
 std::string mesh_text(const MeshFindings &findings)
 {
   std::string text;
-  for (const std::vector<std::string> &line : lines_of(findings))
-    text += wrapped(line[1], fmt::format(FMT_STRING("{:<10}"), line[0])) + '\n';
+  for (const auto &line : lines_of(findings))
+    text += wrapped(line["is"], fmt::format(FMT_STRING("{:<10}"), line["what"].get<std::string>())) + '\n';
   return text;
 }
 

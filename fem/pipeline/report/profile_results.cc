@@ -1,8 +1,7 @@
 #include "fem/pipeline/report/profile_results.h"
 
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/number_format.h"
-#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/study/profile_file.h"
 
 #include <cmath>
@@ -53,69 +52,59 @@ Json profile_facts(const Study &study, const LoadReport &load, const std::option
   const fem::RimCircle *circle = scattered_circle(study);
   if (!circle)
     return nullptr;
+  const fem::GlassProfile &profile = study.glass.profile;
   const std::optional<double> error = spin_error(scatter);
   const bool is_below_scatter = crown_is_below_scatter(study, *circle, load);
+  const auto length = [](double value, double error)
+  { return error > 0 ? with_error(1e3 * value, 1e3 * error) : format::number(1e3 * value, ".6g"); };
   return { { "rim", fitted_rim(study) },
            { "spin_error", error ? format::to_spread(*error, *error) : "" },
-           { "band", band ? format::band(*band) : "" },
+           { "band", band },
            { "trouble", scatter && !scatter->spin ? scatter->reason : "" },
            { "crown_below_scatter", is_below_scatter },
            { "crown_open", !is_below_scatter && crown_is_open(*circle) },
            { "contact_width", 2 * load.half_width() },
            { "sag", sag_over_contact(study, load) },
            { "scatter", circle->scatter },
-           { "land_width", study.glass.profile.land_width } };
+           { "land_width", profile.land_width },
+           { "contact_radius", length(profile.contact_radius, circle->contact_radius_error()) },
+           { "crown_radius", length(profile.crown_radius, circle->crown_radius_error()) },
+           { "n_points", circle->points.size() },
+           { "freedom", circle->freedom } };
 }
 
-void add_scatter_row(const std::optional<ProfileScatter> &scatter, const std::string &title, Table &table)
+Json with_scatter_row(Json chain, const std::optional<ProfileScatter> &scatter)
 {
-  const std::optional<double> error = spin_error(scatter);
-  if (!error)
-    return;
-  for (Column &column : table.columns)
+  if (const std::optional<double> error = spin_error(scatter))
   {
-    const std::string &key = column.quantity.key;
-    if (key == quantity::spin_band.key)
-      column.cells.push_back(to_cell(*error));
-    else
-      column.cells.push_back(to_cell(key == title                        ? "scatter of the profile"
-                                     : key == quantity::budget_state.key ? "one standard error"
-                                                                         : ""));
+    Json row = chain[0];
+    for (auto &value : row)
+      value = "";
+    row["title"] = row["console_title"] = "scatter of the profile";
+    row["band"] = *error;
+    row["remark"] = "one standard error";
+    chain.push_back(row);
   }
-}
-
-Table rim_table(const Study &study)
-{
-  const fem::RimCircle &circle = *study.glass.rim_circle;
-  const auto length = [](double value, double error)
-  { return error > 0 ? with_error(1e3 * value, 1e3 * error) : format::significant<6>(1e3 * value); };
-  return words(
-    "The rim, from the points of the profile", { "", "" },
-    { { "contact radius (mm)", length(study.glass.profile.contact_radius, circle.contact_radius_error()) },
-      { "crown radius (mm)", length(study.glass.profile.crown_radius, circle.crown_radius_error()) },
-      { "points of the land", std::to_string(circle.points.size()) },
-      { "their scatter, rms (µm)", format::significant<3>(1e6 * circle.scatter) },
-      { "degrees of freedom", format::significant<3>(circle.freedom) } });
+  return chain;
 }
 
 Json profile_summary(const Study &study)
 {
   const GlassSection &glass = study.glass;
-  Json summary = { { "points", glass.n_profile_points },
-                   { "contact_radius", glass.profile.contact_radius },
-                   { "crown_radius", glass.profile.crown_radius } };
-  const fem::RimCircle *circle = glass.rim_circle.get();
-  const bool scatters = scattered_circle(study);
-  const auto if_scatters = [&](double value) { return scatters ? Json(value) : Json(nullptr); };
-  summary["contact_radius_error"] = if_scatters(circle ? circle->contact_radius_error() : 0);
-  summary["crown_radius_error"] = if_scatters(circle ? circle->crown_radius_error() : 0);
-  summary["covariance"] = scatters ? Json(circle->covariance) : Json(nullptr);
-  summary["scatter"] = circle && circle->freedom > 0 ? Json(circle->scatter) : Json(nullptr);
-  summary["degrees_of_freedom"] = circle ? Json(circle->freedom) : Json(nullptr);
-  summary["rim_points"] = circle ? circle->points.size() : 0;
-  summary["repeated_points"] = circle ? circle->n_repeated : 0;
-  summary["crown_determined"] = !circle || !crown_is_open(*circle);
-  return summary;
+  const fem::RimCircle *circle = glass.rim_circle.get(), *scattered = scattered_circle(study);
+  const auto of = [](const fem::RimCircle *circle, auto value)
+  { return circle ? Json(std::invoke(value, *circle)) : Json(nullptr); };
+  return { { "points", glass.n_profile_points },
+           { "contact_radius", glass.profile.contact_radius },
+           { "crown_radius", glass.profile.crown_radius },
+           { "contact_radius_error", of(scattered, &fem::RimCircle::contact_radius_error) },
+           { "crown_radius_error", of(scattered, &fem::RimCircle::crown_radius_error) },
+           { "covariance", of(scattered, &fem::RimCircle::covariance) },
+           { "scatter", of(circle && circle->freedom > 0 ? circle : nullptr, &fem::RimCircle::scatter) },
+           { "degrees_of_freedom", of(circle, &fem::RimCircle::freedom) },
+           { "rim_points", circle ? circle->points.size() : 0 },
+           { "repeated_points", circle ? circle->n_repeated : 0 },
+           { "crown_determined", !circle || !crown_is_open(*circle) } };
 }
 
 Json profile_summary(const Study &study, const LoadReport &load, const std::optional<ProfileScatter> &scatter)
@@ -125,9 +114,9 @@ Json profile_summary(const Study &study, const LoadReport &load, const std::opti
   if (const fem::RimCircle *circle = scattered_circle(study))
     summary["crown_determined"] = !crown_is_open(*circle) && !crown_is_below_scatter(study, *circle, load);
   const ProfileScatter known = scatter.value_or(ProfileScatter());
-  summary["omega_terminal_error"] = json_number(known.spin);
-  summary["omega_by_contact_radius"] = json_number(known.by_contact_radius);
-  summary["omega_by_crown_radius"] = json_number(known.by_crown_radius);
+  summary["omega_terminal_error"] = known.spin;
+  summary["omega_by_contact_radius"] = known.by_contact_radius;
+  summary["omega_by_crown_radius"] = known.by_crown_radius;
   if (!known.reason.empty())
     summary["reason"] = known.reason;
   return summary;

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/analysis/profile_scatter.h"
 #include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/report/render/table.h"
 #include "fem/pipeline/study/study.h"
 
 #include <nlohmann/json.hpp>
@@ -31,12 +30,10 @@ nlohmann::ordered_json profile_facts(const Study &study, const LoadReport &load,
                                      const std::optional<ProfileScatter> &scatter,
                                      const std::optional<double> &band);
 
-/// Puts "scatter of the profile" under the rows of a table of the budget: its title into the column @p title,
-/// the standard error of the spin beside the bands.
-void add_scatter_row(const std::optional<ProfileScatter> &scatter, const std::string &title, Table &table);
-
-/// The rim as it follows from the points, for a report. The study must have a circle.
-Table rim_table(const Study &study);
+/// The rows of shown_chain() with one more, "scatter of the profile", which has the standard error of the
+/// spin beside the bands.
+nlohmann::ordered_json with_scatter_row(nlohmann::ordered_json chain,
+                                        const std::optional<ProfileScatter> &scatter);
 
 /// "profile" of summary.json: the rim with its covariance, null where it has none.
 nlohmann::ordered_json profile_summary(const Study &study);

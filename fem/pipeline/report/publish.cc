@@ -1,8 +1,9 @@
 #include "fem/pipeline/report/publish.h"
 
-#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/manifest.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <iostream>
 
 namespace stemware::pipeline
@@ -30,10 +32,39 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-void write_and_publish(const StudyOptions &options, const std::optional<Study> &study,
-                       const Findings &findings, Stopwatch &stopwatch, ResultsFolder &folder)
+/// Writes what this rank has of the fields into fields/ of a folder that all ranks see.
+void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
+{
+  if (fields.empty())
+    return;
+  std::error_code error;
+  fs::create_directory(folder / "fields", error); // another rank may have been faster
+  if (error)
+    throw OutputFailure(fmt::format(FMT_STRING("The folder fields of the results cannot be made ({}); choose "
+                                               "a folder that all ranks can write to with --output."),
+                                    error.message()));
+  for (const fem::FieldFile &field : fields)
+    write_text_file(folder / "fields" / field.name, field.text);
+}
+
+std::string text_of(const ResultFile &file)
+{
+  if (const auto *text = std::get_if<std::string>(&file.content))
+    return *text;
+  const Table &table = std::get<Table>(file.content);
+  return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
+}
+
+void write_and_publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
+                       Stopwatch &stopwatch, ResultsFolder &folder)
 {
   const fs::path &place = folder.working_folder();
+  for (const ResultFile &file : results.files)
+    if (!std::holds_alternative<std::monostate>(file.content))
+      write_text_file(place / file.name, text_of(file));
+  stopwatch.finish("tables");
+  write_report(results.report, place);
+  stopwatch.finish("report");
   Json summary = { { "schema", 2 },
                    { "program", { { "version", program_version() }, { "revision", program_revision() } } },
                    { "verb", options.verb } };
@@ -43,7 +74,7 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
     write_text_file(place / "parameters.prm", study_as_prm(echo));
     summary["parameters"] = study_as_json(echo);
   }
-  summary.update(findings.summary);
+  summary.update(results.findings.summary);
   std::vector<std::string> files = folder.contents();
   files.insert(files.end(), { "summary.json", "timings.json" });
   std::sort(files.begin(), files.end());
@@ -62,12 +93,7 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, con
 {
   // The folder is whole before it gets its name.
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
-  on_first_rank(
-    [&]
-    {
-      write_results(results, folder.working_folder(), stopwatch);
-      write_and_publish(options, study, results.findings, stopwatch, folder);
-    });
+  on_first_rank([&] { write_and_publish(options, study, results, stopwatch, folder); });
   if (!is_first_rank())
     return;
   console() << console_text(results);

@@ -1,13 +1,8 @@
 #pragma once
 
-#include "fem/contact/foot.h"
+#include "fem/pipeline/document/document.h"
 #include "fem/pipeline/report/render/report.h"
-#include "fem/pipeline/report/render/table.h"
-#include "fem/pipeline/support/stopwatch.h"
 
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,15 +10,6 @@
 
 namespace stemware::pipeline
 {
-
-/// Findings of a verb as programs read them. SI units, or those of the study.
-struct Findings
-{
-  /// The verb's own parts of summary.json, which stand between "parameters" and "files".
-  nlohmann::ordered_json summary = nlohmann::ordered_json::object();
-  /// The few numbers of the last line of --json.
-  nlohmann::ordered_json key_figures = nlohmann::ordered_json::object();
-};
 
 /// A file of the results folder.
 struct ResultFile
@@ -50,16 +36,6 @@ struct Results
   std::vector<fem::FieldFile> fields = {}; ///< for fields/, those that this rank writes
   Findings findings;                       ///< for summary.json and --json
 };
-
-/// The "Files" at the end of a report: those of @p files that have a description.
-ReportSection file_section(const std::vector<ResultFile> &files);
-
-/// Writes @p fields into fields/ of @p folder, which all ranks see. Throws OutputFailure.
-void write_fields(const std::vector<fem::FieldFile> &fields, const std::filesystem::path &folder);
-
-/// Writes the files with content, then report.html and its plots, into @p folder. Ends the stages "tables"
-/// and "report" of @p stopwatch. Throws OutputFailure. One rank only.
-void write_results(const Results &results, const std::filesystem::path &folder, Stopwatch &stopwatch);
 
 /// The blocks, an empty line before each and after the last.
 std::string console_text(const Results &results);

@@ -1,11 +1,10 @@
 #include "fem/pipeline/report/run_facts.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/json.h"
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/facts.h"
-#include "fem/pipeline/report/goal_results.h"
 #include "fem/pipeline/report/profile_results.h"
-#include "fem/pipeline/report/render/number_format.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +85,7 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
       { "has_band", band.has_value() },
       { "lacks_band", !band && !spin.is_quick() && study.load.is_from_contact() },
       { "may_be_narrow", study.table.is_hard() && !abilities(study.contact.body).is_of_revolution },
-      { "time_constant", json_number(all.time_constant()) },
+      { "time_constant", all.time_constant() },
       { "others", leans && grips ? ", the lean torque and that of the fingers"
                   : leans        ? "and the lean torque"
                   : grips        ? "and that of the fingers"
@@ -156,7 +155,7 @@ Json driven_facts(const SpinUpCurves &curves, const std::optional<double> &band)
   return { { "slowest", *slowest },
            { "fastest", *fastest },
            { "omega_at_constant_speed", curves.adaptive.back() },
-           { "band", band ? format::band(*band) : "" },
+           { "band", band },
            { "file_matters_more", band && curves.driven->interpolation_change > *band } };
 }
 
@@ -171,6 +170,14 @@ Json several_spins_facts(const SpinStudy &spin)
 }
 
 } // namespace
+
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands)
+{
+  const auto banded = find_quantity(bands, key_of(study.contact.goal));
+  if (banded == bands.end() || banded->parts.count("mesh") == 0)
+    return std::nullopt;
+  return banded->parts.at("mesh");
+}
 
 Json run_facts(const Study &study, const ContactReport &report, const SpinStudy &spin,
                const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)

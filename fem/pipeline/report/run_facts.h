@@ -19,4 +19,7 @@ nlohmann::ordered_json run_facts(const Study &study, const ContactReport &report
                                  const std::vector<BandedQuantity> &bands,
                                  const std::optional<GoalOutcome> &goal);
 
+/// The part of the band of the study's goal that is the mesh's; nothing where there is none.
+std::optional<double> band_of_mesh(const Study &study, const ErrorBands &bands);
+
 } // namespace stemware::pipeline

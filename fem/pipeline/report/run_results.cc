@@ -1,21 +1,17 @@
 #include "fem/pipeline/report/run_results.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/driven_spin.h"
 #include "fem/pipeline/report/facts.h"
-#include "fem/pipeline/report/goal_results.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/profile_results.h"
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_facts.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/report/spin_table.h"
-#include "fem/pipeline/report/terminal_spins.h"
 #include "fem/pipeline/study/measured_spin_file.h"
+#include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +27,8 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// Terminal spin and torque by the number of harmonics.
-Table truncation_table(const SpinStudy &spin)
-{
-  return spin_table(spin.rows).with(
-    "The answer with the load cut off after some harmonics",
-    "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
-}
-
-/// truncation_table() for people, with all harmonics on one ring as a further row.
-Table shown_truncation_table(const SpinStudy &spin)
+/// The truncations that change something, for people, with all harmonics on one ring as a further row.
+Json shown_truncations(const SpinStudy &spin)
 {
   constexpr double nothing = 1e-9;
   std::vector<SpinRow> rows;
@@ -50,19 +38,40 @@ Table shown_truncation_table(const SpinStudy &spin)
                  return row.harmonics == spin.rows.back().harmonics || !row.relative_change ||
                         std::abs(*row.relative_change) >= nothing;
                });
-  std::vector<std::string> names;
-  for (const SpinRow &row : rows)
-    names.push_back(std::to_string(row.harmonics));
   if (spin.one_ring)
-  {
     rows.push_back(*spin.one_ring);
-    names.push_back(std::to_string(spin.one_ring->harmonics) + ", on one ring");
-  }
-  Table table =
-    spin_table(rows).with("The answer with the load cut off after some harmonics",
-                          "harmonics tau_at_rest omega_terminal relative_change bound load_minimum");
-  table.columns.front() = column(quantity::harmonics, names);
-  return table;
+  Json shown = shown_spin_rows(rows);
+  if (spin.one_ring)
+    shown.back()["harmonics"] = std::to_string(spin.one_ring->harmonics) + ", on one ring";
+  return shown;
+}
+
+/// The torques on the glass and the friction of the table at rest, then at the terminal spin or where the
+/// glass falls over, for people.
+Json friction_rows(const Study &study, const SpinRow &all)
+{
+  const ring::RingStack &load = all.at_rest.value().load;
+  const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
+  const double torque = force * load.radius();
+  Json rows = Json::array();
+  const auto add = [&](const char *name, const RingState &state)
+  {
+    rows.push_back({ { "name", name },
+                     { "torque", state.friction.torque },
+                     { "lean_torque", state.lean_torque },
+                     { "grip_torque", state.grip_torque },
+                     { "torque_sum", state.torque() },
+                     { "force", { state.friction.force_x, state.friction.force_y } } });
+  };
+  add("at rest", *all.at_rest);
+  if (all.fall)
+    add("where it falls over", all.fall->state);
+  else if (all.at_terminal)
+    add("at the terminal spin", *all.at_terminal);
+  leave_out_rounding(rows, "torque lean_torque grip_torque", 1e-12 * torque);
+  leave_out_rounding(rows, "torque_sum", 1e-9 * torque);
+  leave_out_rounding(rows, "force", 1e-12 * force);
+  return rows;
 }
 
 // ---- summary.json
@@ -84,11 +93,88 @@ Standing standing_of(const ContactReport &report, const SpinStudy &spin)
   return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
 }
 
-/// A value of ring_state() at the row's terminal spin; null where it has none.
+/// A value of the ring at the row's terminal spin; null where it has none.
 template <typename Value>
 Json at_terminal(const SpinRow &row, Value value)
 {
   return row.at_terminal ? Json(std::invoke(value, *row.at_terminal)) : Json(nullptr);
+}
+
+/// All terminal spins with their stability, and which one is reached from rest.
+Json terminal_spins_summary(const SpinStudy &spin)
+{
+  Json spins = Json::array();
+  for (const ring::TerminalSpin &one : spin.terminal_spins)
+    spins.push_back({ { "omega", one.omega },
+                      { "stable", one.stable },
+                      { "held", one.held },
+                      { "torque_slope", if_finite(one.torque_slope) },
+                      { "time_constant", if_finite(one.time_constant) },
+                      { "from_rest", spin.all().terminal && one.omega == spin.all().terminal->omega } });
+  return spins;
+}
+
+/// terminal_spins_summary() in words.
+Json shown_terminal_spins(const SpinStudy &spin)
+{
+  Json spins = terminal_spins_summary(spin);
+  for (Json &one : spins)
+  {
+    one["stability"] = one["held"] == true     ? "held by the fingers"
+                       : one["stable"] == true ? "stable"
+                                               : "unstable";
+    one["reached"] = one["from_rest"] == true ? "reached from rest" : "";
+  }
+  return spins;
+}
+
+Json driven_summary(const std::optional<DrivenSpinUp> &driven)
+{
+  if (!driven)
+    return nullptr;
+  return { { "speed_at_end", driven->speed.back() },
+           { "omega_at_end", driven->omega.back() },
+           { "interpolation_change", driven->interpolation_change },
+           { "interpolation_change_at_end", driven->interpolation_change_at_end } };
+}
+
+/// Size of the finite-element system and residuals of the contact at rest; null without one.
+Json contact_summary(const std::optional<FootReport> &report)
+{
+  if (!report)
+    return nullptr;
+  const fem::FootDescription &foot = report->foot;
+  const fem::ContactSolution &solution = report->at_rest.solution;
+  Json mesh = Json::object();
+  if (foot.n_cells)
+    mesh["cells"] = *foot.n_cells;
+  if (foot.mesh_report)
+    mesh.update(STEMWARE_JSON(*foot.mesh_report, round_rim, rim_radius, land_area_deficit));
+  Json summary = { { "body", foot.body },
+                   { "friction_coupling", report->friction_coupling },
+                   { "outcome", fem::to_string(solution.outcome) },
+                   { "mesh", mesh } };
+  summary.update(STEMWARE_JSON(foot, n_unknowns, n_contact_nodes));
+  summary.update(STEMWARE_JSON(solution, n_loaded_nodes, n_nodes_across, n_iterations, n_linear_iterations,
+                               force_residual, moment_residual, equilibrium_residual));
+  summary["table_motion"] = { solution.motion(0), solution.motion(1), solution.motion(2) };
+  return summary;
+}
+
+/// The mesh that was made for a number, what is estimated to be missing to that, and the part of its band
+/// that is the mesh's.
+Json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport &foot,
+                  const ErrorBands &bands)
+{
+  const Json entries = study_as_json(study)["Contact"];
+  return { { "name", entries["Goal"] },
+           { "value", goal.value },
+           { "estimated_error", goal.estimated_error },
+           { "band_of_mesh", band_of_mesh(study, bands) },
+           { "tolerance", entries["Goal tolerance"] },
+           { "meshes", goal.n_meshes },
+           { "cells", goal.n_cells },
+           { "unknowns", foot.foot.n_unknowns } };
 }
 
 /// Where the glass falls over on its way to a terminal spin; null where it does not.
@@ -121,14 +207,14 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
            { "lean_torque_at_rest", all.at_rest->lean_torque },
            { "standing", to_string(standing_of(report, spin)) },
            { "fall", fall_summary(all.fall) },
-           { "omega_terminal", json_number(all.omega_terminal()) },
+           { "omega_terminal", all.omega_terminal() },
            { "tau_at_terminal",
              at_terminal(all, [](const RingState &state) { return state.friction.torque; }) },
            { "lean_torque_at_terminal", at_terminal(all, &RingState::lean_torque) },
            { "grip_torque_at_terminal", at_terminal(all, &RingState::grip_torque) },
-           { "time_constant", json_number(all.time_constant()) },
+           { "time_constant", all.time_constant() },
            { "terminal_spins", terminal_spins_summary(spin) },
-           { "driven", spin.spin_up.driven ? driven_spin_summary(*spin.spin_up.driven) : Json(nullptr) },
+           { "driven", driven_summary(spin.spin_up.driven) },
            { "measured", study.motion.measured_spin_file.empty()
                            ? Json(nullptr)
                            : Json{ { "points", measured_spins(study).size() } } },
@@ -148,16 +234,8 @@ Json waviness_summary(const std::optional<PhaseStudy> &phases)
 {
   if (!phases)
     return nullptr;
-  return { { "spin_ripple", phases->spin_ripple },
-           { "spin_uncertainty", phases->spin_uncertainty },
-           { "zero_of_mean_torque", phases->zero_of_mean_torque },
-           { "torque_ripple", phases->torque_ripple },
-           { "least_load", phases->least_load },
-           { "least_contact_fraction", phases->least_contact_fraction },
-           { "glass_phases", phases->n_glass_phases },
-           { "table_phases", phases->n_table_phases },
-           { "spins", phases->n_spins },
-           { "interpolation_error", phases->interpolation_error } };
+  return STEMWARE_JSON(*phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
+                       least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
 }
 
 Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
@@ -166,35 +244,32 @@ Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
     return nullptr;
   return { { "balanced_spins", coupling->n_balances },
            { "contact_solutions", coupling->n_contact_solutions },
-           { "contacts",
-             { { "answer", coupling->contacts.answer },
-               { "curves", coupling->contacts.curves },
-               { "budget", coupling->contacts.budget },
-               { "bands", coupling->contacts.bands } } },
-           { "response_error", json_number(coupling->response_error) },
-           { "interpolation_error", json_number(coupling->interpolation_error) } };
+           { "contacts", STEMWARE_JSON(coupling->contacts, answer, curves, budget, bands) },
+           { "response_error", coupling->response_error },
+           { "interpolation_error", coupling->interpolation_error } };
 }
 
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
                      const std::vector<BandedQuantity> &bands, const std::optional<GoalOutcome> &goal)
 {
   Findings findings;
-  findings.summary = { { "load", load_summary(report.load) },
-                       { "load_at_terminal",
-                         spin.all().terminal ? load_summary(report.load_at_end) : Json(nullptr) },
-                       { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
-                       { "contact", report.foot ? json_row(contact_table(*report.foot)) : Json(nullptr) },
-                       { "ring", ring_summary(study, report, spin) },
-                       { "coupling", coupling_summary(report.coupling) },
-                       { "waviness", waviness_summary(spin.phases) },
-                       { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget) },
-                       { "without", spin.is_quick() ? Json(nullptr) : without_summary(study, spin.budget) },
-                       { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
-                       { "truncation", json_table(truncation_table(spin)) },
-                       { "one_ring", spin.one_ring ? json_row(spin_table({ *spin.one_ring })
-                                                                .with("", "tau_at_rest omega_terminal "
-                                                                          "relative_change"))
-                                                   : Json(nullptr) } };
+  findings.summary = {
+    { "load", load_summary(report.load) },
+    { "load_at_terminal", spin.all().terminal ? load_summary(report.load_at_end) : Json(nullptr) },
+    { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
+    { "contact", contact_summary(report.foot) },
+    { "ring", ring_summary(study, report, spin) },
+    { "coupling", coupling_summary(report.coupling) },
+    { "waviness", waviness_summary(spin.phases) },
+    { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
+    { "without", spin.is_quick() ? Json(nullptr) : without_summary(study, spin.budget) },
+    { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
+    { "truncation", picked(spin_rows(spin.rows), "harmonics tau_at_rest omega_terminal "
+                                                 "relative_change bound load_minimum") },
+    { "one_ring", spin.one_ring
+                    ? picked(spin_rows({ *spin.one_ring })[0], "tau_at_rest omega_terminal relative_change")
+                    : Json(nullptr) }
+  };
   if (!bands.empty() || spin.is_quick())
     findings.summary["error_bands"] = spin.is_quick() ? Json(nullptr) : band_summary(bands);
   if (study.glass.profile.section)
@@ -202,31 +277,20 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   if (goal)
     findings.summary["goal"] = goal_summary(study, *goal, report.foot.value(), bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
-                           { "omega_terminal", json_number(spin.all().omega_terminal()) },
-                           { "omega_terminal_band", json_number(band_of(bands, "omega_terminal")) },
-                           { "omega_terminal_first_harmonic",
-                             json_number(spin.rows.front().omega_terminal()) },
-                           { "harmonic_effect", json_number(spin.budget.harmonics.absolute) },
-                           { "harmonic_effect_relative", json_number(spin.budget.harmonics.relative) } };
+                           { "omega_terminal", spin.all().omega_terminal() },
+                           { "omega_terminal_band", band_of(bands, "omega_terminal") },
+                           { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
+                           { "harmonic_effect", spin.budget.harmonics.absolute },
+                           { "harmonic_effect_relative", spin.budget.harmonics.relative } };
   if (const auto error = spin_error(spin.profile_scatter))
     findings.key_figures["omega_terminal_profile_error"] = *error;
   return findings;
 }
 
-/// The contact at rest for people.
-Table contact_list(const FootReport &foot)
-{
-  Table numbers = contact_table(foot).with(
-    "", "body unknowns contact_nodes loaded_nodes nodes_across outcome iterations force_residual "
-        "moment_residual equilibrium_residual table_motion[]");
-  if (foot.foot.n_cells)
-    numbers.columns.insert(numbers.columns.begin() + 1, single(quantity::cells, *foot.foot.n_cells));
-  return as_list(numbers);
-}
-
 void add_foot(const Study &study, const FootReport &foot, Document &document)
 {
-  document.tables["contact"] = contact_list(foot);
+  document.facts["contact_list"] = document.findings.summary["contact"];
+  document.facts["contact_list"]["cells"] = foot.foot.n_cells;
   document.tables["contact_history"] = history_table(foot.at_rest.history);
   document.tables["footprint"] = footprint_table(foot.footprint);
   if (foot.footprint_at_end)
@@ -262,7 +326,6 @@ void add_foot(const Study &study, const FootReport &foot, Document &document)
   {
     document.plots["rim_circle"] = [&] { return rim_circle_plot(*circle); };
     document.plots["rim_residuals"] = [&] { return rim_residual_plot(*circle); };
-    document.tables["rim"] = rim_table(study);
   }
 }
 
@@ -292,31 +355,30 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
   plots["spin_up"] = [&] { return spin_up_of(study, spin); };
   plots["driven_spin_up"] = [] { return plot_from("driven_spin_up"); };
   plots["orbit_speed"] = [] { return plot_from("orbit_speed"); };
-  plots["truncation"] = [&] { return truncation_plot(truncation_table(spin)); };
+  plots["truncation"] = [&] { return truncation_plot(table_of(document.findings.summary["truncation"])); };
   auto &tables = document.tables;
-  tables["friction"] = friction_table(study, spin.all());
   tables["torque"] = torque_table(spin.torque);
-  tables["spin_up"] = spin_up_table(spin.spin_up, report.coupling);
-  tables["terminal_spins"] = terminal_spins_table(spin);
-  tables["shown_truncations"] = shown_truncation_table(spin);
-  tables["truncations"] = truncation_table(spin);
-  tables["truncations"]["relative_change"].name += ", nan where that is 0";
+  tables["spin_up"] = spin_up_table(spin.spin_up);
   if (spin.spin_up.driven)
     tables["driven"] = driven_spin_table(*spin.spin_up.driven);
   if (spin.phases)
     tables["phases"] = phase_table(*spin.phases);
+  document.facts["friction"] = friction_rows(study, spin.all());
+  document.facts["terminal_spins"] = shown_terminal_spins(spin);
+  document.facts["shown_truncations"] = shown_truncations(spin);
 }
 
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)
 {
   add_chain(study, spin.budget, document);
-  document.tables["scattered_chain"] = document.tables["chain"];
-  add_scatter_row(spin.profile_scatter, "title", document.tables["scattered_chain"]);
-  document.tables["scattered_steps"] = document.tables["named_steps"];
-  add_scatter_row(spin.profile_scatter, "console_title", document.tables["scattered_steps"]);
-  document.tables["without"] = without_table(study, spin.budget);
-  document.tables["without"]["reason"].name = "why there is none";
-  document.tables["budget"] = budget_table(study, spin.budget);
+  Json &chain = document.facts["chain"];
+  chain["scattered"] = with_scatter_row(chain["shown"], spin.profile_scatter);
+  chain["scattered_steps"] = with_scatter_row(chain["steps"], spin.profile_scatter);
+  Json without = without_rows(study, spin.budget);
+  document.facts["without"] = { { "rows", without } };
+  leave_out_rounding(without, "difference", rounding_of_spins(study));
+  leave_out_rounding(without, "relative_difference", 1e-9);
+  document.facts["without"]["shown"] = without;
 }
 
 /// The study's glass on its orbit, and the paper's rigid ring beside it.

@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/run_tables.h"
 
-#include "fem/pipeline/report/quantities.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -26,58 +25,6 @@ double value_of(const ring::RingStack::Ring &ring, double angle)
 
 } // namespace
 
-Table contact_table(const FootReport &foot)
-{
-  const fem::ContactSolution &solution = foot.at_rest.solution;
-  nlohmann::ordered_json mesh_summary = nlohmann::ordered_json::object();
-  if (foot.foot.n_cells)
-    mesh_summary["cells"] = *foot.foot.n_cells;
-  if (const auto &mesh = foot.foot.mesh_report)
-    mesh_summary.update({ { "round_rim", mesh->round_rim },
-                          { "rim_radius", mesh->rim_radius },
-                          { "land_area_deficit", mesh->land_area_deficit } });
-  return {
-    "",
-    { single(quantity::body, foot.foot.body), single(quantity::friction_coupling, foot.friction_coupling),
-      single(quantity::outcome, fem::to_string(solution.outcome)), single(quantity::mesh, mesh_summary),
-      single(quantity::unknowns, foot.foot.n_unknowns),
-      single(quantity::contact_nodes, foot.foot.n_contact_nodes),
-      single(quantity::loaded_nodes, solution.n_loaded_nodes),
-      single(quantity::nodes_across, solution.n_nodes_across),
-      single(quantity::iterations, solution.n_iterations),
-      single(quantity::linear_iterations, solution.n_linear_iterations),
-      single(quantity::force_residual, solution.force_residual),
-      single(quantity::moment_residual, solution.moment_residual),
-      single(quantity::equilibrium_residual, solution.equilibrium_residual),
-      single(quantity::table_heave, solution.motion(0)), single(quantity::table_tilt_1, solution.motion(1)),
-      single(quantity::table_tilt_2, solution.motion(2)) }
-  };
-}
-
-Table friction_table(const Study &study, const SpinRow &all)
-{
-  const ring::RingStack &load = all.at_rest.value().load;
-  const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
-  const double torque = force * load.radius();
-  std::vector<std::string> names = { "at rest" };
-  std::vector<RingState> states = { *all.at_rest };
-  if (all.at_terminal || all.fall)
-  {
-    names.push_back(all.fall ? "where it falls over" : "at the terminal spin");
-    states.push_back(all.fall ? all.fall->state : *all.at_terminal);
-  }
-  const auto of_friction = [](double ring::Wrench::*part)
-  { return [part](const RingState &state) { return state.friction.*part; }; };
-  return { "The torques on the glass, and the friction force of the table",
-           { column(Quantity("name", "", ""), names),
-             column(quantity::tau_z, states, of_friction(&ring::Wrench::torque), 1e-12 * torque),
-             column(quantity::lean_torque, states, &RingState::lean_torque, 1e-12 * torque),
-             column(quantity::grip_torque, states, &RingState::grip_torque, 1e-12 * torque),
-             column(quantity::torque_sum, states, &RingState::torque, 1e-9 * torque),
-             column(quantity::force_x, states, of_friction(&ring::Wrench::force_x), 1e-12 * force),
-             column(quantity::force_y, states, of_friction(&ring::Wrench::force_y), 1e-12 * force) } };
-}
-
 Table load_table(const ring::RingStack &load)
 {
   constexpr unsigned int n_intervals = 720;
@@ -85,19 +32,13 @@ Table load_table(const ring::RingStack &load)
   std::vector<double> angles;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     angles.push_back(boost::math::double_constants::two_pi * i / n_intervals);
-  Table table = { "Load on the table round the rim at rest",
-                  { column(quantity::theta, angles),
-                    column(quantity::lambda_all, angles, [&](double angle) { return load(angle); }),
-                    column(quantity::lambda_first, angles, [&](double angle) { return first(angle); }) } };
+  Table table = { "",
+                  { numbers("theta", "rad", angles), numbers("lambda, all harmonics", "N/rad", angles, load),
+                    numbers("lambda, first harmonic", "N/rad", angles, first) } };
   if (load.rings().size() > 1)
     for (const ring::RingStack::Ring &ring : load.rings())
-    {
-      std::vector<double> values;
-      for (const double angle : angles)
-        values.push_back(value_of(ring, angle));
-      table.columns.push_back(
-        numbers("lambda, ring of radius " + to_short_text(ring.radius) + " m", "N/rad", values));
-    }
+      table.columns.push_back(numbers("lambda, ring of radius " + to_short_text(ring.radius) + " m", "N/rad",
+                                      angles, [&](double angle) { return value_of(ring, angle); }));
   return table;
 }
 
@@ -112,102 +53,97 @@ Table ring_table(const ring::RingStack &load)
         { static_cast<double>(j + 1), ring.radius, static_cast<double>(n), ring.a[n], ring.b[n] });
     }
   return number_rows(
-    "Load at rest ring by ring: lambda_j(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n "
-    "theta); the load is the sum of the rings",
-    { { "ring j", "1" }, { "r_j", "m" }, { "n", "1" }, { "a_n", "N/rad" }, { "b_n", "N/rad" } }, rows);
+    "", { { "ring j", "1" }, { "r_j", "m" }, { "n", "1" }, { "a_n", "N/rad" }, { "b_n", "N/rad" } }, rows);
 }
 
 std::string load_file_text(const ring::RingStack &load)
 {
-  std::vector<double> order, a, b, share, crest;
+  std::vector<std::vector<double>> rows;
   for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-  {
-    order.push_back(n);
-    a.push_back(load.a(n));
-    b.push_back(load.b(n));
-    share.push_back(std::hypot(load.a(n), load.b(n)) / load.a(0));
-    crest.push_back(n == 0 ? 0 : std::atan2(load.b(n), load.a(n)) / n);
-  }
+    rows.push_back({ static_cast<double>(n), load.a(n), load.b(n),
+                     std::hypot(load.a(n), load.b(n)) / load.a(0),
+                     n == 0 ? 0 : std::atan2(load.b(n), load.a(n)) / n });
   return "# ring radius: " + to_text(load.radius()) + " (m)\n" +
-         data_table(
-           { "lambda(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta)",
-             { numbers("n", "1", order), numbers("a_n", "N/rad", a), numbers("b_n", "N/rad", b),
-               numbers("amplitude / a_0", "1", share), numbers("direction of a crest", "rad", crest) } });
+         data_table(number_rows("lambda(theta) = a_0 + sum a_n cos(n theta) + b_n sin(n theta)",
+                                { { "n", "1" },
+                                  { "a_n", "N/rad" },
+                                  { "b_n", "N/rad" },
+                                  { "amplitude / a_0", "1" },
+                                  { "direction of a crest", "rad" } },
+                                rows));
 }
 
 Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
 {
-  return { "Load on the table round the ring at rest, pointwise: at the azimuths of the contact's lines, 0 "
-           "where they carry none",
-           { column(quantity::theta, pointwise, &fem::AzimuthLoad::azimuth),
-             column(quantity::lambda, pointwise, &fem::AzimuthLoad::density) } };
+  return { "",
+           { numbers("theta", "rad", pointwise, &fem::AzimuthLoad::azimuth),
+             numbers("lambda", "N/rad", pointwise, &fem::AzimuthLoad::density) } };
 }
 
 Table footprint_table(const fem::PressureMap &footprint)
 {
-  std::vector<double> radius, azimuth, pressure;
+  std::vector<std::vector<double>> rows;
   for (const auto &cut : footprint.cuts)
     for (const fem::PressurePoint &point : cut)
-    {
-      radius.push_back(point.radius);
-      azimuth.push_back(point.azimuth);
-      pressure.push_back(point.pressure);
-    }
-  return { "Pressure of the foot on the table, where there is some",
-           { numbers("r", "m", radius), numbers("theta", "rad", azimuth),
-             numbers("pressure", "Pa", pressure) } };
+      rows.push_back({ point.radius, point.azimuth, point.pressure });
+  return number_rows("", { { "r", "m" }, { "theta", "rad" }, { "pressure", "Pa" } }, rows);
 }
 
 Table torque_table(const TorqueCurve &curve)
 {
-  Table table = { "The torques on the glass and the friction force of the table against the spin",
-                  { column(quantity::omega, curve.omega), column(quantity::slip_ratio, curve.slip_ratio),
-                    column(quantity::tau_z, curve.friction, &ring::Wrench::torque),
-                    column(quantity::force_x, curve.friction, &ring::Wrench::force_x),
-                    column(quantity::force_y, curve.friction, &ring::Wrench::force_y),
-                    column(quantity::lean_torque, curve.lean_torque),
-                    column(quantity::grip_torque, curve.grip_torque),
-                    column(quantity::torque_sum, curve.sum) } };
+  using ring::Wrench;
+  Table table = { "",
+                  { numbers("omega", "rad/s", curve.omega),
+                    numbers("slip ratio omega R / v", "1", curve.slip_ratio),
+                    numbers("tau_z, all harmonics", "N m", curve.friction, &Wrench::torque),
+                    numbers("T_x", "N", curve.friction, &Wrench::force_x),
+                    numbers("T_y", "N", curve.friction, &Wrench::force_y),
+                    numbers("lean torque of the normal forces, all harmonics", "N m", curve.lean_torque),
+                    numbers("torque of the fingers", "N m", curve.grip_torque),
+                    numbers("tau_z, lean torque and torque of the fingers together", "N m", curve.sum) } };
   for (std::size_t i = 0; i < curve.harmonics.size(); ++i)
-    table.columns.push_back(column(
-      quantity::tau_z.with(&Quantity::name, "tau_z, harmonics up to " + std::to_string(curve.harmonics[i])),
-      curve.truncations[i]));
+    table.columns.push_back(
+      numbers("tau_z, harmonics up to " + std::to_string(curve.harmonics[i]), "N m", curve.truncations[i]));
   return table;
 }
 
-Table spin_up_table(const SpinUpCurves &curves, const std::optional<CouplingStatistics> &coupling)
+Table spin_up_table(const SpinUpCurves &curves)
 {
-  std::string title = "Spin-up from rest";
-  if (coupling && coupling->interpolation_error)
-    title += "; columns 3 to 5 from loads interpolated in omega, within " +
-             to_short_text(*coupling->interpolation_error) + " of a_0";
   const std::vector<double> nothing(curves.time.size(), std::nan(""));
-  return { title,
-           { column(quantity::time, curves.time), column(quantity::omega_adaptive, curves.adaptive),
-             column(quantity::omega_euler, curves.euler),
-             column(quantity::omega_first, curves.first_harmonic.empty() ? nothing : curves.first_harmonic),
-             column(quantity::yaw_angle, curves.yaw_angle) } };
+  return { "",
+           { numbers("time", "s", curves.time), numbers("omega, adaptive", "rad/s", curves.adaptive),
+             numbers("omega, forward Euler", "rad/s", curves.euler),
+             numbers("omega, first harmonic alone, adaptive", "rad/s",
+                     curves.first_harmonic.empty() ? nothing : curves.first_harmonic),
+             numbers("yaw angle, adaptive", "rad", curves.yaw_angle) } };
+}
+
+Table driven_spin_table(const DrivenSpinUp &driven)
+{
+  return { "",
+           { numbers("time", "s", driven.time), numbers("orbit speed", "m/s", driven.speed),
+             numbers("dv/dt", "m/s^2", driven.acceleration), numbers("omega", "rad/s", driven.omega) } };
 }
 
 Table phase_table(const PhaseStudy &phases)
 {
-  return { "Yaw torque over the phase: where the marks of glass and table stand in the slip frame",
-           { column(quantity::mark_of_glass, phases.phases, &ring::Orientation::glass),
-             column(quantity::mark_of_table, phases.phases, &ring::Orientation::table),
-             column(quantity::tau_at_phase, phases.torque_at_rest),
-             column(quantity::tau_at_phase_in_the_long_run, phases.torque_at_terminal) } };
+  return { "",
+           { numbers("mark of the glass", "rad", phases.phases, &ring::Orientation::glass),
+             numbers("mark of the table", "rad", phases.phases, &ring::Orientation::table),
+             numbers("tau_z at rest", "N m", phases.torque_at_rest),
+             numbers("tau_z at the mean spin in the long run", "N m", phases.torque_at_terminal) } };
 }
 
 Table history_table(const std::vector<fem::ContactIteration> &history)
 {
   using Step = fem::ContactIteration;
-  return { "Newton steps of the contact",
-           { column(quantity::step, history, &Step::number),
-             column(quantity::step_active, history, &Step::n_loaded),
-             column(quantity::step_changed, history, &Step::n_changed),
-             column(quantity::step_residual, history, &Step::residual),
-             column(quantity::step_length, history, &Step::step_length),
-             column(quantity::step_linear_iterations, history, &Step::linear_iterations) } };
+  return { "",
+           { numbers("step", "1", history, &Step::number),
+             numbers("loaded places", "1", history, &Step::n_loaded),
+             numbers("changed places", "1", history, &Step::n_changed),
+             numbers("relative imbalance of forces", "1", history, &Step::residual),
+             numbers("share of the step taken", "1", history, &Step::step_length),
+             numbers("iterations of the linear solver", "1", history, &Step::linear_iterations) } };
 }
 
 } // namespace stemware::pipeline

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/head.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -18,56 +17,36 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr double turn = boost::math::double_constants::two_pi;
 
-/// Values of a function at the points of a slide.
-template <typename Value>
-std::vector<double> of_points(const SlideStudy &slide, const Value &value)
-{
-  std::vector<double> values;
-  for (const SlidePoint &point : slide.points)
-    values.push_back(value(point));
-  return values;
-}
-
-template <typename Value>
-Column point_column(const std::string &name, const std::string &unit, const SlideStudy &slide,
-                    const Value &value)
-{
-  return numbers(name, unit, of_points(slide, value));
-}
-
+/// The slide from the push to the stop; x along the initial motion, y to its left.
 Table path_table(const SlideStudy &slide)
 {
-  using Point = const SlidePoint &;
-  return { "The slide from the push to the stop; x along the initial motion, y to its left",
-           { point_column("time", "s", slide, [](Point p) { return p.state.time; }),
-             point_column("x", "m", slide, [](Point p) { return p.state.x; }),
-             point_column("y", "m", slide, [](Point p) { return p.state.y; }),
-             point_column("speed", "m/s", slide, [](Point p) { return p.state.speed; }),
-             point_column("heading", "rad", slide, [](Point p) { return p.state.heading; }),
-             point_column("yaw angle", "rad", slide, [](Point p) { return p.state.yaw; }),
-             point_column("spin", "rad/s", slide, [](Point p) { return p.state.omega; }),
-             point_column("slip ratio omega R / v", "1", slide, [](Point p) { return p.slip_ratio; }),
-             point_column("T_x along the motion", "N", slide, [](Point p) { return p.friction.force_x; }),
-             point_column("T_y to its left", "N", slide, [](Point p) { return p.friction.force_y; }),
-             point_column("tau_z", "N m", slide, [](Point p) { return p.friction.torque; }),
-             point_column("acceleration to the left", "m/s^2", slide,
-                          [](Point p) { return p.side_acceleration; }),
-             point_column("moment ratio", "1", slide, [](Point p) { return p.moment_ratio; }),
-             point_column("kinetic energy", "J", slide, [](Point p) { return p.kinetic_energy; }),
-             point_column("friction loss", "J", slide, [](Point p) { return p.state.friction_loss; }) } };
-}
-
-/// A number that may not exist: null where it is not finite.
-Json finite_or_null(double value)
-{
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+  using ring::SlidingState;
+  using ring::Wrench;
+  const auto of_state = [&](const char *name, const char *unit, auto value)
+  { return numbers(name, unit, slide.points, [=](const SlidePoint &point) { return point.state.*value; }); };
+  const auto of_friction = [&](const char *name, const char *unit, auto value) {
+    return numbers(name, unit, slide.points, [=](const SlidePoint &point) { return point.friction.*value; });
+  };
+  return {
+    "",
+    { of_state("time", "s", &SlidingState::time), of_state("x", "m", &SlidingState::x),
+      of_state("y", "m", &SlidingState::y), of_state("speed", "m/s", &SlidingState::speed),
+      of_state("heading", "rad", &SlidingState::heading), of_state("yaw angle", "rad", &SlidingState::yaw),
+      of_state("spin", "rad/s", &SlidingState::omega),
+      numbers("slip ratio omega R / v", "1", slide.points, &SlidePoint::slip_ratio),
+      of_friction("T_x along the motion", "N", &Wrench::force_x),
+      of_friction("T_y to its left", "N", &Wrench::force_y), of_friction("tau_z", "N m", &Wrench::torque),
+      numbers("acceleration to the left", "m/s^2", slide.points, &SlidePoint::side_acceleration),
+      numbers("moment ratio", "1", slide.points, &SlidePoint::moment_ratio),
+      numbers("kinetic energy", "J", slide.points, &SlidePoint::kinetic_energy),
+      of_state("friction loss", "J", &SlidingState::friction_loss) }
+  };
 }
 
 Findings findings_of(const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state, &start = slide.start().state;
   const double eps = slide.final_slip_ratio;
-  const Json inverse = eps == 0 ? Json(nullptr) : Json(1 / eps);
   Findings findings;
   findings.summary["slide"] = { { "body",
                                   { { "kind", to_string(slide.question.body) },
@@ -86,47 +65,22 @@ Findings findings_of(const SlideStudy &slide)
                                   { { "time", stop.time },
                                     { "x", stop.x },
                                     { "y", stop.y },
-                                    { "heading", finite_or_null(stop.heading) },
+                                    { "heading", if_finite(stop.heading) },
                                     { "yaw_angle", stop.yaw },
                                     { "distance", slide.stop().state.distance } } },
-                                { "final_slip_ratio", finite_or_null(eps) },
-                                { "final_speed_over_rim_speed", inverse },
+                                { "final_slip_ratio", if_finite(eps) },
+                                { "final_speed_over_rim_speed", if_finite(1 / eps) },
                                 { "largest_moment_ratio", slide.largest_moment_ratio() },
                                 { "formal", slide.is_formal() },
                                 { "energy_error", slide.energy_error },
                                 { "load_error", slide.load_error },
-                                { "mesh_change", json_number(slide.mesh_change) } };
+                                { "mesh_change", slide.mesh_change } };
   findings.key_figures = { { "distance", slide.stop().state.distance },
                            { "time", stop.time },
                            { "drift", stop.y },
                            { "yaw_angle", stop.yaw },
-                           { "final_slip_ratio", finite_or_null(eps) } };
+                           { "final_slip_ratio", if_finite(eps) } };
   return findings;
-}
-
-Table body_table(const SlideStudy &slide)
-{
-  const auto row =
-    [](const std::string &what, double value, const std::string &unit, const std::string &whence)
-  {
-    return std::vector<std::string>{ what, format::significant<6>(value) + (unit.empty() ? "" : " " + unit),
-                                     whence };
-  };
-  const bool is_glass = slide.question.body == SlidingBodyKind::glass;
-  std::vector<std::vector<std::string>> rows = {
-    row("mass", slide.inertia.mass, "kg", "Motion/Mass"),
-    row("yaw inertia", slide.inertia.yaw_inertia, "kg m²",
-        is_glass || slide.inertia_is_given ? "Motion/Yaw inertia" : "of mass spread like the pressure"),
-    row("outer radius R", slide.inertia.outer_radius, "m", "Glass/Contact radius")
-  };
-  if (slide.question.inner_radius > 0)
-    rows.push_back(row("inner radius", slide.question.inner_radius, "m", "--inner-radius"));
-  rows.push_back(row("centre of mass above the table", slide.centre_of_mass_height, "m",
-                     is_glass || slide.height_is_given ? "Motion/Centre of mass height"
-                                                       : "none given: no tilt of the pressure"));
-  rows.push_back(row("friction coefficient", slide.friction_coefficient, "", "Motion/Friction coefficient"));
-  rows.push_back(row("gravity", slide.gravity, "m/s²", "Motion/Gravity"));
-  return words("What slides", { "", "", "from" }, rows);
 }
 
 /// Whether the path bends by more than rounding.
@@ -213,6 +167,7 @@ Results tabulate(const Study &study, const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state;
   const double eps = slide.final_slip_ratio, radius = slide.inertia.outer_radius;
+  const bool is_glass = slide.question.body == SlidingBodyKind::glass;
   Document document = { findings_of(slide) };
   document.facts = { { "turns", std::abs(stop.yaw) / turn },
                      { "drifts", drifts(slide) },
@@ -223,21 +178,18 @@ Results tabulate(const Study &study, const SlideStudy &slide)
                      { "turns_never", eps == 0 && slide.question.spin == 0 },
                      { "spin_ends_first", eps == 0 && slide.question.spin != 0 },
                      { "sliding_ends_first", !std::isfinite(eps) },
-                     { "has_load_error", slide.load_error > 0 } };
+                     { "has_load_error", slide.load_error > 0 },
+                     { "is_annulus", slide.question.inner_radius > 0 },
+                     { "own_inertia", !is_glass && !slide.inertia_is_given },
+                     { "own_height", !is_glass && !slide.height_is_given },
+                     { "friction_coefficient", slide.friction_coefficient },
+                     { "gravity", slide.gravity } };
   add_head(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
-  document.tables = { { "path", path_table(slide) }, { "body", body_table(slide) } };
-  document.plots = { { "path", [&] { return path_plot(slide); } },
-                     { "drift", [] { return plot_from("drift"); } },
-                     { "speeds",
-                       [=] {
-                         return plot_from("speeds", { { "radius", radius } });
-                       } },
-                     { "slip_ratio",
-                       [=] {
-                         return plot_from("slip_ratio", { { "at_stop", eps } });
-                       } },
-                     { "energy", [] { return plot_from("energy"); } } };
+  document.tables["path"] = path_table(slide);
+  document.plots["path"] = [&] { return path_plot(slide); };
+  document.plots["speeds"] = [=] { return plot_from("speeds", { { "radius", radius } }); };
+  document.plots["slip_ratio"] = [=] { return plot_from("slip_ratio", { { "at_stop", eps } }); };
   add_study(study, document);
   return shown(document, "slide");
 }

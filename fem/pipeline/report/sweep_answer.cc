@@ -1,5 +1,5 @@
+#include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/report/facts.h"
-#include "fem/pipeline/report/render/number_format.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -13,18 +13,6 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-
-/// "0.27 %", "2110 %".
-std::string in_percent_of_sweep(double value)
-{
-  return std::abs(value) < 1000 ? format::significant<3>(value) + " %" : format::fixed<0>(value) + " %";
-}
-
-/// " (Load/Moment ratio = 1.3)": where something happens.
-std::string at_case(const SweepPlan &plan, std::size_t index)
-{
-  return " (" + values_of_case(plan, index) + ")";
-}
 
 /// Which entry the variance of @p about is due to, most of all, as "share" and "entry": from the linear fit
 /// where that explains it, else from the shares where there are samples enough; null where neither tells.
@@ -71,45 +59,28 @@ void add_spread(const SweepPlan &plan, const QuantityFindings &spin, Json &facts
   add_largest_share(plan, spin, facts["band"]);
 }
 
-/// "by between -4.47 rad/s (...) and +4.1 rad/s (...)": where the spin changes its sign.
-std::string absolute_range(const SweepPlan &plan, const QuantityFindings *about)
+/// Least and largest value of a quantity with their cases, and in random samples its band; null where no case
+/// has it. One of samples, constant and between is there.
+Json range_facts(const SweepPlan &plan, const QuantityFindings *about)
 {
   if (about == nullptr)
-    return "";
-  if (about->band)
-    return "by " + format::signed_significant<3>(about->band->mean) +
-           " rad/s (mean; 95 % of the samples: " + format::signed_significant<3>(about->band->lower) +
-           " to " + format::signed_significant<3>(about->band->upper) + " rad/s).";
-  if (about->most - about->least < 1e-9 * std::abs(about->most))
-    return "by " + format::signed_significant<3>(about->most) + " rad/s";
-  return "by between " + format::signed_significant<3>(about->least) + " rad/s" +
-         at_case(plan, about->least_case) + " and " + format::signed_significant<3>(about->most) + " rad/s" +
-         at_case(plan, about->most_case);
-}
-
-/// Clause on the harmonics beyond the first: "make it up to 2 % faster (...)"; empty where nobody knows.
-std::string harmonics_clause(const SweepPlan &plan, const SweepFindings &findings)
-{
-  if (findings.spin_changes_sign())
-  {
-    const std::string range = absolute_range(plan, findings.about("absolute harmonic effect"));
-    return range.empty() ? "" : "change it " + range;
-  }
-  const QuantityFindings *effect = findings.about("harmonic effect");
-  if (effect == nullptr)
-    return "";
-  if (effect->band)
-    return "change it by " + in_percent_of_sweep(effect->band->mean) +
-           " (mean; 95 % of the samples: " + in_percent_of_sweep(effect->band->lower) + " to " +
-           in_percent_of_sweep(effect->band->upper) + ")";
-  if (std::max(std::abs(effect->least), std::abs(effect->most)) < 1e-7) // per cent
-    return "do not change that";
-  const std::string faster =
-    effect->most > 0 ? in_percent_of_sweep(effect->most) + " faster" + at_case(plan, effect->most_case) : "";
-  const std::string slower =
-    effect->least < 0 ? in_percent_of_sweep(-effect->least) + " slower" + at_case(plan, effect->least_case)
-                      : "";
-  return "make it up to " + faster + (faster.empty() || slower.empty() ? "" : " and up to ") + slower;
+    return nullptr;
+  const bool is_constant = about->most - about->least < 1e-9 * std::abs(about->most);
+  const auto &band = about->band;
+  Json facts = { { "samples", nullptr },
+                 { "constant", !band && is_constant },
+                 { "between", !band && !is_constant },
+                 { "changes", is_constant ? Json(nullptr) : Json(about->least) },
+                 { "least", about->least },
+                 { "least_case", values_of_case(plan, about->least_case) },
+                 { "most", about->most },
+                 { "most_case", values_of_case(plan, about->most_case) },
+                 { "faster", about->most > 0 },
+                 { "slower", about->least < 0 },
+                 { "nothing", std::max(std::abs(about->least), std::abs(about->most)) < 1e-7 } }; // per cent
+  if (band)
+    facts["samples"] = { { "mean", band->mean }, { "lower", band->lower }, { "upper", band->upper } };
+  return facts;
 }
 
 /// Whether the moment is given in some of the cases, so that no balance asks for it.
@@ -122,22 +93,6 @@ bool has_given_moment(const SweepPlan &plan)
                              [=](const std::vector<std::string> &values)
                              { return parse_number(values[i]).value_or(-1) >= 0; });
   return is_given;
-}
-
-/// Clause on the effect of what the paper's moment balance leaves out, on the spin of a first-harmonic load:
-/// "by 4 % to 5 %"; empty where no balance asks for the moment.
-std::string closure_clause(const SweepPlan &plan, const SweepFindings &findings)
-{
-  if (has_given_moment(plan))
-    return "";
-  if (findings.spin_changes_sign())
-    return absolute_range(plan, findings.about("moment balance"));
-  const QuantityFindings *effect = findings.about("closure effect");
-  if (effect == nullptr)
-    return "";
-  const bool is_constant = effect->most - effect->least < 1e-9 * std::abs(effect->most);
-  return "by " + (is_constant ? "" : in_percent_of_sweep(effect->least) + " to ") +
-         in_percent_of_sweep(effect->most);
 }
 
 Json falls_facts(const SweepPlan &plan, const SweepFindings &findings)
@@ -156,6 +111,10 @@ Json sweep_facts(const SweepPlan &plan, const SweepFindings &findings)
 {
   const QuantityFindings *held = findings.about("held by the grip"), *spin = findings.about("terminal spin");
   const bool is_held = held != nullptr && held->most >= 1;
+  const bool absolute = findings.spin_changes_sign(); // per cent then say nothing
+  const bool balances = !has_given_moment(plan);
+  const auto range_of = [&](bool is_told, const char *quantity)
+  { return range_facts(plan, is_told ? findings.about(quantity) : nullptr); };
   Json facts = study_facts(plan.base);
   facts.update({ { "n_cases", findings.n_cases },
                  { "n_failed", findings.n_failed > 0 ? Json(findings.n_failed) : Json(nullptr) },
@@ -164,8 +123,10 @@ Json sweep_facts(const SweepPlan &plan, const SweepFindings &findings)
                  { "band", nullptr },
                  { "held_in_some", is_held && held->least < 1 ? values_of_case(plan, held->most_case) : "" },
                  { "held_in_all", is_held && held->least >= 1 },
-                 { "harmonics", harmonics_clause(plan, findings) },
-                 { "closure", closure_clause(plan, findings) } });
+                 { "harmonics_absolute", range_of(absolute, "absolute harmonic effect") },
+                 { "harmonics", range_of(!absolute, "harmonic effect") },
+                 { "closure_absolute", range_of(absolute && balances, "moment balance") },
+                 { "closure", range_of(!absolute && balances, "closure effect") } });
   if (spin != nullptr)
     add_spread(plan, *spin, facts);
   return facts;

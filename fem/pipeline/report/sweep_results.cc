@@ -4,8 +4,6 @@
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -52,6 +50,52 @@ std::optional<double> share_of(const SampleSensitivity &sensitivity, std::size_t
   return sensitivity.first_order.empty() ? std::nullopt : std::optional(sensitivity.first_order.at(entry));
 }
 
+/// Where a quantity has its least or its largest value, which @p n_same cases share.
+std::string place_of(const SweepPlan &plan, const QuantityFindings &about, std::size_t index,
+                     std::size_t n_same)
+{
+  if (about.most - about.least <= 1e-9 * std::abs(about.most))
+    return "everywhere";
+  return n_same > 1 ? std::to_string(n_same) + " cases" : values_of_case(plan, index);
+}
+
+/// Quantities by row with where they lie: ranges with the values of their cases, and for random samples bands
+/// and sensitivities, those of each entry in two places of a list.
+Json statistics_rows(const SweepPlan &plan, const std::vector<QuantityFindings> &quantities)
+{
+  Json rows = Json::array();
+  for (const QuantityFindings &about : quantities)
+  {
+    const SweepQuantity &quantity = about.quantity();
+    const auto of_band = [&](double SampleBand::*value)
+    { return about.band ? Json(*about.band.*value) : Json(nullptr); };
+    Json sensitivity = Json::array();
+    for (std::size_t e = 0; e < plan.entries.size(); ++e)
+    {
+      const auto &found = about.sensitivity;
+      sensitivity.push_back(found ? Json(found->regression.at(e)) : Json(nullptr));
+      sensitivity.push_back(found ? share_of(*found, e) : std::nullopt);
+    }
+    rows.push_back({ { "quantity", quantity.name },
+                     { "title", with_unit(quantity.name, quantity.unit, false) },
+                     { "unit", quantity.unit },
+                     { "values", about.n_values },
+                     { "least", about.least },
+                     { "least_case", about.least_case + 1 },
+                     { "at_least", place_of(plan, about, about.least_case, about.n_least) },
+                     { "most", about.most },
+                     { "most_case", about.most_case + 1 },
+                     { "at_most", place_of(plan, about, about.most_case, about.n_most) },
+                     { "mean", of_band(&SampleBand::mean) },
+                     { "standard_deviation", of_band(&SampleBand::deviation) },
+                     { "percentile_2.5", of_band(&SampleBand::lower) },
+                     { "percentile_97.5", of_band(&SampleBand::upper) },
+                     { "r_squared", about.sensitivity ? Json(about.sensitivity->r_squared) : Json(nullptr) },
+                     { "sensitivity", sensitivity } });
+  }
+  return rows;
+}
+
 /// Quantities on the console.
 std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 {
@@ -70,16 +114,16 @@ std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
 
 Json quantity_summary(const SweepPlan &plan, const QuantityFindings &about)
 {
-  const Table table = statistics_table(plan, { about });
-  Json summary = json_row(table.with("", "unit values least least_case most most_case"));
+  const Json row = statistics_rows(plan, { about })[0];
+  Json summary = picked(row, "unit values least least_case most most_case");
   if (about.band)
-    summary["band"] = json_row(table.with("", "mean standard_deviation percentile_2.5 percentile_97.5"));
+    summary["band"] = picked(row, "mean standard_deviation percentile_2.5 percentile_97.5");
   if (const auto &sensitivity = about.sensitivity)
   {
     Json entries = Json::object();
     for (std::size_t i = 0; i < plan.entries.size(); ++i)
       entries[plan.entries[i].path] = { { "regression", sensitivity->regression[i] },
-                                        { "first_order", json_number(share_of(*sensitivity, i)) } };
+                                        { "first_order", share_of(*sensitivity, i) } };
     summary["sensitivity"] = { { "r_squared", sensitivity->r_squared }, { "entries", entries } };
   }
   return summary;
@@ -159,9 +203,9 @@ std::string shown(const std::string &value)
 }
 
 /// Varied entries with their units and values.
-Table plan_table(const SweepPlan &plan)
+Json plan_rows(const SweepPlan &plan)
 {
-  std::vector<std::vector<std::string>> rows;
+  Json rows = Json::array();
   for (std::size_t i = 0; i < plan.entries.size(); ++i)
   {
     const SweptEntry &entry = plan.entries[i];
@@ -174,125 +218,81 @@ Table plan_table(const SweepPlan &plan)
     else
       for (const std::string &value : entry.values)
         values += (values.empty() ? "" : ", ") + shown(value);
-    rows.push_back({ entry.path, entry.unit == "1" ? "–" : entry.unit, values });
+    rows.push_back({ { "entry", entry.path },
+                     { "unit", entry.unit == "1" ? format::missing : entry.unit },
+                     { plan.is_random() ? "spread" : "values", values } });
   }
-  return words("What is varied", { "entry", "unit", plan.is_random() ? "spread" : "values" }, rows);
+  return rows;
 }
 
-/// Sensitivity of a quantity to each entry.
-Table sensitivity_table(const SweepPlan &plan, const std::string &quantity,
-                        const SampleSensitivity &sensitivity)
+/// Sensitivity of a quantity to each entry, for people.
+Json sensitivity_rows(const SweepPlan &plan, const SampleSensitivity &sensitivity)
 {
   constexpr double rounding = 5e-4;
-  Table table = { "What the " + quantity + " depends on; the linear fit explains " +
-                    format::percent_fixed<1>(sensitivity.r_squared) + " of its variance",
-                  { column(quantity::entry, plan.entries, &SweptEntry::path),
-                    column(
-                      quantity::regression, sensitivity.regression, [](double value) { return value; },
-                      rounding) } };
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+  {
+    rows.push_back({ { "entry", plan.entries[i].path }, { "regression", sensitivity.regression.at(i) } });
+    if (const auto share = share_of(sensitivity, i))
+      rows.back()["first_order"] = *share;
+  }
+  leave_out_rounding(rows, "regression", rounding);
   if (!sensitivity.first_order.empty())
-    table.columns.push_back(column(
-      quantity::first_order, sensitivity.first_order, [](double value) { return value; }, rounding));
-  return table;
+    leave_out_rounding(rows, "first_order", rounding);
+  return rows;
 }
 
-Table failure_table(const SweepPlan &plan, const FinishedCases &cases)
+/// The reasons why cases failed: each is listed once, with the first case that met it.
+Json failure_rows(const SweepPlan &plan, const FinishedCases &cases)
 {
-  // Many cases fail for one reason: each is listed once, with the first case that met it.
   std::map<std::string, std::pair<std::size_t, std::size_t>> reasons; // message: first case, number
   for (const auto &[index, result] : cases)
     if (!result.is_solved())
       ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
-  std::vector<std::vector<std::string>> rows;
+  Json rows = Json::array();
   for (const auto &[message, place] : reasons)
     if (rows.size() < 20)
-      rows.push_back({ std::to_string(place.second), values_of_case(plan, place.first), message });
-  return words("", { "cases", "first of them", "message" }, rows);
+      rows.push_back({ { "cases", place.second },
+                       { "first of them", values_of_case(plan, place.first) },
+                       { "message", message } });
+  return rows;
+}
+
+/// sweep.csv: a row for every case of the plan in its order: case (from 1), the varied entries as they were
+/// given, sweep_quantities(), contact outcome, status and message. What a case does not have is missing.
+Json case_rows(const SweepPlan &plan, const FinishedCases &cases)
+{
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < plan.cases.size(); ++i)
+  {
+    const CaseResult &result = cases.at(i);
+    Json row = { { "case", i + 1 } };
+    for (std::size_t e = 0; e < plan.entries.size(); ++e)
+      row[with_unit(plan.entries[e].path, plan.entries[e].unit)] = plan.cases[i].at(e);
+    for (std::size_t q = 0; q < sweep_quantities().size(); ++q)
+      row[with_unit(sweep_quantities()[q].name, sweep_quantities()[q].unit)] =
+        result.is_solved() ? result.values.at(q) : std::nullopt;
+    row["contact outcome"] = result.outcome;
+    row["status"] = result.falls_over() ? "tips" : result.is_solved() ? "ok" : "failed";
+    row["message"] = result.message;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// The columns of statistics.csv that say by how much each entry counts.
+Json sensitivity_quantities(const SweepPlan &plan)
+{
+  Json list = Json::array();
+  for (const SweptEntry &entry : plan.entries)
+  {
+    list.push_back({ { "name", "regression on " + entry.path } });
+    list.push_back({ { "name", "first-order share of " + entry.path } });
+  }
+  return list;
 }
 
 } // namespace
-
-Table case_table(const SweepPlan &plan, const FinishedCases &cases)
-{
-  std::vector<std::size_t> indices(plan.cases.size());
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    indices[i] = i;
-  const auto of_case = [&](const Quantity &quantity, auto value)
-  { return column(quantity, indices, [&cases, value](std::size_t i) { return value(cases.at(i)); }); };
-  Table table = { "", { column(quantity::case_number, indices, [](std::size_t i) { return i + 1; }) } };
-  for (std::size_t e = 0; e < plan.entries.size(); ++e)
-    table.columns.push_back(column(Quantity("", plan.entries[e].path, plan.entries[e].unit), plan.cases,
-                                   [=](const std::vector<std::string> &values) { return values.at(e); }));
-  for (std::size_t q = 0; q < sweep_quantities().size(); ++q)
-    table.columns.push_back(of_case(Quantity("", sweep_quantities()[q].name, sweep_quantities()[q].unit),
-                                    [=](const CaseResult &result)
-                                    { return result.is_solved() ? result.values.at(q) : std::nullopt; }));
-  table.columns.push_back(
-    of_case(quantity::case_outcome, [](const CaseResult &result) { return result.outcome; }));
-  table.columns.push_back(
-    of_case(quantity::case_status, [](const CaseResult &result)
-            { return result.falls_over()  ? "tips"
-                     : result.is_solved() ? "ok"
-                                          : "failed"; }));
-  table.columns.push_back(
-    of_case(quantity::message, [](const CaseResult &result) { return result.message; }));
-  return table;
-}
-
-Table statistics_table(const SweepPlan &plan, const std::vector<QuantityFindings> &quantities)
-{
-  using Row = QuantityFindings;
-  const auto title = [](const Row &row)
-  { return with_unit(row.quantity().name, row.quantity().unit, false); };
-  const auto place = [&](std::size_t Row::*index)
-  {
-    return [&plan, index](const Row &row)
-    {
-      const bool is_constant = row.most - row.least <= 1e-9 * std::abs(row.most);
-      const std::size_t n_same = index == &Row::least_case ? row.n_least : row.n_most;
-      return is_constant  ? "everywhere"
-             : n_same > 1 ? std::to_string(n_same) + " cases"
-                          : values_of_case(plan, row.*index);
-    };
-  };
-  const auto band = [](double SampleBand::*value)
-  { return [=](const Row &row) { return row.band ? std::optional(*row.band.*value) : std::nullopt; }; };
-  const auto r_squared = [](const Row &row)
-  { return row.sensitivity ? std::optional(row.sensitivity->r_squared) : std::nullopt; };
-  Table table = {
-    "",
-    { column(quantity::quantity_name, quantities, [](const Row &row) { return row.quantity().name; }),
-      column(quantity::quantity_name.with(&Quantity::key, "title"), quantities, title),
-      column(quantity::unit, quantities, [](const Row &row) { return row.quantity().unit; }),
-      column(quantity::values_found, quantities, &Row::n_values),
-      column(quantity::least, quantities, &Row::least),
-      column(quantity::least_case, quantities, [](const Row &row) { return row.least_case + 1; }),
-      column(quantity::place_of_least, quantities, place(&Row::least_case)),
-      column(quantity::most, quantities, &Row::most),
-      column(quantity::most_case, quantities, [](const Row &row) { return row.most_case + 1; }),
-      column(quantity::place_of_most, quantities, place(&Row::most_case)),
-      column(quantity::mean, quantities, band(&SampleBand::mean)),
-      column(quantity::deviation, quantities, band(&SampleBand::deviation)),
-      column(quantity::percentile_low, quantities, band(&SampleBand::lower)),
-      column(quantity::percentile_high, quantities, band(&SampleBand::upper)),
-      column(quantity::r_squared, quantities, r_squared) }
-  };
-  for (std::size_t e = 0; e < plan.entries.size(); ++e)
-  {
-    const auto coefficient = [=](const Row &row)
-    { return row.sensitivity ? std::optional(row.sensitivity->regression.at(e)) : std::nullopt; };
-    const auto share = [=](const Row &row)
-    { return row.sensitivity ? share_of(*row.sensitivity, e) : std::nullopt; };
-    const std::string &path = plan.entries[e].path;
-    table.columns.push_back(column(
-      quantity::regression.with(&Quantity::key, "sensitivity").with(&Quantity::name, "regression on " + path),
-      quantities, coefficient));
-    table.columns.push_back(column(quantity::first_order.with(&Quantity::key, "sensitivity")
-                                     .with(&Quantity::name, "first-order share of " + path),
-                                   quantities, share));
-  }
-  return table;
-}
 
 Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
 {
@@ -328,17 +328,18 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
     if (const QuantityFindings *about = findings.about(quantity);
         plan.is_random() && about != nullptr && about->sensitivity)
     {
-      document.tables["sensitivity_" + std::string(quantity)] =
-        sensitivity_table(plan, quantity, *about->sensitivity);
-      document.facts["sensitivities"].push_back(quantity);
+      document.facts["sensitivity"][quantity] = sensitivity_rows(plan, *about->sensitivity);
+      document.facts["sensitivities"].push_back(
+        { { "quantity", quantity }, { "r_squared", about->sensitivity->r_squared } });
     }
-  document.tables["plan"] = plan_table(plan);
-  document.tables["shown_statistics"] =
-    statistics_table(plan, plan.is_random() ? with_bands(people) : people);
-  document.tables["main_statistics"] = statistics_table(plan, main);
-  document.tables["statistics"] = statistics_table(plan, with_bands(findings.quantities));
-  document.tables["failures"] = failure_table(plan, cases);
-  document.tables["cases"] = case_table(plan, cases);
+  document.facts["plan"] = plan_rows(plan);
+  document.facts["failures"] = failure_rows(plan, cases);
+  document.facts["statistics"] = { { "shown",
+                                     statistics_rows(plan, plan.is_random() ? with_bands(people) : people) },
+                                   { "main", statistics_rows(plan, main) },
+                                   { "banded", statistics_rows(plan, with_bands(findings.quantities)) } };
+  document.facts["case_table"] = case_rows(plan, cases);
+  document.quantities["statistics"]["sensitivity[]"] = sensitivity_quantities(plan);
   document.texts["plan_json"] = plan_as_json(plan).dump(2) + "\n";
   add_study(plan.base, document);
   return shown(document, "sweep");

@@ -1,14 +1,12 @@
 #include "fem/pipeline/report/truncation_results.h"
 
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/quantities.h"
-#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/report/spin_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,26 +19,15 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr char json_columns[] = "harmonics amplitude tau_at_rest torque[] omega_terminal relative_change "
+constexpr char summary_keys[] = "harmonics amplitude tau_at_rest torque omega_terminal relative_change "
                                 "spin_up_deviation spin_up_deviation_at_end bound pulls load_minimum "
                                 "pulling_share load_minimum_at_terminal pulling_share_at_terminal "
                                 "load_at_terminal trouble";
-constexpr char data_columns[] =
-  "harmonics amplitude tau_at_rest omega_terminal relative_change "
-  "spin_up_deviation spin_up_deviation_at_end bound ring_radius_at_terminal "
+constexpr char data_keys[] =
+  "harmonics amplitude tau_at_rest omega_terminal relative_change spin_up_deviation "
+  "spin_up_deviation_at_end bound ring_radius_at_terminal "
   "moment_ratio_at_terminal load_minimum load_minimum_at_terminal pulling_share "
   "pulling_share_at_terminal pulls torque[]";
-/// All numbers of @p rows by the number of harmonics.
-Table truncation_table(const TruncationStudy &study, const std::vector<SpinRow> &rows)
-{
-  Table table = spin_table(rows, study.omega);
-  table["tau_at_rest"].digits = format::significant<6>;
-  table["tau_at_rest"].label = "tau at 0";
-  table["bound"].name += " of all harmonics";
-  table["bound"].console_digits = nullptr;
-  table["message"].key = "trouble";
-  return table;
-}
 
 /// The rows up to the first whose terminal spin is that of all harmonics, to within its band or 1e-9, and the
 /// last.
@@ -63,7 +50,7 @@ std::vector<SpinRow> rows_that_differ(const TruncationStudy &study)
 /// omega(t) by the number of harmonics; truncations without a spin-up are left out.
 Table spin_up_table(const TruncationStudy &study)
 {
-  Table table = { "Spin-up from rest", { column(quantity::time, study.time) } };
+  Table table = { "", { numbers("time", "s", study.time) } };
   for (const SpinRow &row : study.rows)
     if (!row.spin_up.empty())
       table.columns.push_back(
@@ -73,19 +60,32 @@ Table spin_up_table(const TruncationStudy &study)
 
 Findings findings_of(const LoadReport &load, const TruncationStudy &study, const Json &budget)
 {
+  Json rows = spin_rows(study.rows);
+  for (Json &row : rows)
+    row["trouble"] = row["message"];
   Findings findings;
   findings.summary = { { "load", load_summary(load) },
                        { "torque_at", study.omega },
                        { "harmonic_effect", harmonic_effect_summary(study.harmonics) },
                        { "budget", budget },
-                       { "truncation",
-                         json_table(truncation_table(study, study.rows).with("", json_columns)) } };
-  findings.key_figures = { { "omega_terminal", json_number(study.all().omega_terminal()) },
-                           { "omega_terminal_band", json_number(study.all().band) },
-                           { "harmonic_effect", json_number(study.harmonics.absolute) },
-                           { "harmonic_effect_relative", json_number(study.harmonics.relative) },
+                       { "truncation", picked(rows, summary_keys) } };
+  findings.key_figures = { { "omega_terminal", study.all().omega_terminal() },
+                           { "omega_terminal_band", study.all().band },
+                           { "harmonic_effect", study.harmonics.absolute },
+                           { "harmonic_effect_relative", study.harmonics.relative },
                            { "harmonics_for_1e-4", harmonics_enough(study.rows, 1e-4) } };
   return findings;
+}
+
+/// The names of the torques at the spins that were asked for.
+Json torque_quantities(const std::vector<double> &spins)
+{
+  Json list = Json::array();
+  for (const double omega : spins)
+    list.push_back({ { "name", "tau_z at omega = " + format::number(omega, ".9g") + " rad/s" },
+                     { "unit", "N m" },
+                     { "heading", "τ_z at " + format::number(omega, ".6g") + " rad/s" } });
+  return list;
 }
 
 // ---- report
@@ -100,13 +100,6 @@ std::vector<SpinCurve> shown_spin_ups(const TruncationStudy &study)
       curves.push_back({ truncation_title(row.harmonics, n_all), row.spin_up, row.harmonics + 1 });
   curves.push_back({ "the paper's model", study.paper, 7 });
   return curves;
-}
-
-/// truncation.csv.
-Table truncation_file(const TruncationStudy &study)
-{
-  return truncation_table(study, study.rows)
-    .with("The answer with the load cut off after some harmonics; nan: there is none", data_columns);
 }
 
 Json facts_of(const Study &study, const TruncationStudy &truncations)
@@ -126,7 +119,7 @@ Json facts_of(const Study &study, const TruncationStudy &truncations)
                  { "several_harmonics", is_spinning && all.harmonics > 1 },
                  { "with_band", with_band(omega, all.band) },
                  { "n_harmonics", all.harmonics },
-                 { "first", json_number(truncations.rows.front().omega_terminal()) },
+                 { "first", truncations.rows.front().omega_terminal() },
                  { "effect", effect_facts(study, truncations.harmonics) },
                  { "n_enough", harmonics_enough(truncations.rows, 1e-4) },
                  { "has_changes", all.relative_change && truncations.rows.size() > 1 },
@@ -152,14 +145,16 @@ unsigned int harmonics_enough(const std::vector<SpinRow> &rows, double share)
 Results tabulate(const Study &study, const LoadReport &load, const TruncationStudy &truncations,
                  const ErrorBands &bands)
 {
-  const Budget budget = chain_alone(truncations.budget);
-  Document document = { findings_of(load, truncations, budget_summary(study, budget)),
+  Budget budget;
+  budget.rows = truncations.budget;
+  Document document = { findings_of(load, truncations, budget_summary(study, budget.rows)),
                         facts_of(study, truncations) };
   std::vector<TurningGlass> glasses = { { "all harmonics", truncations.all().omega_terminal() },
                                         { "the first alone", truncations.rows.front().omega_terminal() } };
   add_head(study, glasses, document, load.rings);
   add_chain(study, budget, document);
-  document.plots["truncation"] = [&] { return truncation_plot(truncations, truncation_file(truncations)); };
+  document.plots["truncation"] = [&]
+  { return truncation_plot(truncations, table_of(spin_rows(truncations.rows), data_keys)); };
   document.plots["torque"] = [&] { return torque_plot(truncations.torque, truncations.rows); };
   document.plots["spin_up"] = [&]
   {
@@ -170,9 +165,11 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   if (is_one_way(study))
     say_one_way(document);
   add_load(study, load, bands, document);
-  document.tables["truncations"] = truncation_table(truncations, truncations.rows);
-  document.tables["differing"] = truncation_table(truncations, rows_that_differ(truncations));
-  document.tables["truncation_file"] = truncation_file(truncations);
+  document.facts["truncation_keys"] = data_keys;
+  document.facts["truncations"] = { { "rows", spin_rows(truncations.rows) },
+                                    { "shown", shown_spin_rows(truncations.rows) },
+                                    { "differing", shown_spin_rows(rows_that_differ(truncations)) } };
+  document.quantities = { { "truncations", { { "torque[]", torque_quantities(truncations.omega) } } } };
   document.tables["torque"] = torque_table(truncations.torque);
   document.tables["spin_up"] = spin_up_table(truncations);
   add_study(study, document);

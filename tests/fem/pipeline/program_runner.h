@@ -80,7 +80,7 @@ std::string between(const std::string &text, const std::string &begin, const std
 std::vector<std::string> all_between(const std::string &text, const std::string &begin,
                                      const std::string &end);
 
-/// What is not as fem/pipeline/report/summary.schema.json says in a summary, one sentence each.
+/// What is not as fem/pipeline/document/summary.schema.json says in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 
 /// The summary of a folder of results; a departure from the schema fails the test that reads it.

@@ -36,9 +36,8 @@ struct LaidOutColumn
     for (const std::string &line : lines)
       width = std::max(width, width_of(line) + margin);
     const bool is_text =
-      column.quantity.unit.empty() &&
-      std::any_of(column.cells.begin(), column.cells.end(),
-                  [](const Cell &cell) { return std::holds_alternative<std::string>(cell); });
+      column.quantity.unit.empty() && std::any_of(column.cells.begin(), column.cells.end(),
+                                                  [](const auto &cell) { return cell.is_string(); });
     for (std::string &line : lines)
     {
       const std::string blanks(width - margin - width_of(line), ' ');

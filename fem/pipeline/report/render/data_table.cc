@@ -10,17 +10,15 @@ namespace
 {
 
 /// A cell with all its digits; @p missing where there is none.
-std::string exact(const Cell &cell, const std::string &missing)
+std::string exact(const nlohmann::ordered_json &cell, const std::string &missing)
 {
-  if (const auto *number = std::get_if<double>(&cell))
-    return std::isnan(*number) ? missing : to_text(*number);
-  if (const auto *count = std::get_if<std::int64_t>(&cell))
-    return std::to_string(*count);
-  if (const auto *flag = std::get_if<bool>(&cell))
-    return *flag ? "1" : "0";
-  if (const auto *text = std::get_if<std::string>(&cell))
-    return *text;
-  return missing;
+  if (cell.is_number_float())
+    return std::isnan(cell.get<double>()) ? missing : to_text(cell.get<double>());
+  if (cell.is_number_integer())
+    return cell.dump();
+  if (cell.is_boolean())
+    return cell.get<bool>() ? "1" : "0";
+  return cell.is_string() ? cell.get<std::string>() : missing;
 }
 
 std::string csv_field(const std::string &text)

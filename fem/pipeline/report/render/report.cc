@@ -4,9 +4,7 @@
 #include "fem/pipeline/report/render/html_page.h"
 #include "fem/pipeline/support/text_file.h"
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -25,11 +23,9 @@ void write_report(const Report &report, const fs::path &folder)
   std::map<std::string, std::string> pictures;
   for (const Plot &plot : plots)
   {
-    std::ifstream stream(folder / "figures" / (plot.name + ".svg"), std::ios::binary);
-    std::ostringstream svg;
-    svg << stream.rdbuf();
-    if (stream)
-      pictures[plot.name] = svg.str();
+    const std::string svg = read_text_file(folder / "figures" / (plot.name + ".svg"));
+    if (!svg.empty())
+      pictures[plot.name] = svg;
   }
   write_text_file(folder / "report.html", html_page(report, pictures, notice));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fem/pipeline/document/table.h"
 #include "fem/pipeline/report/plot.h"
-#include "fem/pipeline/report/render/table.h"
 
 #include <filesystem>
 #include <string>

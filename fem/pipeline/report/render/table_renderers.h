@@ -1,13 +1,11 @@
 #pragma once
 
-#include "fem/pipeline/report/render/table.h"
-
-#include <nlohmann/json.hpp>
+#include "fem/pipeline/document/table.h"
 
 #include <string>
 #include <vector>
 
-/// The four forms of a table.
+/// The forms of a table.
 namespace stemware::pipeline
 {
 
@@ -30,18 +28,5 @@ std::string console_table(const Table &table);
 /// An HTML table in a box that scrolls; columns of numbers are aligned to the right, and a header of empty
 /// cells is left out.
 std::string html_table(const Table &table);
-
-/// A list of objects, one a row, of the columns that have a key. JSON has no word for a number that is not
-/// finite: publish() refuses it, null is only what does not exist.
-nlohmann::ordered_json json_table(const Table &table);
-
-/// The object of one row of the columns that have a key.
-nlohmann::ordered_json json_row(const Table &table, std::size_t row = 0);
-
-/// The objects of all rows by the word in the first column, which is not repeated in them.
-nlohmann::ordered_json json_by_name(const Table &table);
-
-/// A number, or null where there is none.
-nlohmann::ordered_json json_number(const std::optional<double> &value);
 
 } // namespace stemware::pipeline

@@ -1,7 +1,8 @@
 // The budget of effects from one made by hand: its tables in every form, and its
 // pictures. The second row is formal, that with tilt has no balance.
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/program_runner.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
@@ -25,7 +26,9 @@ constexpr char shown_columns[] = "step title omega_terminal difference relative_
 
 TEST(BudgetByHand, TableForPeople)
 {
-  EXPECT_EQ(html_lines(html_table(budget_table({}, made_budget()).with("Budget", shown_columns))), R"(Budget
+  EXPECT_EQ(
+    html_lines(html_table(table_of(chain_rows({}, made_budget().rows), shown_columns, "chain", "Budget"))),
+    R"(Budget
 step: 1 | 2 | 2a | 3 | 3a | 4 | 5
 what is added: the paper&#39;s model | moment balance | grip | where the foot touches | tilt | harmonics, n ≤ 2 | harmonics, all
 terminal spin (rad/s): -1.0101235 | -1.0601235 | -1.1101235 | -1.1601235 | – | -1.2101235 | -1.2601235
@@ -34,9 +37,9 @@ relative: – | +4.95 % | +4.72 % | +4.5 % | – | – | +4.13 %
 band (rad/s): 1.1e-03 | 1.1e-03 | 1.2e-03 | 1.2e-03 | – | 1.3e-03 | 1.3e-03
 :  | formal |  |  | The foot tips |  | 
 )");
-  EXPECT_EQ(html_lines(html_table(without_table({}, made_budget())
-                                    .with("Without", "name omega_terminal difference relative_difference "
-                                                     "remark"))),
+  EXPECT_EQ(html_lines(html_table(table_of(without_rows({}, made_budget()),
+                                           "name omega_terminal difference relative_difference remark",
+                                           "without", "Without"))),
             R"(Without
 without: tilt | elasticity of the foot | compliance of the interface
 terminal spin (rad/s): -1.3101235 | -1.3301235 | –
@@ -49,8 +52,8 @@ relative: -1.05 % | +1.06 % | –
 TEST(BudgetByHand, DataFilesHaveANameInEveryRow)
 {
   const std::string text =
-    csv_table(budget_table({}, made_budget())
-                .with("", "step title harmonics_kept omega_terminal difference band formal"));
+    csv_table(table_of(chain_rows({}, made_budget().rows),
+                       "step title harmonics_kept omega_terminal difference band formal", "chain"));
   EXPECT_EQ(text.substr(0, text.find("\r\n", text.find("\r\n") + 2)),
             "step,what is added,\"harmonics kept, nan: all (1)\",terminal omega (rad/s),"
             "difference of terminal omega (rad/s),half-width of the error band of terminal omega (rad/s),"
@@ -58,14 +61,15 @@ TEST(BudgetByHand, DataFilesHaveANameInEveryRow)
             "1,the paper's model,1,-1.0101234567,,0.0010201234567,0");
   EXPECT_NE(text.find("\r\n5,\"harmonics, all\",,-1.2601234567,"), std::string::npos) << text;
   const std::string without =
-    csv_table(without_table({}, made_budget()).with("", "name omega_terminal difference reason"));
+    csv_table(table_of(without_rows({}, made_budget()), "name omega_terminal difference reason", "without"));
   EXPECT_NE(without.find("tilt,-1.3101234567,0.0132"), std::string::npos) << without;
   EXPECT_NE(without.find("compliance of the interface,,,not defined"), std::string::npos) << without;
 }
 
 TEST(BudgetByHand, Summary)
 {
-  EXPECT_EQ(json_lines(budget_summary({}, made_budget())), R"(step: "1" | "2" | "2a" | "3" | "3a" | "4" | "5"
+  EXPECT_EQ(json_lines(budget_summary({}, made_budget().rows)),
+            R"(step: "1" | "2" | "2a" | "3" | "3a" | "4" | "5"
 name: "paper" | "moment balance" | "grip" | "where the foot touches" | "tilt" | "harmonics" | "harmonics"
 harmonics: 1 | 1 | 1 | 1 | 1 | 2 | "all"
 omega_terminal: -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | null | -1.2101234567 | -1.2601234567
@@ -91,10 +95,10 @@ TEST(BudgetByHand, HarmonicsThatChangeNothingAreNotShown)
   Budget budget = made_budget();
   const std::size_t n_rows = budget.rows.size();
   budget.rows[5].difference = 1e-13;
-  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
-  EXPECT_EQ(budget_table({}, budget).n_rows(), n_rows);
+  EXPECT_EQ(shown_chain({}, budget.rows).size(), n_rows - 1);
+  EXPECT_EQ(chain_rows({}, budget.rows).size(), n_rows);
   budget.rows.back().difference = 0; // the study itself stays
-  EXPECT_EQ(shown_budget_table({}, budget).n_rows(), n_rows - 1);
+  EXPECT_EQ(shown_chain({}, budget.rows).size(), n_rows - 1);
 }
 
 TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
@@ -102,10 +106,10 @@ TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
   Budget budget = made_budget();
   budget.rows[0].omega_terminal = 0;
   budget.rows[1].difference = budget.rows[1].omega_terminal;
-  EXPECT_TRUE(budget_summary({}, budget)[0]["difference"].is_null());
-  const Table table = budget_table({}, budget).with("", "relative_difference");
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.columns[0].cells[1]));
-  EXPECT_FALSE(std::holds_alternative<std::monostate>(table.columns[0].cells[2]));
+  const auto rows = chain_rows({}, budget.rows);
+  EXPECT_TRUE(rows[0]["difference"].is_null());
+  EXPECT_TRUE(rows[1]["relative_difference"].is_null());
+  EXPECT_FALSE(rows[2]["relative_difference"].is_null());
 }
 
 /// What gnuplot complains about; the words of the picture go to @p words.

@@ -245,12 +245,15 @@ inline std::string file_text(const pipeline::Results &results, const std::string
   throw std::out_of_range("no file " + name);
 }
 
-/// The table that is the content of a results file, as data_table() shows it.
-inline std::string file_table(const pipeline::Results &results, const std::string &name)
+/// The table that is the content of a results file, a line for each column, as data_lines() shows it.
+inline std::string file_lines(const pipeline::Results &results, const std::string &name)
 {
   for (const pipeline::ResultFile &file : results.files)
     if (file.name == name)
-      return data_table(std::get<pipeline::Table>(file.content));
+    {
+      const std::string lines = data_lines(data_table(std::get<pipeline::Table>(file.content)));
+      return lines.substr(lines.find('\n') + 1); // no file shows the title
+    }
   throw std::out_of_range("no file " + name);
 }
 

@@ -268,7 +268,9 @@ Table truncations_of(const std::vector<double> &changes)
 {
   std::vector<double> harmonics(changes.size());
   std::iota(harmonics.begin(), harmonics.end(), 1.);
-  return { "", { column(Quantity("harmonics"), harmonics), column(Quantity("relative_change"), changes) } };
+  return { "",
+           { { { "harmonics" }, { harmonics.begin(), harmonics.end() } },
+             { { "relative_change" }, { changes.begin(), changes.end() } } } };
 }
 
 TEST(Plots, TorqueAndTruncation)

@@ -35,7 +35,9 @@ Report small_report()
                        data };
   const Plot second = { "second", "twice", "width = 400; load 'figures/style.gnuplot'\nplot data with points",
                         data };
-  const Table table = words("numbers", { "name", "a_2" }, { { "x < y", "1.5" }, { "spin_up", "-2e-3" } });
+  const Table table = table_of(
+    { { { "name of it", "x < y" }, { "a_2", "1.5" } }, { { "name of it", "spin_up" }, { "a_2", "-2e-3" } } },
+    "", "", "numbers");
   return { "A <title>",
            "The answer is -3.5 ± 0.1 rad/s & no more.",
            { { "Section", "One.\n\nTwo, see τ_z.", { first, second }, { table } },
@@ -160,15 +162,15 @@ TEST(Report, NumbersHaveATrueMinusAndPowersOfTen)
 {
   EXPECT_EQ(with_true_minus("-3.5 (-2) ω=-1 x-2 --at one-way <b>-0.1"),
             "\u22123.5 (\u22122) ω=\u22121 x-2 --at one-way <b>\u22120.1");
-  const Quantity shown("n", "n", "1", "n", "n", format::scientific<1>);
-  const std::string html =
-    html_table({ "", { column(shown, std::vector<double>{ -3.4e-6, 2e12 }, [](double x) { return x; }) } });
+  Quantity shown = { "n", "n", "1", "n" };
+  shown.digits = "#.1e";
+  const std::string html = html_table({ "", { { shown, { -3.4e-6, 2e12 } } } });
   EXPECT_NE(html.find("<td class=\"number\">\u22123.4 · 10<sup>\u22126</sup></td>"), std::string::npos)
     << html;
   EXPECT_NE(html.find("<td class=\"number\">2.0 · 10<sup>12</sup></td>"), std::string::npos) << html;
-  EXPECT_NE(html_table(words("", { "a" }, { { "1e-06" } })).find(">10<sup>\u22126</sup><"),
+  EXPECT_NE(html_table(table_of({ { { "word", "1e-06" } } })).find(">10<sup>\u22126</sup><"),
             std::string::npos);
-  EXPECT_NE(html_table(words("", { "a" }, { { "spin 2e-06.prm" } })).find("2e-06.prm"), std::string::npos);
+  EXPECT_NE(html_table(table_of({ { { "word", "spin 2e-06.prm" } } })).find("2e-06.prm"), std::string::npos);
 }
 
 TEST(Report, FormulasOfAPlainText)

@@ -1,6 +1,6 @@
 // The sentences of `run`: its answer and its remarks.
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/report/budget_tables.h"
+#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/report/document.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/support/text.h"

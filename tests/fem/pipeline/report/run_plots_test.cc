@@ -14,9 +14,8 @@ using namespace test;
 TEST(RunByHand, CurvesOverSpinTimeAndPhase)
 {
   const Results results = made_run();
-  EXPECT_EQ(data_lines(file_table(results, "torque.csv")),
-            R"(# The torques on the glass and the friction force of the table against the spin
-omega (rad/s): -2.1401234567 | 2.1501234567
+  EXPECT_EQ(file_lines(results, "torque.csv"),
+            R"(omega (rad/s): -2.1401234567 | 2.1501234567
 slip ratio omega R / v (1): 2.1601234567 | 2.1701234567
 tau_z, all harmonics (N m): 2.1801234567 | 2.2101234567
 T_x (N): 2.1901234567 | 2.2201234567
@@ -26,17 +25,15 @@ torque of the fingers (N m): 0.035 | -0.045
 tau_z, lean torque and torque of the fingers together (N m): 2.2301234567000003 | 2.1901234567
 tau_z, harmonics up to 1 (N m): 2.2401234567 | 2.2501234567
 )");
-  EXPECT_EQ(data_lines(file_table(results, "spin_up.csv")),
-            R"(# Spin-up from rest; columns 3 to 5 from loads interpolated in omega, within 1.39012 of a_0
-time (s): 0 | 2.2601234567
+  EXPECT_EQ(file_lines(results, "spin_up.csv"),
+            R"(time (s): 0 | 2.2601234567
 omega, adaptive (rad/s): 0 | 2.2701234567
 omega, forward Euler (rad/s): 0 | 2.2801234567
 omega, first harmonic alone, adaptive (rad/s): 0 | 2.2901234567
 yaw angle, adaptive (rad): 0 | 2.3001234567
 )");
-  EXPECT_EQ(data_lines(file_table(results, "phases.csv")),
-            R"(# Yaw torque over the phase: where the marks of glass and table stand in the slip frame
-mark of the glass (rad): 2.3901234567
+  EXPECT_EQ(file_lines(results, "phases.csv"),
+            R"(mark of the glass (rad): 2.3901234567
 mark of the table (rad): 2.4001234567
 tau_z at rest (N m): 2.4101234567
 tau_z at the mean spin in the long run (N m): 2.4201234567
@@ -74,9 +71,9 @@ TEST(RunByHand, LoadOverTheAzimuth)
   for (std::size_t i = 0; i < table.n_rows(); ++i)
   {
     const double theta = 2 * std::acos(-1.) * static_cast<double>(i) / 720;
-    EXPECT_NEAR(std::get<double>(table.columns[0].cells[i]), theta, 1e-14);
-    EXPECT_NEAR(std::get<double>(table.columns[1].cells[i]), load(theta), 1e-13);
-    EXPECT_NEAR(std::get<double>(table.columns[2].cells[i]), load.truncated(1)(theta), 1e-13);
+    EXPECT_NEAR(table.columns[0].cells[i].get<double>(), theta, 1e-14);
+    EXPECT_NEAR(table.columns[1].cells[i].get<double>(), load(theta), 1e-13);
+    EXPECT_NEAR(table.columns[2].cells[i].get<double>(), load.truncated(1)(theta), 1e-13);
   }
 }
 

@@ -1,6 +1,7 @@
-// One table in its four forms: every kind of cell, what does not exist, and who sees which digits.
+// One table in its forms: every kind of cell, what does not exist, and who sees which digits.
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
+#include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -11,32 +12,60 @@ namespace stemware::pipeline
 namespace
 {
 
+using Json = nlohmann::ordered_json;
+
 const double nothing = std::numeric_limits<double>::quiet_NaN();
 
-Table table_of_everything()
+/// Quantities of a document.
+const Json own = { { "all",
+                     { { "spin",
+                         { { "name", "terminal omega" },
+                           { "unit", "rad/s" },
+                           { "heading", "ω_∞" },
+                           { "label", "terminal\nspin" },
+                           { "digits", ".3g" },
+                           { "console_digits", ".5g" } } },
+                       { "pulls", { { "name", "pulls" } } },
+                       { "at[]",
+                         { { { "name", "at 1" }, { "unit", "s" }, { "label", "at 1" } },
+                           { { "name", "at 2" }, { "unit", "s" }, { "label", "at 2" } } } } } } };
+
+Json rows_of_everything()
 {
-  const Quantity spin("spin", "terminal omega", "rad/s", "ω_∞", "terminal\nspin", format::significant<3>,
-                      format::significant<5>);
-  return {
-    "All kinds of cells",
-    { column(Quantity("name", "name", "", "name", "name"), std::vector<std::string>{ "a, \"b\"", "c < d" }),
-      column(Quantity("n", "cells", "1", "cells", "cells"), std::vector<unsigned int>{ 100000, 7 }),
-      column(
-        spin, std::vector<double>{ -1.23456789, 1e-15 }, [](double value) { return value; }, 1e-12),
-      column(Quantity("band", "band", "rad/s", "band", "band"),
-             std::vector<std::optional<double>>{ 0.25, std::nullopt }),
-      column(Quantity("pulls", "pulls"), std::vector<int>{ 1, 0 }, [](int value) { return value == 1; }),
-      column(Quantity("at[]", "at 1", "s", "at 1", "at 1"), std::vector<double>{ 1.5, 2.5 }),
-      column(Quantity("at[]", "at 2", "s", "at 2", "at 2"), std::vector<double>{ 3.5, 4.5 }) }
-  };
+  Json rows = { { { "who", "a, \"b\"" },
+                  { "cells (1)", 100000 },
+                  { "spin", -1.23456789 },
+                  { "half (rad/s)", std::optional(0.25) },
+                  { "pulls", true },
+                  { "at", { 1.5, 3.5 } } },
+                { { "who", "c < d" },
+                  { "cells (1)", 7 },
+                  { "spin", 1e-15 },
+                  { "half (rad/s)", std::optional<double>() },
+                  { "pulls", false },
+                  { "at", { 2.5, 4.5 } } } };
+  return rows;
+}
+
+/// All of them, in the order of the rows.
+Table table_of_everything(Json rows = rows_of_everything())
+{
+  Table table = table_of(rows, "", "all", "All kinds of cells", own);
+  const Table list = table_of(rows, "at[]", "all", "", own);
+  table.columns.pop_back();
+  table.columns.insert(table.columns.end(), list.columns.begin(), list.columns.end());
+  return table;
 }
 
 TEST(Table, AsDataTable)
 {
-  EXPECT_EQ(data_table(table_of_everything().with("Numbers", "n spin band pulls at[]")), R"(# Numbers
+  Table table = table_of_everything();
+  table.title = "Numbers";
+  table.columns.erase(table.columns.begin());
+  EXPECT_EQ(data_table(table), R"(# Numbers
 # 1: cells (1)
 # 2: terminal omega (rad/s)
-# 3: band (rad/s)
+# 3: half (rad/s)
 # 4: pulls (1)
 # 5: at 1 (s)
 # 6: at 2 (s)
@@ -48,16 +77,21 @@ TEST(Table, AsDataTable)
 TEST(Table, AsCsv)
 {
   EXPECT_EQ(csv_table(table_of_everything()),
-            "name,cells (1),terminal omega (rad/s),band (rad/s),pulls (1),at 1 (s),at 2 (s)\r\n"
+            "who,cells (1),terminal omega (rad/s),half (rad/s),pulls (1),at 1 (s),at 2 (s)\r\n"
             "\"a, \"\"b\"\"\",100000,-1.23456789,0.25,1,1.5,3.5\r\nc < d,7,1e-15,,0,2.5,4.5\r\n");
 }
 
 TEST(Table, OnTheConsole)
 {
-  EXPECT_EQ(console_table(table_of_everything().with("", "name n spin band at[]")),
+  Json rows = rows_of_everything();
+  leave_out_rounding(rows, "spin at", 1e-12);
+  Table table = table_of_everything(rows);
+  table.title = "";
+  table.columns.erase(table.columns.begin() + 4);
+  EXPECT_EQ(console_table(table),
             R"(                  terminal
-                      spin     band  at 1  at 2
-  name     cells   (rad/s)  (rad/s)   (s)   (s)
+                      spin     half  at 1  at 2
+  who      cells   (rad/s)  (rad/s)   (s)   (s)
   a, "b"  100000   -1.2346     0.25   1.5   3.5
   c < d        7         0        -   2.5   4.5
 )");
@@ -65,35 +99,38 @@ TEST(Table, OnTheConsole)
 
 TEST(Table, ConsoleCountsLettersNotBytes)
 {
-  EXPECT_EQ(console_table({ "",
-                            { column(Quantity("", "", "1", "", "τ"), std::vector<int>{ 1 }),
-                              column(Quantity("", "", "1", "", "ω"), std::vector<int>{ 10 }) } }),
-            "  τ   ω\n  1  10\n");
+  EXPECT_EQ(console_table(table_of({ { { "τ", 1 }, { "ω", 10 } } })), "  τ   ω\n  1  10\n");
 }
 
 TEST(Table, CsvQuotesLineEnds)
 {
-  EXPECT_EQ(csv_table(words("", { "a", "b" }, { { "two\nlines", "" } })), "a,b\r\n\"two\nlines\",\r\n");
+  EXPECT_EQ(csv_table(table_of({ { { "a", "two\nlines" }, { "b", "" } } }, "a b")),
+            "a,b\r\n\"two\nlines\",\r\n");
 }
 
 TEST(Table, TooWideForTheConsoleGoesOnBelow)
 {
-  Table table = { "", { column(Quantity("", "", "1", "", "n"), std::vector<int>{ 1 }) } };
-  for (int i = 0; i < 3; ++i)
-    table.columns.push_back(column(Quantity("", "", "1", "", std::string(1, static_cast<char>('a' + i))),
-                                   std::vector<std::string>{ std::string(40, static_cast<char>('a' + i)) }));
+  Json row = { { "n (1)", 1 } };
+  for (const char letter : { 'a', 'b', 'c' })
+    row[std::string(1, letter) + " (1)"] = std::string(40, letter);
   const std::string blanks(39, ' ');
-  EXPECT_EQ(console_table(table), "  n  " + blanks + "a  " + blanks + "b\n  1  " + std::string(40, 'a') +
-                                    "  " + std::string(40, 'b') + "\n\n  n  " + blanks + "c\n  1  " +
-                                    std::string(40, 'c') + "\n");
+  EXPECT_EQ(console_table(table_of(Json::array({ row }))),
+            "  n  " + blanks + "a  " + blanks + "b\n  1  " + std::string(40, 'a') + "  " +
+              std::string(40, 'b') + "\n\n  n  " + blanks + "c\n  1  " + std::string(40, 'c') + "\n");
 }
 
 TEST(Table, AsHtml)
 {
-  EXPECT_EQ(html_table(table_of_everything().with("ω_∞ & more", "name spin band pulls")),
+  Json rows = rows_of_everything();
+  leave_out_rounding(rows, "spin", 1e-12);
+  Table table = table_of_everything(rows);
+  table.title = "ω_∞ & more";
+  table.columns.erase(table.columns.begin() + 5, table.columns.end());
+  table.columns.erase(table.columns.begin() + 1);
+  EXPECT_EQ(html_table(table),
             R"(<div class="wide" tabindex="0" role="group" aria-label="ω_∞ &amp; more"><table>
 <caption>ω_∞ &amp; more</caption>
-<thead><tr><th scope="col">name</th><th scope="col" class="number">ω_∞ (rad/s)</th><th scope="col" class="number">band (rad/s)</th><th scope="col"></th></tr>
+<thead><tr><th scope="col">who</th><th scope="col" class="number">ω_∞ (rad/s)</th><th scope="col" class="number">half (rad/s)</th><th scope="col"></th></tr>
 </thead>
 <tbody>
 <tr><td>a, &quot;b&quot;</td><td class="number">−1.23</td><td class="number">0.25</td><td>yes</td></tr>
@@ -104,39 +141,68 @@ TEST(Table, AsHtml)
 )");
 }
 
-TEST(Table, AsJson)
+TEST(Table, PartsOfItsRowsInJson)
 {
-  EXPECT_EQ(json_table(table_of_everything()).dump(),
-            R"([{"name":"a, \"b\"","n":100000,"spin":-1.23456789,"band":0.25,"pulls":true,"at":[1.5,3.5]},)"
-            R"({"name":"c < d","n":7,"spin":1e-15,"band":null,"pulls":false,"at":[2.5,4.5]}])");
-  EXPECT_EQ(json_by_name(table_of_everything().with("", "name n")).dump(),
-            R"({"a, \"b\"":{"n":100000},"c < d":{"n":7}})");
+  EXPECT_EQ(picked(rows_of_everything(), "spin who").dump(),
+            R"([{"spin":-1.23456789,"who":"a, \"b\""},{"spin":1e-15,"who":"c < d"}])");
+  EXPECT_EQ(picked(rows_of_everything()[1], "at").dump(), R"({"at":[2.5,4.5]})");
+}
+
+TEST(Table, OneObjectAsAList)
+{
+  EXPECT_EQ(
+    as_list(table_of({ { "spin", 1.23456 }, { "at", { 1.5, 2 } } }, "spin at[]", "all", "", own)).dump(),
+    R"=([{"what":"ω_∞ (rad/s)","is":"1.23"},{"what":" (s)","is":"1.5"},{"what":" (s)","is":"2"}])=");
 }
 
 TEST(Table, ANumberThatIsNotFiniteIsNoneForPeopleAndIsLeftToPublishInJson)
 {
-  const Table table = { "", { single(Quantity("x", "x", "1", "x", "x"), nothing) } };
+  const Table table = table_of({ { { "x (1)", nothing } } });
   EXPECT_EQ(console_table(table), "  x\n  -\n");
   EXPECT_NE(html_table(table).find("–"), std::string::npos);
-  EXPECT_TRUE(std::isnan(json_row(table)["x"].get<double>()));
-  EXPECT_EQ(json_number(std::nullopt), nullptr);
-  EXPECT_EQ(json_number(1.5), 1.5);
+  EXPECT_EQ(Json(std::optional<double>()), nullptr);
+  EXPECT_EQ(Json(std::optional(1.5)), 1.5);
 }
 
 TEST(Table, AMissingColumnIsNamed)
 {
-  EXPECT_THROW(table_of_everything().with("", "name omega"), std::out_of_range);
-  Table table = table_of_everything();
-  EXPECT_THROW(table["omega"], std::out_of_range);
-  table["spin"].digits = format::fixed<1>;
-  EXPECT_EQ(shown(table.columns[2], 0, "–"), "-1.2");
+  EXPECT_THROW(table_of(rows_of_everything(), "who omega"), std::out_of_range);
+  EXPECT_THROW(picked(rows_of_everything(), "who omega"), Json::out_of_range);
+}
+
+TEST(Quantities, OfASectionStandBeforeThoseOfAll)
+{
+  EXPECT_EQ(heading_with_unit(quantity_named("band", "chain")), "band (rad/s)");
+  EXPECT_EQ(heading_with_unit(quantity_named("band", "bands")), "band");
+  EXPECT_EQ(quantity_named("band", "bands").digits, "band");
+  EXPECT_EQ(quantity_named("force[]", "", 1).heading, "T_y");
+  EXPECT_EQ(quantity_named("load harmonics", "band_parts").digits, "band");
+  EXPECT_EQ(quantity_named("harmonic effect (%)").unit, "%");
+  EXPECT_EQ(quantity_named("harmonic effect (%)").name, "harmonic effect");
+}
+
+TEST(Quantities, HaveTheUnitsOfTheSchema)
+{
+  const Json schema = Json::parse(test::read_text(STEMWARE_SCHEMA))["properties"];
+  std::size_t n_compared = 0;
+  for (const auto &[part, section] :
+       { std::pair("budget", "chain"), std::pair("without", "without"),
+         std::pair("truncation", "truncations"), std::pair("comparison", "comparison") })
+    for (const auto &[key, value] : schema[part]["items"]["properties"].items())
+      if (const Quantity quantity = quantity_named(key, section);
+          value.contains("unit") && quantity.name != key) // one that is declared
+      {
+        EXPECT_EQ(quantity.unit, value["unit"].get<std::string>()) << part << ' ' << key;
+        ++n_compared;
+      }
+  EXPECT_GE(n_compared, 15u);
 }
 
 TEST(NumberFormat, BandsAreRoundedUp)
 {
-  EXPECT_EQ(format::band(4.81e-6), "4.9e-06");
-  EXPECT_EQ(format::band(4.8e-6), "4.8e-06");
-  EXPECT_EQ(format::band(0), "0");
+  EXPECT_EQ(format::number(4.81e-6, "band"), "4.9e-06");
+  EXPECT_EQ(format::number(4.8e-6, "band"), "4.8e-06");
+  EXPECT_EQ(format::number(0, "band"), "0");
 }
 
 TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
@@ -144,14 +210,12 @@ TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double none : { std::nan(""), -std::nan(""), infinite, -infinite })
   {
-    EXPECT_EQ(format::significant<6>(none), "–");
-    EXPECT_EQ(format::signed_significant<3>(none), "–");
-    EXPECT_EQ(format::scientific_or_zero<1>(none), "–");
-    EXPECT_EQ(format::fixed<2>(none), "–");
+    for (const char *digits : { ".6g", "+.3g", ".1e", ".2f" })
+      EXPECT_EQ(format::number(none, digits), "–") << digits;
     EXPECT_EQ(fmt::format(FMT_STRING("{:+.3g} N, {:.1f} %"), format::Number{ none }, format::Number{ 12.34 }),
               "– N, 12.3 %");
   }
-  EXPECT_EQ(format::band(-std::nan("")), "–");
+  EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
   // Data files and pictures have one spelling.
   EXPECT_EQ(to_text(-std::nan("")), "nan");
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
@@ -159,14 +223,19 @@ TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
 
 TEST(NumberFormat, DigitsOfPeople)
 {
+  EXPECT_EQ(format::number(-3.1290926, ".6g"), "-3.12909");
   EXPECT_EQ(format::significant<6>(-3.1290926), "-3.12909");
-  EXPECT_EQ(format::all_significant<6>(-3.12), "-3.12000");
-  EXPECT_EQ(format::scientific<2>(1234.5), "1.23e+03");
-  EXPECT_EQ(format::scientific_or_zero<2>(0), "0");
-  EXPECT_EQ(format::percent<3>(0.17891), "17.9 %");
-  EXPECT_EQ(format::percent_fixed<1>(1), "100.0 %");
-  EXPECT_EQ(format::change(0.00274), "+0.274 %");
-  EXPECT_EQ(format::change_fixed(-0.179), "-17.900 %");
+  EXPECT_EQ(format::number(-3.12, "#.6g"), "-3.12000");
+  EXPECT_EQ(format::number(1234.5, ".2e"), "1.23e+03");
+  EXPECT_EQ(format::number(0, ".2e"), "0");
+  EXPECT_EQ(format::number(0, "#.2e"), "0.00e+00");
+  EXPECT_EQ(format::number(0, "+.3g%"), "0 %");
+  EXPECT_EQ(format::number(0.17891, ".3g%"), "17.9 %");
+  EXPECT_EQ(format::number(1, ".1f%"), "100.0 %");
+  EXPECT_EQ(format::number(0.00274, "+.3g%"), "+0.274 %");
+  EXPECT_EQ(format::number(0.0123456, "1e3*.4g"), "12.35");
+  EXPECT_EQ(format::number(4412, "about"), "about 4400");
+  EXPECT_EQ(format::number(2110.4, "short"), "2110");
 }
 
 } // namespace

@@ -1,0 +1,147 @@
+#include "fem/pipeline/document/budget_rows.h"
+
+#include "fem/pipeline/document/table.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stemware::pipeline
+{
+
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+/// "formal", or why something is missing; empty for what stands as it is.
+std::string state_of(const BudgetRow &row)
+{
+  if (!row.reason.empty())
+    return row.reason;
+  return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
+}
+
+} // namespace
+
+std::string label_of(const ChainStep &step)
+{
+  return std::to_string(step.number) + (step.is_addition ? "a" : "");
+}
+
+std::string title_of(const BudgetRow &row, const std::string &at_most)
+{
+  if (row.name == "paper")
+    return "the paper's model";
+  if (row.name != "harmonics")
+    return row.name;
+  return row.harmonics ? fmt::format(FMT_STRING("harmonics, n {} {}"), at_most, *row.harmonics)
+                       : "harmonics, all";
+}
+
+Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
+{
+  Json list = Json::array();
+  for (const BudgetRow &row : rows)
+  {
+    const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+    list.push_back({ { "step", label_of(row.step) },
+                     { "name", row.name },
+                     { "title", title_of(row) },
+                     { "console_title", title_of(row, "<=") },
+                     { "harmonics", row.harmonics ? Json(*row.harmonics) : Json("all") },
+                     { "harmonics_kept", row.harmonics },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(above, row.difference, spin_scale(study)) },
+                     { "band", row.band },
+                     { "torques", row.torques },
+                     { "remark", state_of(row) },
+                     { "state", to_string(row.standing) },
+                     { "formal", row.standing == Standing::formal },
+                     { "reason", if_said(row.reason) } });
+  }
+  return list;
+}
+
+Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
+{
+  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
+  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
+  const auto changes_nothing = [&](const BudgetRow &row)
+  {
+    return row.name == "harmonics" && row.harmonics && row.difference &&
+           std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
+  };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), changes_nothing), rows.end());
+  Json shown = chain_rows(study, rows);
+  leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));
+  leave_out_rounding(shown, "relative_difference", 1e-9);
+  leave_out_rounding(shown, "torques", 1e-9 * std::abs(torque_at_rest));
+  for (Json &row : shown)
+    if (Json &omega = row["omega_terminal"]; band > 0 && omega.is_number() && omega != 0.)
+      omega = format::to_spread(omega, band);
+  return shown;
+}
+
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
+{
+  std::vector<BudgetRow> steps;
+  std::optional<double> first; // terminal spin of the first harmonic alone
+  for (const BudgetRow &row : rows)
+  {
+    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
+    {
+      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+      steps.push_back(row);
+      continue;
+    }
+    steps.back() = row;
+    steps.back().difference =
+      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
+  }
+  return steps;
+}
+
+Json without_rows(const Study &study, const Budget &budget)
+{
+  const auto complete = budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;
+  Json list = Json::array();
+  for (const WithoutRow &row : budget.without)
+    list.push_back({ { "name", row.name },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(complete, row.difference, spin_scale(study)) },
+                     { "remark", row.reason },
+                     { "reason", if_said(row.reason) } });
+  return list;
+}
+
+Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
+{
+  const bool has_torques =
+    std::any_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); });
+  return picked(chain_rows(study, rows), std::string("step name harmonics omega_terminal difference band ") +
+                                           (has_torques ? "torques " : "") + "state reason");
+}
+
+Json without_summary(const Study &study, const Budget &budget)
+{
+  return picked(without_rows(study, budget), "name omega_terminal difference reason");
+}
+
+Json harmonic_effect_summary(const HarmonicEffect &effect)
+{
+  return { { "absolute", effect.absolute }, { "relative", effect.relative } };
+}
+
+double rounding_of_spins(const Study &study)
+{
+  return 1e-9 * spin_scale(study);
+}
+
+bool is_spin(const Study &study, double omega)
+{
+  return std::abs(omega) >= rounding_of_spins(study);
+}
+
+} // namespace stemware::pipeline

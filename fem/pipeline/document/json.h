@@ -1,0 +1,64 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace nlohmann
+{
+
+/// A value that may not exist: null where it does not.
+template <typename Value>
+struct adl_serializer<std::optional<Value>, void>
+{
+  template <typename AnyJson>
+  static void to_json(AnyJson &json, const std::optional<Value> &value)
+  {
+    if (value)
+      json = *value;
+    else
+      json = nullptr;
+  }
+};
+
+} // namespace nlohmann
+
+namespace stemware::pipeline
+{
+
+/// A number, or nothing where it is not finite: null in JSON, which has no word for it.
+inline std::optional<double> if_finite(double value)
+{
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// A text, or nothing where it is empty.
+inline std::optional<std::string> if_said(const std::string &text)
+{
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// The name of a member as a key: without the n_ of a count.
+inline std::string key_of_member(const std::string &name)
+{
+  return name.rfind("n_", 0) == 0 ? name.substr(2) : name;
+}
+
+/// The object @p json, or each of a list of objects, with these keys alone (parted by blanks), in this order.
+/// Throws nlohmann::json::out_of_range for a key that there is not.
+nlohmann::ordered_json picked(const nlohmann::ordered_json &json, const std::string &keys);
+
+} // namespace stemware::pipeline
+
+#define STEMWARE_JSON_MEMBER(member) json[stemware::pipeline::key_of_member(#member)] = object.member;
+
+/// The JSON object of members of a plain struct, by their names: STEMWARE_JSON(phases, spin_ripple, n_spins).
+#define STEMWARE_JSON(plain_struct, ...)                                                                     \
+  [](const auto &object)                                                                                     \
+  {                                                                                                          \
+    nlohmann::ordered_json json;                                                                             \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(STEMWARE_JSON_MEMBER, __VA_ARGS__))                             \
+    return json;                                                                                             \
+  }(plain_struct)

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+/// How people read a number: the digits of a quantity on the console and in reports, missing where there is
+/// none. Files for programs have all digits.
+namespace stemware::pipeline::format
+{
+
+/// Text in the place of a number that does not exist.
+inline constexpr char missing[] = "–";
+
+/// A number of a sentence or table, under the formats of fmt: "{:.3g}" writes missing where it is not finite.
+struct Number
+{
+  double value;
+};
+
+} // namespace stemware::pipeline::format
+
+template <>
+struct fmt::formatter<stemware::pipeline::format::Number> : fmt::formatter<double>
+{
+  template <typename Context>
+  auto format(const stemware::pipeline::format::Number &number, Context &context) const
+  {
+    if (std::isfinite(number.value))
+      return fmt::formatter<double>::format(number.value, context);
+    return fmt::format_to(context.out(), "{}", stemware::pipeline::format::missing);
+  }
+};
+
+namespace stemware::pipeline::format
+{
+
+/// @p value as fmt writes it with @p digits, ".6g", and more:
+///
+///   1e3*.4g   a factor in front
+///   .1f%      per cent: "25.0 %"
+///   +.3g      a sign, but "0" for nothing
+///   .2e       a power of ten, but "0" for nothing; #.2e also for that
+///   band      the half-width of an error band by itself, rounded up to two digits: "4.9e-06"
+///   about     a count that is an estimate, to two digits: "about 4400"
+///   short     three digits, and no power of ten for large ones: "0.27", "2110"
+std::string number(double value, const std::string &digits);
+
+/// Up to @p digits significant digits, without zeros at the end: "-3.129".
+template <int digits>
+std::string significant(double value)
+{
+  return number(value, "." + std::to_string(digits) + "g");
+}
+
+/// Up to @p digits significant digits with the sign: "+0.0295"; "0" for nothing.
+template <int digits>
+std::string signed_significant(double value)
+{
+  return number(value, "+." + std::to_string(digits) + "g");
+}
+
+/// Decimals that show two digits of @p spread.
+int decimals_of(double spread);
+
+/// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
+std::string to_spread(double value, double spread);
+
+} // namespace stemware::pipeline::format
