@@ -6,7 +6,7 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
-#include "fem/pipeline/study/study_notes.h"
+#include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/numbers.h"
