@@ -57,15 +57,6 @@ std::string man_page(const CLI::App &program)
   return page;
 }
 
-Words sections_of(const std::vector<StudyEntry> &entries)
-{
-  Words sections;
-  for (const StudyEntry &entry : entries)
-    if (sections.empty() || sections.back() != entry.section)
-      sections.push_back(entry.section);
-  return sections;
-}
-
 /// Words that may follow some options, which are named as "--one | --other".
 std::vector<std::pair<std::string, Words>> option_values()
 {

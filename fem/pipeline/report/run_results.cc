@@ -15,7 +15,7 @@
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/report/spin_table.h"
 #include "fem/pipeline/report/terminal_spins.h"
-#include "fem/pipeline/study/measured_spin_file.h"
+#include "fem/pipeline/study/data_files.h"
 
 #include <algorithm>
 #include <cmath>

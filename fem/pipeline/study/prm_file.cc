@@ -18,16 +18,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Names of the sections in their order.
-std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries)
-{
-  std::vector<std::string> sections;
-  for (const StudyEntry &entry : entries)
-    if (sections.empty() || sections.back() != entry.section)
-      sections.push_back(entry.section);
-  return sections;
-}
-
 /// The lines of @p text that hold anything, by the number of the first that they begin on: without comments
 /// and blanks at their ends, and with those that a backslash continues.
 std::map<unsigned int, std::string> whole_lines(const std::string &text)

@@ -54,6 +54,9 @@ struct StudyEntry
 /// and remembers those that are assigned.
 std::vector<StudyEntry> study_entries(Study &study);
 
+/// Names of their sections, in that order.
+std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
+
 /// The entry of that path; throws BadInput, with a suggestion, where there is none. @p origin begins the
 /// sentence: where the path comes from.
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,

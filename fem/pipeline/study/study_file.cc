@@ -1,9 +1,7 @@
 #include "fem/pipeline/study/study_file.h"
 
 #include "fem/pipeline/study/cookbooks.h"
-#include "fem/pipeline/study/load_file.h"
-#include "fem/pipeline/study/measured_spin_file.h"
-#include "fem/pipeline/study/orbit_speed_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -11,6 +9,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/predicate.hpp>
@@ -40,9 +39,8 @@ std::string beginning_of(std::istream &stream)
   return text;
 }
 
-/// The bytes of the study file @p file. Throws BadInput, with a sentence that begins with @p the_file, for
-/// what is no such file.
-std::string contents(const std::string &the_file, const std::filesystem::path &file)
+/// Refuses, with a sentence that begins with @p the_file, what is no study file by its name.
+void require_study_file(const std::string &the_file, const std::filesystem::path &file)
 {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -59,24 +57,31 @@ std::string contents(const std::string &the_file, const std::filesystem::path &f
           the_file + " is not a file; give the path of a .prm file.");
   require(file.extension() == ".prm" || file.extension() == ".json",
           the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
-  std::ifstream stream(file);
-  const std::string text = beginning_of(stream);
-  require(stream.eof() || text.size() > longest_study, the_file + " cannot be read; check its permissions.");
-  return text;
 }
 
-/// @p bytes as text, once it is known to be that of a study; @p origin begins the sentence.
-std::string checked_text(const std::string &origin, const std::string &bytes)
+/// The text of the study file @p file, of standard input for "-". Throws BadInput, with a sentence that
+/// begins with @p the_file, for what is no text of a study.
+std::string text_of_study(const std::string &the_file, const std::string &file)
 {
-  const std::string text = without_byte_order_mark(origin, bytes);
-  require(text.size() <= longest_study, origin +
-                                          " is longer than 1 MB; give a study file, which has a line for "
-                                          "each entry.");
+  std::string bytes;
+  if (file == "-") // which only the first rank has
+    bytes = from_first_rank([] { return beginning_of(std::cin); });
+  else
+  {
+    require_study_file(the_file, file);
+    std::ifstream stream(file);
+    bytes = beginning_of(stream);
+    require(stream.eof() || bytes.size() > longest_study,
+            the_file + " cannot be read; check its permissions.");
+  }
+  const std::string text = without_byte_order_mark(the_file, bytes);
+  require(text.size() <= longest_study,
+          the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
   const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
   require(std::none_of(text.begin(), text.end(), is_control),
-          origin + " is not a text file; give the path of a .prm or .json file.");
+          the_file + " is not a text file; give the path of a .prm or .json file.");
   require(text.find_first_not_of(" \t\r\n") != std::string::npos,
-          origin +
+          the_file +
             " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
   return text;
 }
@@ -141,6 +146,20 @@ std::vector<std::string *> paths_of(Study &study, bool folders)
   return paths;
 }
 
+/// Gives the study what is in the files that it names, and checks it.
+void read_files_and_check(Study &study)
+{
+  attach_profile(study);
+  const std::string &speeds = study.motion.orbit_speed_file;
+  study.motion.orbit_speeds.reset();
+  if (!speeds.empty())
+    study.motion.orbit_speeds = std::make_shared<const ring::OrbitSpeedTable>(read_orbit_speed_file(speeds));
+  check_study(study);
+  study.load.from_file.reset();
+  if (study.load.source == LoadSource::file)
+    study.load.from_file = std::make_shared<const ring::RingStack>(read_load_file(study.load.file));
+}
+
 } // namespace
 
 void check_study(const Study &study)
@@ -163,13 +182,10 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   const std::vector<StudyEntry> entries = study_entries(study);
   if (!file.empty())
   {
-    const bool is_stream = file == "-"; // which only the first rank has
+    const bool is_stream = file == "-";
     const std::string origin = is_stream ? "standard input" : file;
-    const std::string the_file =
-      is_stream ? "The study on standard input" : "The study file " + shortened_path(file);
-    const std::string text =
-      checked_text(the_file, is_stream ? from_first_rank([] { return beginning_of(std::cin); })
-                                       : contents(the_file, file));
+    const std::string text = text_of_study(
+      is_stream ? "The study on standard input" : "The study file " + shortened_path(file), file);
     const bool is_json = is_stream ? text[text.find_first_not_of(" \t\r\n")] == '{'
                                    : std::filesystem::path(file).extension() == ".json";
     is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
@@ -178,10 +194,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   for (std::string *path : paths_of(study, true))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
-  attach_profile(study);
-  attach_orbit_speeds(study);
-  check_study(study);
-  attach_load(study);
+  read_files_and_check(study);
   study.contact.checkpoint_owner = study_identity(study);
   return study;
 }
@@ -192,10 +205,7 @@ Study with_values(Study study, const std::string &option,
   const std::vector<StudyEntry> entries = study_entries(study);
   for (const auto &[path, value] : values)
     assign(entries, option + ": ", path, value);
-  attach_profile(study);
-  attach_orbit_speeds(study);
-  check_study(study);
-  attach_load(study);
+  read_files_and_check(study);
   return study;
 }
 
@@ -251,18 +261,16 @@ std::string study_identity(const Study &study)
 std::string commented_defaults(const std::string &section)
 {
   Study study;
-  const std::vector<StudyEntry> all = study_entries(study);
-  std::vector<StudyEntry> entries;
-  for (const StudyEntry &entry : all)
-    if (section.empty() || boost::iequals(entry.section, section))
-      entries.push_back(entry);
-  require(!entries.empty(), "There is no section \"" + shortened(section) +
-                              "\"; give Motion, Glass, Table, Contact or Load, or nothing for all.");
+  std::vector<StudyEntry> entries = study_entries(study);
+  const std::string sections = listed(sections_of(entries));
+  const auto is_another = [&](const StudyEntry &entry) { return !boost::iequals(entry.section, section); };
   if (!section.empty())
-    return prm_text(entries, true);
-  return "# A study of Stemware with every entry at its default. A study file needs to state only what "
-         "differs.\n" +
-         prm_text(entries, true);
+    entries.erase(std::remove_if(entries.begin(), entries.end(), is_another), entries.end());
+  require(!entries.empty(),
+          "There is no section \"" + shortened(section) + "\"; give " + sections + ", or nothing for all.");
+  const std::string head =
+    "# A study of Stemware with every entry at its default. A study file needs to state only what differs.\n";
+  return (section.empty() ? head : "") + prm_text(entries, true);
 }
 
 } // namespace stemware::pipeline

@@ -4,7 +4,7 @@
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/analysis/sweep/case_log.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/study/load_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/results_folder.h"

@@ -1,7 +1,6 @@
 // Text files from other programs and editors: byte order marks, decimal commas, broken and deep JSON, numbers
 // that no glass has. Each is read, or refused with one sentence that names the place.
-#include "fem/pipeline/study/column_file.h"
-#include "fem/pipeline/study/load_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
