@@ -109,11 +109,6 @@ std::string millimetres(double value, double error)
 
 } // namespace
 
-bool follows_from_profile(const std::string &path)
-{
-  return path == contact_radius_entry || path == crown_radius_entry;
-}
-
 void attach_profile(Study &study)
 {
   fem::GlassProfile &profile = study.glass.profile;

@@ -7,9 +7,6 @@
 namespace stemware::pipeline
 {
 
-/// Whether the entry at @p path, if it is not given, follows from the points of a drawn section.
-bool follows_from_profile(const std::string &path);
-
 /// Gives a glass whose Glass/Shape is profile its section, from the points (r, z) of Glass/Profile file, two
 /// columns (read_column_file()), and those of contact radius and crown radius that the study was not given,
 /// from the points of the land (GlassSection::rim_circle); other glasses lose their section. Values that were

@@ -34,6 +34,7 @@ struct StudyEntry
   double *quantity = nullptr;        ///< where the entry takes any number, not only whole ones: its value
   std::string *path_value = nullptr; ///< where the entry is a path: its value
   bool is_folder = false;            ///< the path is that of a folder, and not of a file to read
+  bool follows_from_profile = false; ///< from the points of a drawn section, where it is not given
   Condition has_effect = nullptr;    ///< whether a result of the study depends on the entry
   /// Values that a glass on a table has; with others a study is computed too, after a warning. docs/values.md
   /// shows them as a table.

@@ -1,6 +1,5 @@
 // `stemware new`: twelve entries with a comment each, ready to run; nothing is overwritten; every preset
 // gives a result.
-#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
