@@ -50,7 +50,7 @@ void ConsoleProgress::stage_done(const std::string &stage)
 
 void ConsoleProgress::note_done(const std::string &piece) const
 {
-  note_work_done(stages + (stages.empty() || piece.empty() ? "" : ", ") + piece);
+  PostponedInterruption()->work_done = stages + (stages.empty() || piece.empty() ? "" : ", ") + piece;
 }
 
 void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all)

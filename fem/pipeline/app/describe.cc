@@ -1,5 +1,4 @@
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/console.h"
@@ -55,15 +54,6 @@ std::string man_page(const CLI::App &program)
     page += man_section("STEMWARE " + boost::to_upper_copy(verb->get_name()), *verb,
                         "stemware " + verb->get_name());
   return page;
-}
-
-Words sections_of(const std::vector<StudyEntry> &entries)
-{
-  Words sections;
-  for (const StudyEntry &entry : entries)
-    if (sections.empty() || sections.back() != entry.section)
-      sections.push_back(entry.section);
-  return sections;
 }
 
 /// Words that may follow some options, which are named as "--one | --other".

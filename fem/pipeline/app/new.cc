@@ -1,5 +1,4 @@
 #include "fem/pipeline/app/verbs.h"
-#include "fem/pipeline/study/cookbooks.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"

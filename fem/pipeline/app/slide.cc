@@ -6,7 +6,7 @@
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/slide_results.h"
 #include "fem/pipeline/study/quantity_text.h"
-#include "fem/pipeline/study/study_notes.h"
+#include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/text.h"

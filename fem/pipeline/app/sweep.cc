@@ -6,7 +6,7 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
-#include "fem/pipeline/study/study_notes.h"
+#include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/numbers.h"
@@ -68,12 +68,12 @@ public:
       : path(from_first_rank(
           [&]
           {
-            const auto lock = postpone_interruption();
+            const PostponedInterruption postponed;
             owned =
               std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
-            clean_up_on_interruption([folder = owned] { folder->remove_if_empty(); });
-            say_on_interruption([folder = owned->path(), n_cases = plan.cases.size()]
-                                { return interruption_message(folder, n_cases); });
+            postponed->clean_up = [folder = owned] { folder->remove_if_empty(); };
+            postponed->sentence = [folder = owned->path(), n_cases = plan.cases.size()]
+            { return interruption_message(folder, n_cases); };
             return owned->path().string();
           }))
   {
@@ -90,8 +90,8 @@ public:
   /// Removes the folder of the cases; to be called when the results are whole.
   void remove()
   {
-    const auto lock = postpone_interruption();
-    say_on_interruption({});
+    const PostponedInterruption postponed;
+    postponed->sentence = {};
     if (owned)
       owned->remove();
   }

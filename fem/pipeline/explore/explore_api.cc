@@ -2,8 +2,8 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/explore/explorer.h"
+#include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/support/numbers.h"
 #include "ring_model/no_balance.h"
 

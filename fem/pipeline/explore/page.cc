@@ -5,7 +5,6 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explorer.h"
 #include "fem/pipeline/explore/live_bodies.h"
-#include "fem/pipeline/study/prm_file.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/program.h"

@@ -10,7 +10,7 @@
 #include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/run_facts.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/study/measured_spin_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>

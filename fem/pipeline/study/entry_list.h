@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/waviness_text.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
@@ -66,6 +65,9 @@ inline Fact times_contact_radius(double least, double most)
 
 /// The path is that of a folder, which the program may make.
 inline const Fact of_a_folder = [](StudyEntry &entry) { entry.is_folder = true; };
+
+/// StudyEntry::follows_from_profile.
+inline const Fact follows_from_profile = [](StudyEntry &entry) { entry.follows_from_profile = true; };
 
 /// Collects the entries of one subsection after the other.
 class EntryList

@@ -1,10 +1,14 @@
 #include "fem/pipeline/study/presets.h"
 
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/folders.h"
 #include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text.h"
+#include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -20,6 +24,8 @@ namespace stemware::pipeline
 /// The files presets/*.prm that CMakeLists.txt names, compiled in.
 const CompiledTexts &glass_texts();
 const CompiledTexts &table_texts();
+
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -71,6 +77,16 @@ std::optional<std::string> meant_by(const std::string &word, const std::vector<P
   return likeliest(wanted, names);
 }
 
+/// Where the cookbooks are; empty where they are not installed.
+fs::path cookbook_folder()
+{
+  std::error_code error;
+  for (const fs::path &shared : shared_folders())
+    if (fs::is_directory(shared / "cookbooks", error))
+      return shared / "cookbooks";
+  return {};
+}
+
 } // namespace
 
 const std::vector<Preset> &glass_presets()
@@ -113,6 +129,45 @@ std::string new_study_text(const Preset &glass, const Preset &table, const std::
       "# Change what differs. Units as you like: 300 g, 30 mm, 70 GPa, 20 cm/s, 5 deg; a number alone is\n"
       "# in SI units. `stemware defaults` lists all other entries.\n\n{}\n{}"),
     glass.name, glass.words, table.name, table.words, file, glass.text, table.text);
+}
+
+std::vector<std::string> cookbook_names()
+{
+  std::vector<std::string> names;
+  if (const fs::path folder = cookbook_folder(); !folder.empty())
+    for (const std::string &name : names_in(folder))
+      if (fs::path(name).extension() == ".prm")
+        names.push_back(fs::path(name).stem());
+  return names;
+}
+
+std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &file)
+{
+  const fs::path folder = cookbook_folder();
+  std::string places;
+  for (const fs::path &shared : shared_folders())
+    places += (places.empty() ? "" : " nor ") + (shared / "cookbooks").string();
+  require(!folder.empty(),
+          "The cookbooks are not installed with this program: there is neither " + places + ".");
+  const std::vector<std::string> names = cookbook_names();
+  const auto meant = likeliest(name, names);
+  require(std::find(names.begin(), names.end(), name) != names.end(),
+          "\"" + shortened(name) + "\" is no cookbook" +
+            (meant ? "; did you mean " + *meant + "? There are " : "; there are ") +
+            boost::algorithm::join(names, ", ") + ".");
+
+  const fs::path study = folder / (name + ".prm");
+  std::vector<StudyPart> parts = { { file, read_text_file(study) } };
+  std::string &text = parts.front().text;
+  boost::replace_all(text, "docs/cookbooks/" + name + ".prm", file.filename().string());
+  for (const std::string &name_of_file : files_of(read_study(study)))
+  {
+    const fs::path read = name_of_file;
+    require_regular_file("The file " + read.string() + " of the cookbook " + name, read);
+    boost::replace_all(text, read.lexically_relative(folder).string(), read.filename().string());
+    parts.push_back({ file.parent_path() / read.filename(), read_text_file(read) });
+  }
+  return parts;
 }
 
 } // namespace stemware::pipeline

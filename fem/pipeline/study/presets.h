@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,5 +31,20 @@ const Preset &preset_of(const std::vector<Preset> &presets, const std::string &o
 /// A study file for that glass on that table: twelve entries with a comment each, and what else the presets
 /// set. @p file is the name that the comment at its top tells to run.
 std::string new_study_text(const Preset &glass, const Preset &table, const std::string &file);
+
+/// Names of the studies that come with the program, sorted; none where they are not installed.
+std::vector<std::string> cookbook_names();
+
+/// A file that belongs to a study.
+struct StudyPart
+{
+  std::filesystem::path file; ///< where it is to be written
+  std::string text;
+};
+
+/// The study of that cookbook as the file @p file, first, and the files that it reads, which belong beside
+/// it: the study names them so. Throws BadInput for a name that there is not, with those that there are, and
+/// where the cookbooks are not installed, with the folders in which they would be.
+std::vector<StudyPart> cookbook_parts(const std::string &name, const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

@@ -1,6 +1,6 @@
 #include "fem/pipeline/study/profile_file.h"
 
-#include "fem/pipeline/study/column_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 
@@ -24,15 +24,22 @@ std::string entry_of(const std::string &file)
   return "Glass/Profile file = " + shortened_path(file);
 }
 
-/// Lengths of a foot in m are below 1.
-void require_metres(const std::string &file, const std::vector<fem::SectionVertex> &points)
+/// The points of a drawn section in m. Lengths of a foot are below 1.
+std::vector<fem::SectionVertex> points_in(const std::string &file)
 {
-  for (const fem::SectionVertex &point : points)
+  std::vector<fem::SectionVertex> points;
+  for (const FileRow &row : read_column_file(
+         entry_of(file), file, { { { "r", "R", "radius" }, "m" }, { { "z", "Z", "height" }, "m" } }))
+  {
+    const double r = row.values[0], z = row.values[1];
     require(
-      std::abs(point.radius) < 1 && std::abs(point.height) < 1,
+      std::abs(r) < 1 && std::abs(z) < 1,
       fmt::format(FMT_STRING("{}, line {}: r = {} m, z = {} m is larger than any glass; these look like "
                              "millimetres: write \"r (mm), z (mm)\" as the first line."),
-                  entry_of(file), point.line, to_short_text(point.radius), to_short_text(point.height)));
+                  entry_of(file), row.line, to_short_text(r), to_short_text(z)));
+    points.push_back({ r, z, row.line });
+  }
+  return points;
 }
 
 /// Where a rim that no circle fits is lowest: the middle of what lies as low as its lowest point.
@@ -73,10 +80,11 @@ void fit_rim(const std::vector<fem::SectionVertex> &points, Study &study)
     is_given(study, crown_radius_entry, profile.crown_radius, fitted(&fem::RimCircle::crown_radius));
   require(
     circle || has_crown,
-    fmt::format(FMT_STRING("{}: no circle fits the points within half of Glass/Land width = {} m of the "
-                           "lowest one; draw at least three points of the rounded rim there, or give "
-                           "Glass/Crown radius (0 for a flat land)."),
-                entry_of(study.glass.profile_file), to_text(profile.land_width)));
+    fmt::format(
+      FMT_STRING(
+        "{}: no circle fits the points within half of Glass/Land width = {} m of the lowest one; draw at "
+        "least three points of the rounded rim there, or give Glass/Crown radius (0 for a flat land)."),
+      entry_of(study.glass.profile_file), to_text(profile.land_width)));
   if (!has_radius)
     profile.contact_radius = circle ? circle->contact_radius : lowest_radius(points);
   if (!has_crown)
@@ -101,21 +109,6 @@ std::string millimetres(double value, double error)
 
 } // namespace
 
-std::vector<fem::SectionVertex> read_profile_file(const std::string &file)
-{
-  std::vector<fem::SectionVertex> points;
-  for (const FileRow &row : read_column_file(
-         entry_of(file), file, { { { "r", "R", "radius" }, "m" }, { { "z", "Z", "height" }, "m" } }))
-    points.push_back({ row.values[0], row.values[1], row.line });
-  require_metres(file, points);
-  return points;
-}
-
-bool follows_from_profile(const std::string &path)
-{
-  return path == contact_radius_entry || path == crown_radius_entry;
-}
-
 void attach_profile(Study &study)
 {
   fem::GlassProfile &profile = study.glass.profile;
@@ -126,7 +119,7 @@ void attach_profile(Study &study)
   const std::string &file = study.glass.profile_file;
   require(!file.empty(), "Glass/Shape = profile needs Glass/Profile file; name a file with the points (r, z) "
                          "of the foot's section.");
-  const std::vector<fem::SectionVertex> points = read_profile_file(file);
+  const std::vector<fem::SectionVertex> points = points_in(file);
   try
   {
     profile.section = std::make_shared<fem::MeridianSection>(points);
@@ -159,9 +152,8 @@ std::string profile_note(const Study &study)
   if (circle.n_repeated > 0)
     note += fmt::format(FMT_STRING("; {} that stand twice count once"), circle.n_repeated);
   if (crown_is_open(circle))
-    note +=
-      "; the crown is not determined: more points, or Glass/Crown radius measured by other means, would "
-      "say more";
+    note += "; the crown is not determined: more points, or Glass/Crown radius measured by other means, "
+            "would say more";
   return note;
 }
 

@@ -4,12 +4,14 @@
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
+#include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -20,13 +22,10 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Exponents of kg, m, s, rad and byte.
-using Dimension = std::array<int, 5>;
-
 /// A unit in terms of those of SI: 10^decimal times factor.
 struct Unit
 {
-  Dimension dimension = {};
+  std::array<int, 5> dimension = {}; ///< exponents of kg, m, s, rad and byte
   int decimal = 0;
   double factor = 1;
 
@@ -39,35 +38,36 @@ struct Unit
   }
 };
 
-using Units = std::map<std::string, Unit>;
-namespace dimension
-{
-constexpr Dimension mass = { 1 }, length = { 0, 1 }, time = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
-                    memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
-}
-
-/// Units that take prefixes, and units that do not.
-const Units metric_units = { { "g", { dimension::mass, -3 } },  { "m", { dimension::length } },
-                             { "s", { dimension::time } },      { "N", { dimension::force } },
-                             { "Pa", { dimension::pressure } }, { "rad", { dimension::angle } },
-                             { "B", { dimension::memory } } };
-const Units other_units = {
-  { "byte", { dimension::memory } },
-  { "bytes", { dimension::memory } },
-  { "deg", { dimension::angle, 0, M_PI / 180 } },
-  { "degrees", { dimension::angle, 0, M_PI / 180 } },
-  { "°", { dimension::angle, 0, M_PI / 180 } },
-  { "min", { dimension::time, 0, 60 } },
-  { "h", { dimension::time, 2, 36 } },
-  { "inch", { dimension::length, -4, 254 } },
-  { "in", { dimension::length, -4, 254 } },
-  { "ft", { dimension::length, -4, 3048 } },
-  { "oz", { dimension::mass, -12, 28349523125. } },
-  { "lb", { dimension::mass, -8, 45359237 } },
-  { "bar", { dimension::pressure, 5 } },
-  { "%", { {}, -2 } },
-  { "1", {} },
+/// Units that take prefixes.
+const std::map<std::string, Unit> metric_units = {
+  { "g", { { 1 }, -3 } },        { "m", { { 0, 1 } } },       { "s", { { 0, 0, 1 } } },
+  { "N", { { 1, 1, -2 } } },     { "Pa", { { 1, -1, -2 } } }, { "rad", { { 0, 0, 0, 1 } } },
+  { "B", { { 0, 0, 0, 0, 1 } } }
 };
+
+/// A unit as 10^decimal times factor of another one.
+struct Multiple
+{
+  std::string unit;
+  int decimal = 0;
+  double factor = 1;
+};
+
+/// Units that take no prefixes.
+const std::map<std::string, Multiple> other_units = { { "byte", { "B" } },
+                                                      { "bytes", { "B" } },
+                                                      { "deg", { "rad", 0, M_PI / 180 } },
+                                                      { "degrees", { "rad", 0, M_PI / 180 } },
+                                                      { "°", { "rad", 0, M_PI / 180 } },
+                                                      { "min", { "s", 0, 60 } },
+                                                      { "h", { "s", 2, 36 } },
+                                                      { "inch", { "m", -4, 254 } },
+                                                      { "in", { "m", -4, 254 } },
+                                                      { "ft", { "m", -4, 3048 } },
+                                                      { "oz", { "kg", -12, 28349523125. } },
+                                                      { "lb", { "kg", -8, 45359237 } },
+                                                      { "bar", { "Pa", 5 } },
+                                                      { "%", { "1", -2 } } };
 const std::map<std::string, int> prefixes = {
   { "", 0 },   { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 },
   { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }
@@ -76,8 +76,15 @@ const std::map<std::string, int> prefixes = {
 /// "mm", "kg", "GPa", without an exponent.
 std::optional<Unit> parse_name(const std::string &name)
 {
-  if (const auto other = other_units.find(name); other != other_units.end())
-    return other->second;
+  if (name == "1")
+    return Unit();
+  if (const auto found = other_units.find(name); found != other_units.end())
+  {
+    Unit unit = *parse_name(found->second.unit);
+    unit.decimal += found->second.decimal;
+    unit.factor = found->second.factor;
+    return unit;
+  }
   for (const auto &[prefix, decimal] : prefixes)
     if (name.rfind(prefix, 0) == 0)
       if (const auto metric = metric_units.find(name.substr(prefix.size())); metric != metric_units.end())
@@ -97,14 +104,15 @@ std::optional<Unit> parse_unit(std::string text)
   bool is_whole = false; // begins and ends with a name
   for (std::string word; words >> word;)
   {
-    if (word == "/" && !is_whole)
-      return std::nullopt;
-    is_whole = word != "/";
-    if (!is_whole)
+    if (word == "/")
     {
+      if (!is_whole)
+        return std::nullopt;
+      is_whole = false;
       sign = -1;
       continue;
     }
+    is_whole = true;
     const auto end = word == "1" ? 1 : word.find_last_not_of("-0123456789") + 1;
     const bool has_mark = 0 < end && end < word.size() && word[end - 1] == '^';
     const auto unit = parse_name(word.substr(0, has_mark ? end - 1 : end));
@@ -139,13 +147,10 @@ Parts split_number(const std::string &whole)
 /// The decimal number times 10^decimal, rounded once.
 std::optional<double> shifted(const std::string &number, int decimal)
 {
-  const auto mark = number.find_first_of("eE");
+  const auto mark = std::min(number.find_first_of("eE"), number.size());
   int exponent = 0;
-  if (mark != std::string::npos)
-  {
-    const auto begin = mark + (number[mark + 1] == '+' ? 2 : 1);
-    std::from_chars(number.data() + begin, number.data() + number.size(), exponent);
-  }
+  if (mark < number.size())
+    boost::conversion::try_lexical_convert(number.substr(mark + 1), exponent);
   return parse_number(number.substr(0, mark) + "e" + std::to_string(exponent + decimal));
 }
 
@@ -176,10 +181,10 @@ const std::vector<Kind> kinds = {
   { "1", "a pure number", "0.3", { "%" } },
 };
 
-const Kind *kind_of(const Dimension &dimension)
+const Kind *kind_of(const Unit &unit)
 {
   for (const Kind &kind : kinds)
-    if (parse_unit(kind.unit)->dimension == dimension)
+    if (parse_unit(kind.unit)->dimension == unit.dimension)
       return &kind;
   return nullptr;
 }
@@ -192,11 +197,11 @@ Unit known_unit(const std::string &unit)
 /// " in kg, g, mg, oz or lb"; of a pure number ", also in %".
 std::string units_of(const Kind &kind)
 {
-  std::vector<std::string> units = { kind.unit };
-  units.insert(units.end(), kind.usual.begin(), kind.usual.end());
-  units.insert(units.end(), kind.further.begin(), kind.further.end());
   if (kind.unit == "1")
     return ", also in %";
+  std::vector<std::string> units = kind.usual;
+  units.insert(units.begin(), kind.unit);
+  units.insert(units.end(), kind.further.begin(), kind.further.end());
   return " in " + listed(units);
 }
 
@@ -237,7 +242,7 @@ std::string trouble_with_unit(const std::string &text, const std::string &unit)
   const Parts parts = split_number(text);
   if (parts.unit.empty())
     return "";
-  const Kind *needed = kind_of(known_unit(unit).dimension);
+  const Kind *needed = kind_of(known_unit(unit));
   const std::string name = needed ? needed->name : "a quantity in " + unit;
   const std::string example = needed ? ", such as " + needed->example : "";
   const std::string alone =
@@ -250,15 +255,64 @@ std::string trouble_with_unit(const std::string &text, const std::string &unit)
            (needed ? units_of(*needed) : "") + example + alone;
   if (given->dimension == known_unit(unit).dimension)
     return "";
-  const Kind *found = kind_of(given->dimension);
+  const Kind *found = kind_of(*given);
   return " is " + (found ? found->name : "a quantity of another kind") + ", but " + name + " is needed" +
          example + alone;
 }
 
 std::vector<std::string> usual_units(const std::string &unit)
 {
-  const Kind *kind = kind_of(known_unit(unit).dimension);
+  const Kind *kind = kind_of(known_unit(unit));
   return kind ? kind->usual : std::vector<std::string>();
+}
+
+namespace
+{
+
+/// "2: 5 um @ 20 deg"; the azimuth may be left out.
+std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
+{
+  const auto colon = text.find(':'), at = std::min(text.find('@'), text.size());
+  if (colon > at)
+    return std::nullopt;
+  const auto order = parse_count(text.substr(0, colon));
+  const auto amplitude = parse_quantity(text.substr(colon + 1, at - colon - 1), "m");
+  const auto azimuth = at < text.size() ? parse_quantity(text.substr(at + 1), "rad") : 0.;
+  constexpr double end_of_amplitudes = 1, end_of_azimuths = 1000;
+  if (!order || *order < 2 || !amplitude || !azimuth || !(std::abs(*amplitude) < end_of_amplitudes) ||
+      !(std::abs(*azimuth) < end_of_azimuths))
+    return std::nullopt;
+  return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
+}
+
+} // namespace
+
+const char *const waviness_words =
+  "harmonics \"n: amplitude @ azimuth\" (m, rad) separated by commas, such as 2: 5 um @ 20 deg, 3: 2e-6, "
+  "with n from 2 on (n = 0 is an offset and n = 1 a tilt, which the table's motions absorb) and amplitudes "
+  "below 1 m, or nothing";
+
+std::optional<Waviness> parse_waviness(const std::string &text)
+{
+  Waviness waviness;
+  std::vector<std::string> parts;
+  if (!boost::trim_copy(text).empty())
+    boost::split(parts, text, boost::is_any_of(","));
+  for (const std::string &part : parts)
+    if (const auto harmonic = parse_harmonic(part))
+      waviness.push_back(*harmonic);
+    else
+      return std::nullopt;
+  return waviness;
+}
+
+std::string waviness_text(const Waviness &waviness)
+{
+  std::string text;
+  for (const fem::WavinessHarmonic &harmonic : waviness)
+    text += (text.empty() ? "" : ", ") + std::to_string(harmonic.n) + ": " + to_text(harmonic.amplitude) +
+            (harmonic.azimuth == 0 ? "" : " @ " + to_text(harmonic.azimuth));
+  return text;
 }
 
 } // namespace stemware::pipeline

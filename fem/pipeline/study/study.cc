@@ -29,6 +29,16 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
+/// Whether a foot that friction bends shows in the pressure: the interface yields nothing by itself, and
+/// under it the table is rigid or has a hundredth of the foot's modulus at least. There leaving that friction
+/// out takes all of the harmonics' effect away; a table of a thousandth follows the bent foot.
+bool has_stiff_contact(const Study &study)
+{
+  const TableSection &table = study.table;
+  return table.is_hard() && (table.substrate == TableSubstrate::rigid ||
+                             table.disc_material.young_modulus >= study.glass.material.young_modulus / 100);
+}
+
 } // namespace
 
 fem::Table TableSection::make() const
@@ -93,21 +103,6 @@ double moment_ratio(const fem::Resultants &load, double contact_radius)
 {
   return std::hypot(load.moment_x, load.moment_y) / (load.normal_force * contact_radius / 2);
 }
-
-namespace
-{
-
-/// Whether a foot that friction bends shows in the pressure: the interface yields nothing by itself, and
-/// under it the table is rigid or has a hundredth of the foot's modulus at least. There leaving that friction
-/// out takes all of the harmonics' effect away; a table of a thousandth follows the bent foot.
-bool has_stiff_contact(const Study &study)
-{
-  const TableSection &table = study.table;
-  return table.is_hard() && (table.substrate == TableSubstrate::rigid ||
-                             table.disc_material.young_modulus >= study.glass.material.young_modulus / 100);
-}
-
-} // namespace
 
 std::string friction_note(const Study &study)
 {

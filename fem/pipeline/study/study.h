@@ -11,7 +11,7 @@
 #include "fem/geometry/meridian_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/rim_circle.h"
-#include "fem/pipeline/study/waviness_text.h"
+#include "fem/pipeline/study/quantity_text.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"

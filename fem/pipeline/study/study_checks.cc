@@ -1,8 +1,15 @@
-#include "fem/pipeline/study/study.h"
-#include "fem/pipeline/study/study_notes.h"
+#include "fem/pipeline/study/study_checks.h"
+
+#include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
+
+#include <boost/algorithm/string/join.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace stemware::pipeline
 {
@@ -10,7 +17,84 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Refuses studies that ask their body for what only the other of the two bodies can do.
+/// The entries that @p study was given and that have an effect, or those that have none.
+std::vector<StudyEntry> given_entries(Study &study, bool with_effect)
+{
+  std::vector<StudyEntry> given;
+  for (const StudyEntry &entry : study_entries(study))
+    if (study.given_entries.count(entry.path()) > 0 && entry.has_effect(study) == with_effect)
+      given.push_back(entry);
+  return given;
+}
+
+bool is_implausible(const StudyEntry &entry, double value)
+{
+  return entry.plausible && value != 0 && !entry.plausible->contains(value);
+}
+
+/// The entries that @p study was given, that have an effect, and whose values no glass on a table has.
+std::vector<StudyEntry> implausible_entries(Study &study)
+{
+  std::vector<StudyEntry> implausible;
+  for (const StudyEntry &entry : given_entries(study, true))
+    if (entry.quantity != nullptr && is_implausible(entry, *entry.quantity))
+      implausible.push_back(entry);
+  return implausible;
+}
+
+/// " m", empty for pure numbers.
+std::string unit_behind_number(const StudyEntry &entry)
+{
+  return entry.unit == "1" ? "" : ' ' + entry.unit;
+}
+
+/// "Motion/Mass = 300 kg"
+std::string assignment(const StudyEntry &entry, double value)
+{
+  return entry.path() + " = " + to_short_text(value) + unit_behind_number(entry);
+}
+
+/// "0.02 to 2 kg"
+std::string plausible_text(const StudyEntry &entry)
+{
+  return to_short_text(entry.plausible->least) + " to " + to_short_text(entry.plausible->most) +
+         unit_behind_number(entry);
+}
+
+/// Refuses a value that the study was given and that is more than a billion times outside its plausible
+/// range: no unit is meant there, and the computation would overflow.
+void require_conceivable(const Study &study)
+{
+  constexpr double far = 1e9;
+  Study copy = study;
+  for (const StudyEntry &entry : study_entries(copy))
+    if (entry.plausible && study.given_entries.count(entry.path()) > 0)
+    {
+      const auto [least, most] = *entry.plausible;
+      const double size = std::abs(*entry.quantity);
+      require(size <= far * std::max(std::abs(least), most) && (size == 0 || size >= least / far),
+              filled("{} is more than a billion times outside {}, {}; check number and unit.",
+                     { assignment(entry, *entry.quantity), plausible_text(entry), entry.plausible_reason }));
+    }
+}
+
+/// Refuses a length that no glass or table has beside its contact radius (StudyEntry::times_contact_radius),
+/// where it has an effect.
+void require_alike_lengths(const Study &study)
+{
+  const double radius = study.glass.profile.contact_radius;
+  Study copy = study;
+  for (const StudyEntry &entry : study_entries(copy))
+    if (const auto &range = entry.times_contact_radius; range && entry.has_effect(study))
+      require(range->contains(*entry.quantity / radius),
+              filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
+                     "both in one unit.",
+                     { entry.path(), to_text(*entry.quantity), to_short_text(*entry.quantity / radius),
+                       to_text(radius), to_text(range->least), to_text(range->most) }));
+}
+
+/// Refuses studies that ask their body for what only the other of the two bodies can do, or for more load
+/// harmonics than its lines resolve, which takes more than two lines for each wave.
 void require_able_body(const Study &study)
 {
   const ContactSection &contact = study.contact;
@@ -23,6 +107,11 @@ void require_able_body(const Study &study)
             " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
   require(can.stands_on_elastic_disc || !study.table.make().substrate,
           "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
+  require(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
+          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
+                 "lines, or fewer load harmonics.",
+                 { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
+                   std::to_string(contact.azimuth_lines) }));
 }
 
 /// A mat that is far stiffer than the glass is a hard table, but for rounding.
@@ -33,22 +122,10 @@ void require_mat_that_yields(const Study &study)
   if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
     require(
       study.table.foundation_modulus <= most * of_glass,
-      filled(
-        "Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, but "
-        "at most {} is allowed; write Table/Interface = hard for a table that does not yield.",
-        { to_text(study.table.foundation_modulus), to_short_text(study.table.foundation_modulus / of_glass),
-          to_text(most) }));
-}
-
-/// The lines resolve a load harmonic by more than two lines for each of its waves.
-void require_resolved_load(const ContactSection &contact)
-{
-  require(!abilities(contact.body).is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
-          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
-                 "lines, or fewer "
-                 "load harmonics.",
-                 { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
-                   std::to_string(contact.azimuth_lines) }));
+      filled("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, "
+             "but at most {} is allowed; write Table/Interface = hard for a table that does not yield.",
+             { to_text(study.table.foundation_modulus),
+               to_short_text(study.table.foundation_modulus / of_glass), to_text(most) }));
 }
 
 /// The error of a goal is estimated for feet that are flat, on finer elements.
@@ -87,14 +164,22 @@ void require_load_file(const LoadSection &load)
             " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
+/// Entries that put rim or table out of flat, where they do.
+std::vector<std::pair<std::string, Waviness>> wavy_entries(const Study &study)
+{
+  std::vector<std::pair<std::string, Waviness>> wavy = { { "Glass/Rim waviness", study.glass.waviness },
+                                                         { "Table/Waviness", study.table.waviness } };
+  const auto is_flat = [](const auto &entry) { return entry.second.empty(); };
+  wavy.erase(std::remove_if(wavy.begin(), wavy.end(), is_flat), wavy.end());
+  return wavy;
+}
+
 /// An out-of-flat rim or table needs a body whose gap can turn, a contact to feel it, and a response fine
 /// enough.
 void require_known_waviness(const Study &study)
 {
-  const auto check = [&](const std::string &entry, const Waviness &waviness)
+  for (const auto &[entry, waviness] : wavy_entries(study))
   {
-    if (waviness.empty())
-      return;
     require(abilities(study.contact.body).is_of_revolution,
             entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
               " empty and draw the foot in a mesh file.");
@@ -106,9 +191,7 @@ void require_known_waviness(const Study &study)
         filled(
           "{} has a harmonic n = {}, but the foot answers to {}; give at least as many Contact/Harmonics.",
           { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
-  };
-  check("Glass/Rim waviness", study.glass.waviness);
-  check("Table/Waviness", study.table.waviness);
+  }
 }
 
 /// Speeds from a file reach as far as the spin-up, whose load is one that follows them.
@@ -136,8 +219,8 @@ void require_known_speeds(const Study &study)
           needs + "friction with one coefficient; set Motion/Friction law = Coulomb.");
   require(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
           needs + "a body of revolution; set Contact/Body = revolution.");
-  require(!study.has_waviness(), needs + "a flat rim on a flat table; leave Glass/Rim waviness and "
-                                         "Table/Waviness empty.");
+  require(!study.has_waviness(),
+          needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");
 }
 
 } // namespace
@@ -149,7 +232,6 @@ void check_values(const Study &study)
   require_known_waviness(study);
   require_alike_lengths(study);
   require_mat_that_yields(study);
-  require_resolved_load(study.contact);
   require_goal_with_estimate(study);
   require_load_file(study.load);
   try
@@ -171,15 +253,64 @@ void check_values(const Study &study)
 
 void require_flat(const Study &study, const std::string &verb)
 {
-  const auto check = [&](const std::string &entry, const Waviness &waviness)
-  {
-    require(waviness.empty(), filled("{} makes the load depend on the yaw angle, which stemware {} does not "
-                                     "follow; leave it empty, or see "
-                                     "the truncations and closures of stemware run.",
-                                     { entry, verb }));
-  };
-  check("Glass/Rim waviness", study.glass.waviness);
-  check("Table/Waviness", study.table.waviness);
+  for (const auto &[entry, waviness] : wavy_entries(study))
+    throw BadInput(filled("{} makes the load depend on the yaw angle, which stemware {} does not follow; "
+                          "leave it empty, or see the truncations and closures of stemware run.",
+                          { entry, verb }));
+}
+
+std::vector<std::string> idle_entries(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> idle;
+  for (const StudyEntry &entry : given_entries(copy, false))
+    idle.push_back(entry.path());
+  return idle;
+}
+
+std::string idle_note(const std::vector<std::string> &entries)
+{
+  return entries.empty() ? ""
+                         : boost::join(entries, ", ") + (entries.size() == 1 ? " has" : " have") +
+                             " no effect in this study.";
+}
+
+std::string implausible_note(const std::string &path, double value)
+{
+  const StudyEntry entry = find_entry("", path);
+  if (!is_implausible(entry, value))
+    return "";
+  const std::string number = to_short_text(value);
+  std::string advice = "check number and unit";
+  const std::vector<std::string> units = usual_units(entry.unit);
+  const auto meant = std::find_if(units.begin(), units.end(),
+                                  [&](const std::string &unit)
+                                  {
+                                    const auto other = parse_quantity(number + ' ' + unit, entry.unit);
+                                    return other && entry.plausible->contains(*other);
+                                  });
+  if (meant != units.end())
+    advice = "write " + number + ' ' + *meant + " if that is meant";
+  return filled("{} is outside {} for a glass; {}.",
+                { assignment(entry, value), plausible_text(entry), advice });
+}
+
+std::vector<std::string> implausible_notes(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> notes;
+  for (const StudyEntry &entry : implausible_entries(copy))
+    notes.push_back(implausible_note(entry.path(), *entry.quantity));
+  return notes;
+}
+
+std::string implausible_list(const Study &study)
+{
+  Study copy = study;
+  std::vector<std::string> list;
+  for (const StudyEntry &entry : implausible_entries(copy))
+    list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
+  return boost::join(list, ", ");
 }
 
 } // namespace stemware::pipeline

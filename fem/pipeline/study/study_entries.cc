@@ -80,17 +80,14 @@ void add_motion(EntryList &list, MotionSection &motion)
               { times_contact_radius(0.01, 1e5), plausible(0.01, 2, "fingers to a whole arm") });
   list.number("Orbit speed", motion.orbit.orbit_speed, positive, "m/s", "Speed along that circle",
               { plausible(0.01, 3, "hardly moving to as fast as a hand can lead") });
-  list.path(
-    "Orbit speed file", motion.orbit_speed_file,
-    "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v (m/s)\" "
-    "(other units too) and a row for each time, from 0 to End time at least. All else belongs to Orbit "
-    "speed. A relative "
-    "path starts at the study file");
-  list.path(
-    "Measured spin file", motion.measured_spin_file,
-    "Spins of a real glass, to be drawn beside the spin-up; nothing is fitted to them. A CSV file with the "
-    "header \"t (s), omega (rad/s)\" (other units too) and a row for each point, clockwise negative. A "
-    "relative path starts at the study file");
+  list.path("Orbit speed file", motion.orbit_speed_file,
+            "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v "
+            "(m/s)\" (other units too) and a row for each time, from 0 to End time at least. All else "
+            "belongs to Orbit speed. A relative path starts at the study file");
+  list.path("Measured spin file", motion.measured_spin_file,
+            "Spins of a real glass, to be drawn beside the spin-up; nothing is fitted to them. A CSV file "
+            "with the header \"t (s), omega (rad/s)\" (other units too) and a row for each point, clockwise "
+            "negative. A relative path starts at the study file");
   list.choice(
     "Orbit sense", motion.orbit.orbit_sense,
     { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },
@@ -101,9 +98,9 @@ void add_motion(EntryList &list, MotionSection &motion)
   list.choice(
     "Friction law", motion.orbit.friction_law,
     { { "Coulomb", ring::FrictionLawKind::coulomb }, { "Stribeck", ring::FrictionLawKind::stribeck } },
-    "How friction depends on the slip speed s of each place. Coulomb: not at all; Stribeck: "
-    "mu_k + (mu_s - mu_k) exp(-(s/v_s)^2) + c s with the kinetic coefficient mu_k in Friction "
-    "coefficient and the three entries below");
+    "How friction depends on the slip speed s of each place. Coulomb: not at all; Stribeck: mu_k + (mu_s - "
+    "mu_k) exp(-(s/v_s)^2) + c s with the kinetic coefficient mu_k in Friction coefficient and the three "
+    "entries below");
   list.number("Static friction coefficient", motion.orbit.static_coefficient, positive, "",
               "mu_s of Stribeck's law, in the limit of no slip",
               { used_if(is_stribeck), plausible(0.02, 2, "wet and soapy to clean rubber") });
@@ -115,22 +112,20 @@ void add_motion(EntryList &list, MotionSection &motion)
               { used_if(is_stribeck), plausible(0, 10, "dry to a thick film of syrup") });
   list.number("Gravity", motion.orbit.gravity, positive, "m/s^2", "Acceleration of free fall",
               { plausible(1, 30, "the Moon (1.6) to Jupiter (25)") });
-  list.choice("Closure", motion.closure,
-              { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },
-              "Which moments the table's pressure has to balance. paper: the centripetal part of the hand's "
-              "force only; hand: the whole force of the hand; full: also the moment of the friction about "
-              "the centre of mass",
-              { used_if(has_balance) });
   list.choice(
-    "Tilt", motion.tilt, { { "included", true }, { "neglected", false } },
-    "Whether the lean of the glass on its foot shifts the centre of mass in the balance of moments. "
-    "Acts in the closure full, on a contact whose moment is not given",
-    { used_if(may_tilt) });
-  list.number(
-    "Grip torque", motion.grip_torque, not_negative, "N m",
-    "Friction of the fingers on the stem, against the spin: at most the friction coefficient of the "
-    "fingers times the hand's force times the stem's radius; 0: the stem slips through without",
-    { plausible(0, 0.1, "no grip to 10 N of fingers on a stem of 1 cm") });
+    "Closure", motion.closure,
+    { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },
+    "Which moments the table's pressure has to balance. paper: the centripetal part of the hand's force "
+    "only; hand: the whole force of the hand; full: also the moment of the friction about the centre of mass",
+    { used_if(has_balance) });
+  list.choice("Tilt", motion.tilt, { { "included", true }, { "neglected", false } },
+              "Whether the lean of the glass on its foot shifts the centre of mass in the balance of "
+              "moments. Acts in the closure full, on a contact whose moment is not given",
+              { used_if(may_tilt) });
+  list.number("Grip torque", motion.grip_torque, not_negative, "N m",
+              "Friction of the fingers on the stem, against the spin: at most the friction coefficient of "
+              "the fingers times the hand's force times the stem's radius; 0: the stem slips through without",
+              { plausible(0, 0.1, "no grip to 10 N of fingers on a stem of 1 cm") });
   list.number("End time", motion.end_time, positive, "s", "How long the spin-up is followed",
               { plausible(0.01, 1000, "a hundredth of a second to a quarter of an hour") });
   list.number("Euler step", motion.euler_step, positive, "s",
@@ -151,16 +146,16 @@ void add_glass(EntryList &list, GlassSection &glass)
     "foot: the foot of a wine glass, concave below, tapering to its edge, rounded into the stem; profile: "
     "the points in Profile file",
     { used_if(is_generated) });
-  list.path("Profile file", glass.profile_file,
-            "Points (r, z) of the section's outline for Shape = profile, a CSV file (in m, or with the "
-            "header \"r (mm), z (mm)\"): from the axis "
-            "under the foot along the underside, round the edge, over the top and up the stem to the axis in "
-            "its cut. A contact radius or crown radius that the study does not give follows from the points "
-            "of the land. A relative path starts at the study file",
-            { used_if(is_drawn) });
-  list.number("Contact radius", profile.contact_radius, positive, "m",
-              "Radius R of the rim that stands on the table",
-              { used_if(always), plausible(0.005, 0.1, "a liqueur glass to a carafe") });
+  list.path(
+    "Profile file", glass.profile_file,
+    "Points (r, z) of the section's outline for Shape = profile, a CSV file (in m, or with the header \"r "
+    "(mm), z (mm)\"): from the axis under the foot along the underside, round the edge, over the top and up "
+    "the stem to the axis in its cut. A contact radius or crown radius that the study does not give follows "
+    "from the points of the land. A relative path starts at the study file",
+    { used_if(is_drawn) });
+  list.number(
+    "Contact radius", profile.contact_radius, positive, "m", "Radius R of the rim that stands on the table",
+    { used_if(always), follows_from_profile, plausible(0.005, 0.1, "a liqueur glass to a carafe") });
   list.number("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot",
               { used_if(is_step_or_foot), times_contact_radius(smallest, largest),
                 plausible(0.006, 0.12, "a liqueur glass to a carafe") });
@@ -178,7 +173,8 @@ void add_glass(EntryList &list, GlassSection &glass)
                 plausible(1e-5, 0.02, "a polished to a deep ring") });
   list.number("Crown radius", profile.crown_radius, not_negative, "m",
               "Radius of the rim's rounding, seen in a cut through the axis; 0 means a flat land",
-              { plausible(1e-4, 0.2, "a ground edge to a rim that is nearly flat; 0 is a flat land") });
+              { follows_from_profile,
+                plausible(1e-4, 0.2, "a ground edge to a rim that is nearly flat; 0 is a flat land") });
   list.number("Underside rise", profile.underside_rise, not_negative, "m",
               "Height of the underside of a foot on the axis, above the land; without effect on a step",
               { used_if(is_foot), plausible(0, 0.03, "flat to a deep kick") });
@@ -210,25 +206,24 @@ void add_glass(EntryList &list, GlassSection &glass)
 void add_table(EntryList &list, TableSection &table)
 {
   list.enter("Table", has_contact);
-  list.choice("Interface", table.interface,
-              { { "hard", TableInterface::hard },
-                { "Winkler", TableInterface::winkler },
-                { "rough", TableInterface::rough } },
-              "How foot and table touch. hard: without penetration; Winkler: pressure proportional to the "
-              "penetration, a layer much thinner than the contact is wide; rough: asperities, pressure "
-              "exponential in the distance");
   list.choice(
-    "Substrate", table.substrate,
-    { { "rigid", TableSubstrate::rigid }, { "elastic", TableSubstrate::elastic } },
-    "What lies under the interface. elastic: a disc of a material of its own, held at its bottom: a "
-    "table top, or a layer of cork (body of revolution only)");
+    "Interface", table.interface,
+    { { "hard", TableInterface::hard },
+      { "Winkler", TableInterface::winkler },
+      { "rough", TableInterface::rough } },
+    "How foot and table touch. hard: without penetration; Winkler: pressure proportional to the penetration, "
+    "a layer much thinner than the contact is wide; rough: asperities, pressure exponential in the distance");
+  list.choice("Substrate", table.substrate,
+              { { "rigid", TableSubstrate::rigid }, { "elastic", TableSubstrate::elastic } },
+              "What lies under the interface. elastic: a disc of a material of its own, held at its bottom: "
+              "a table top, or a layer of cork (body of revolution only)");
   list.number("Foundation modulus", table.foundation_modulus, positive, "Pa/m",
               "Pressure of a Winkler interface per depth of penetration",
               { used_if(is_winkler), plausible(1e7, 1e14, "5 cm of foam to a micrometre of dirt") });
   list.number(
     "Layer thickness", table.layer_thickness, not_negative, "m",
-    "Thickness of the layer that a Winkler interface stands for, 0 where it stands for none. Changes "
-    "no result: it lets the study say where the contact is too narrow for such an interface",
+    "Thickness of the layer that a Winkler interface stands for, 0 where it stands for none. Changes no "
+    "result: it lets the study say where the contact is too narrow for such an interface",
     { used_if(is_winkler), plausible(0, 0.1, "a film to a cushion") });
   list.number("Reference pressure", table.roughness.reference_pressure, positive, "Pa",
               "Pressure of a rough interface where the mean planes of the two surfaces touch",
@@ -260,23 +255,21 @@ void add_contact(EntryList &list, ContactSection &contact)
 {
   using fem::LinearSolver;
   list.enter("Contact", has_contact);
-  list.choice("Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
-              "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of "
-              "revolution: fast, and the way to elastic tables; solid: the foot in three-dimensional finite "
-              "elements, for any mesh");
+  list.choice(
+    "Body", contact.body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
+    "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of revolution: fast, "
+    "and the way to elastic tables; solid: the foot in three-dimensional finite elements, for any mesh");
   list.path("Mesh file", contact.mesh_file,
             "Mesh of the foot (.msh, .inp or .vtu, hexahedra), which then also gives its shape; empty: "
-            "generated from "
-            "the subsection Glass. A relative path starts at the study file");
+            "generated from the subsection Glass. A relative path starts at the study file");
   list.count("Mesh contact id", contact.mesh_marks.contact_id, 1, 65000,
              "Id of the faces of the mesh file that may touch the table", { used_if(has_mesh_file) });
   list.count("Mesh stem id", contact.mesh_marks.stem_id, 1, 65000,
              "Id of the faces of the mesh file where the stem was cut", { used_if(has_mesh_file) });
-  list.number(
-    "Mesh contact height", contact.mesh_marks.contact_height, not_negative, "m",
-    "All faces of the mesh file that look down and lie at most this high above its lowest point may "
-    "touch the table, whatever their ids; 0: those of the id",
-    { used_if(has_mesh_file) });
+  list.number("Mesh contact height", contact.mesh_marks.contact_height, not_negative, "m",
+              "All faces of the mesh file that look down and lie at most this high above its lowest point "
+              "may touch the table, whatever their ids; 0: those of the id",
+              { used_if(has_mesh_file) });
   list.count("Degree", contact.degree, 1, 4,
              "Polynomial degree of the elements: 1 or 2 for a solid body, 1 to 4 for a body of revolution");
   list.count("Azimuthal cells", contact.resolution.azimuthal_cells, 8, 2000,
@@ -287,10 +280,9 @@ void add_contact(EntryList &list, ContactSection &contact)
   list.count("Foot layers", contact.resolution.foot_layers, 1, 100,
              "Cells through the thickness of the foot of the generated mesh of a solid body",
              { used_if(is_generated_solid) });
-  list.count(
-    "Refinements", contact.refinements, 0, 6,
-    "Halvings of every cell of the mesh with these counts; the way to a large solid body, which is then "
-    "solved by multigrid over the meshes between");
+  list.count("Refinements", contact.refinements, 0, 6,
+             "Halvings of every cell of the mesh with these counts; the way to a large solid body, which is "
+             "then solved by multigrid over the meshes between");
   list.number("Land grading", contact.land_grading,
               { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
               "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
@@ -308,17 +300,15 @@ void add_contact(EntryList &list, ContactSection &contact)
              "Azimuths at which a body of revolution meets the table, more than twice the harmonics; without "
              "effect on a solid body",
              { used_if(is_of_revolution) });
-  list.count(
-    "Rings", contact.rings, 1, most_rings,
-    "Circles that take the pressure over, with all its radial moments below that number; 1: one ring "
-    "of the radius that the moment asks for. More than 25 would magnify rounding");
+  list.count("Rings", contact.rings, 1, most_rings,
+             "Circles that take the pressure over, with all its radial moments below that number; 1: one "
+             "ring of the radius that the moment asks for. More than 25 would magnify rounding");
   list.count("Load harmonics", contact.load_harmonics, 0, 1000,
              "Harmonics of each ring's load; 0: as many as the lines resolve and the torque asks for");
-  list.choice(
-    "Friction coupling", contact.friction_coupling,
-    { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
-    "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction does not act "
-    "back on the pressure");
+  list.choice("Friction coupling", contact.friction_coupling,
+              { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
+              "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction "
+              "does not act back on the pressure");
   list.choice("Goal", contact.goal,
               { { "none", Goal::none },
                 { "terminal spin", Goal::terminal_spin },
@@ -327,12 +317,11 @@ void add_contact(EntryList &list, ContactSection &contact)
               "What the cells that matter are halved for (torque: at half the terminal spin)");
   list.number("Goal tolerance", contact.goal_tolerance, positive, "",
               "Error left of the goal, over its value");
-  list.path(
-    "Checkpoint folder", contact.checkpoint_folder,
-    "Folder for the state of a long contact solve of a refined solid body, kept after each Newton step: "
-    "the same study goes on from there when it was killed; empty: none. The state of another study is kept "
-    "and said. A relative path starts at the study file",
-    { used_if(is_solid), of_a_folder });
+  list.path("Checkpoint folder", contact.checkpoint_folder,
+            "Folder for the state of a long contact solve of a refined solid body, kept after each Newton "
+            "step: the same study goes on from there when it was killed; empty: none. The state of another "
+            "study is kept and said. A relative path starts at the study file",
+            { used_if(is_solid), of_a_folder });
   list.number("Memory limit", contact.memory_limit, positive, "B", "More is refused before the work");
 }
 
@@ -345,12 +334,11 @@ void add_load(EntryList &list, LoadSection &load)
                 { "file", LoadSource::file } },
               "contact: the finite-element contact; first harmonic: the paper's ansatz, in balance with the "
               "closure at every spin; file: Fourier coefficients from a file");
-  list.choice("Coupling", load.coupling,
-              { { "two-way", LoadCoupling::two_way }, { "one-way", LoadCoupling::one_way } },
-              "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the "
-              "glass that does not spin yet is kept at every spin, as a given moment and a load from a file "
-              "are by nature",
-              { used_if(is_balanced_contact) });
+  list.choice(
+    "Coupling", load.coupling, { { "two-way", LoadCoupling::two_way }, { "one-way", LoadCoupling::one_way } },
+    "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the glass "
+    "that does not spin yet is kept at every spin, as a given moment and a load from a file are by nature",
+    { used_if(is_balanced_contact) });
   list.number("Moment ratio", load.moment_ratio, not_tipping, "",
               "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
               "moment. The foot tips at 2");
@@ -432,6 +420,15 @@ std::vector<StudyEntry> study_entries(Study &study)
   add_contact(list, study.contact);
   add_load(list, study.load);
   return list.entries;
+}
+
+std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries)
+{
+  std::vector<std::string> sections;
+  for (const StudyEntry &entry : entries)
+    if (sections.empty() || sections.back() != entry.section)
+      sections.push_back(entry.section);
+  return sections;
 }
 
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,

@@ -34,6 +34,7 @@ struct StudyEntry
   double *quantity = nullptr;        ///< where the entry takes any number, not only whole ones: its value
   std::string *path_value = nullptr; ///< where the entry is a path: its value
   bool is_folder = false;            ///< the path is that of a folder, and not of a file to read
+  bool follows_from_profile = false; ///< from the points of a drawn section, where it is not given
   Condition has_effect = nullptr;    ///< whether a result of the study depends on the entry
   /// Values that a glass on a table has; with others a study is computed too, after a warning. docs/values.md
   /// shows them as a table.
@@ -53,6 +54,9 @@ struct StudyEntry
 /// All entries of @p study in the order of the study file. They refer to the study, which must outlive them
 /// and remembers those that are assigned.
 std::vector<StudyEntry> study_entries(Study &study);
+
+/// Names of their sections, in that order.
+std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 
 /// The entry of that path; throws BadInput, with a suggestion, where there is none. @p origin begins the
 /// sentence: where the path comes from.

@@ -1,19 +1,18 @@
 #include "fem/pipeline/study/study_file.h"
 
-#include "fem/pipeline/study/cookbooks.h"
-#include "fem/pipeline/study/load_file.h"
-#include "fem/pipeline/study/measured_spin_file.h"
-#include "fem/pipeline/study/orbit_speed_file.h"
-#include "fem/pipeline/study/prm_file.h"
+#include "fem/pipeline/study/data_files.h"
+#include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -22,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 namespace stemware::pipeline
 {
@@ -40,9 +40,8 @@ std::string beginning_of(std::istream &stream)
   return text;
 }
 
-/// The bytes of the study file @p file. Throws BadInput, with a sentence that begins with @p the_file, for
-/// what is no such file.
-std::string contents(const std::string &the_file, const std::filesystem::path &file)
+/// Refuses, with a sentence that begins with @p the_file, what is no study file by its name.
+void require_study_file(const std::string &the_file, const std::filesystem::path &file)
 {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -59,26 +58,54 @@ std::string contents(const std::string &the_file, const std::filesystem::path &f
           the_file + " is not a file; give the path of a .prm file.");
   require(file.extension() == ".prm" || file.extension() == ".json",
           the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
-  std::ifstream stream(file);
-  const std::string text = beginning_of(stream);
-  require(stream.eof() || text.size() > longest_study, the_file + " cannot be read; check its permissions.");
+}
+
+/// The text of the study file @p file, of standard input for "-". Throws BadInput, with a sentence that
+/// begins with @p the_file, for what is no text of a study.
+std::string text_of_study(const std::string &the_file, const std::string &file)
+{
+  std::string bytes;
+  if (file == "-") // which only the first rank has
+    bytes = from_first_rank([] { return beginning_of(std::cin); });
+  else
+  {
+    require_study_file(the_file, file);
+    std::ifstream stream(file);
+    bytes = beginning_of(stream);
+    require(stream.eof() || bytes.size() > longest_study,
+            the_file + " cannot be read; check its permissions.");
+  }
+  const std::string text = without_byte_order_mark(the_file, bytes);
+  require(text.size() <= longest_study,
+          the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
+  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
+  require(std::none_of(text.begin(), text.end(), is_control),
+          the_file + " is not a text file; give the path of a .prm or .json file.");
+  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
+          the_file +
+            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
   return text;
 }
 
-/// @p bytes as text, once it is known to be that of a study; @p origin begins the sentence.
-std::string checked_text(const std::string &origin, const std::string &bytes)
+/// The lines of @p text that hold anything, by the number of the first that they begin on: without comments
+/// and blanks at their ends, and with those that a backslash continues.
+std::map<unsigned int, std::string> whole_lines(const std::string &text)
 {
-  const std::string text = without_byte_order_mark(origin, bytes);
-  require(text.size() <= longest_study, origin +
-                                          " is longer than 1 MB; give a study file, which has a line for "
-                                          "each entry.");
-  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
-  require(std::none_of(text.begin(), text.end(), is_control),
-          origin + " is not a text file; give the path of a .prm or .json file.");
-  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
-          origin +
-            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
-  return text;
+  std::map<unsigned int, std::string> lines;
+  std::istringstream stream(text);
+  unsigned int number = 0, first = 1;
+  for (std::string line; std::getline(stream, line);)
+  {
+    ++number;
+    boost::trim(line);
+    const bool goes_on = !line.empty() && line.back() == '\\';
+    lines[first] += goes_on ? line.substr(0, line.size() - 1) : line;
+    if (!goes_on)
+      first = number + 1;
+  }
+  for (auto &[begin, line] : lines)
+    line = boost::trim_copy(line.substr(0, line.find('#')));
+  return lines;
 }
 
 void read_json(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
@@ -116,6 +143,31 @@ void apply(const std::vector<std::string> &overrides, const std::vector<StudyEnt
   }
 }
 
+/// The entries as a .prm file with their present values; with @p comments also their help and what they take.
+std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
+{
+  std::map<std::string, std::size_t> width; // of the names of a section
+  for (const StudyEntry &entry : entries)
+    width[entry.section] = std::max(width[entry.section], entry.name.size());
+  const std::string end = comments ? "end\n\n" : "end\n";
+  std::string text, section;
+  for (const StudyEntry &entry : entries)
+  {
+    const bool begins = entry.section != section;
+    if (begins)
+      text += (section.empty() ? "" : end) + "subsection " + entry.section + '\n';
+    section = entry.section;
+    if (comments)
+      text += (begins ? "" : "\n") +
+              boost::replace_all_copy(
+                "\n" + wrapped(entry.help + ". Allowed: " + entry.allowed + ".", "", 74), "\n", "\n  # ")
+                .substr(1) +
+              '\n';
+    text += fmt::format(FMT_STRING("  set {:<{}} = {}\n"), entry.name, width[section], entry.text());
+  }
+  return text + end;
+}
+
 /// A file that states every entry, as `stemware defaults` and folders of results do, is taken to give those
 /// that differ from their defaults. What a drawn section would be asked for stays given: a study is run again
 /// with the values that it was run with.
@@ -127,7 +179,7 @@ void forget_stated_defaults(Study &study)
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
     if (own[i].text() == standard[i].text() &&
-        !(study.glass.profile.shape == fem::GlassShape::profile && follows_from_profile(own[i].path())))
+        !(study.glass.profile.shape == fem::GlassShape::profile && own[i].follows_from_profile))
       study.given_entries.erase(own[i].path());
 }
 
@@ -141,7 +193,74 @@ std::vector<std::string *> paths_of(Study &study, bool folders)
   return paths;
 }
 
+/// Gives the study what is in the files that it names, and checks it.
+void read_files_and_check(Study &study)
+{
+  attach_profile(study);
+  const std::string &speeds = study.motion.orbit_speed_file;
+  study.motion.orbit_speeds.reset();
+  if (!speeds.empty())
+    study.motion.orbit_speeds = std::make_shared<const ring::OrbitSpeedTable>(read_orbit_speed_file(speeds));
+  check_study(study);
+  study.load.from_file.reset();
+  if (study.load.source == LoadSource::file)
+    study.load.from_file = std::make_shared<const ring::RingStack>(read_load_file(study.load.file));
+}
+
 } // namespace
+
+void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries)
+{
+  const std::string one_end = "write one \"end\" for each \"subsection\".";
+  const std::vector<std::string> known = sections_of(entries);
+  const auto place = [&](unsigned int line)
+  { return fmt::format(FMT_STRING("{}, line {}: "), shortened_path(file), line); };
+  std::string section;                         // empty outside of all
+  unsigned int section_line = 0;               // where it begins
+  std::map<std::string, unsigned int> line_of; // by path of the entry
+  for (const auto &[number, line] : whole_lines(text))
+  {
+    const std::string where = place(number), word = line.substr(0, line.find_first_of(" \t")),
+                      rest = boost::trim_copy(line.substr(word.size()));
+    if (line.empty())
+      continue;
+    if (boost::iequals(word, "subsection") && !rest.empty())
+    {
+      require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),
+                                           where, section, section_line, one_end));
+      require(std::find(known.begin(), known.end(), rest) != known.end(),
+              fmt::format(FMT_STRING("{}there is no subsection \"{}\"; use {}."), where, shortened(rest),
+                          listed(known)));
+      section = rest;
+      section_line = number;
+    }
+    else if (boost::iequals(word, "set"))
+    {
+      const auto equal_sign = rest.find('=');
+      require(equal_sign != std::string::npos,
+              where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
+      const std::string path =
+        (section.empty() ? "" : section + '/') + boost::trim_copy(rest.substr(0, equal_sign));
+      const auto [before, is_first] = line_of.emplace(path, number);
+      require(is_first,
+              fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."), where,
+                          path, before->second));
+      assign(entries, where, path, boost::trim_copy(rest.substr(equal_sign + 1)));
+    }
+    else if (boost::iequals(line, "end"))
+    {
+      require(!section.empty(), where + "an \"end\" has no \"subsection\" above it; " + one_end);
+      section.clear();
+    }
+    else
+      throw BadInput(fmt::format(
+        FMT_STRING(
+          "{}\"{}\" is not a line of a study file; write subsection NAME, set ENTRY = VALUE, or end."),
+        where, shortened(line)));
+  }
+  require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} is not closed; {}"),
+                                       place(section_line), section, one_end));
+}
 
 void check_study(const Study &study)
 {
@@ -163,13 +282,10 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   const std::vector<StudyEntry> entries = study_entries(study);
   if (!file.empty())
   {
-    const bool is_stream = file == "-"; // which only the first rank has
+    const bool is_stream = file == "-";
     const std::string origin = is_stream ? "standard input" : file;
-    const std::string the_file =
-      is_stream ? "The study on standard input" : "The study file " + shortened_path(file);
-    const std::string text =
-      checked_text(the_file, is_stream ? from_first_rank([] { return beginning_of(std::cin); })
-                                       : contents(the_file, file));
+    const std::string text = text_of_study(
+      is_stream ? "The study on standard input" : "The study file " + shortened_path(file), file);
     const bool is_json = is_stream ? text[text.find_first_not_of(" \t\r\n")] == '{'
                                    : std::filesystem::path(file).extension() == ".json";
     is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
@@ -178,10 +294,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
   for (std::string *path : paths_of(study, true))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
-  attach_profile(study);
-  attach_orbit_speeds(study);
-  check_study(study);
-  attach_load(study);
+  read_files_and_check(study);
   study.contact.checkpoint_owner = study_identity(study);
   return study;
 }
@@ -192,10 +305,7 @@ Study with_values(Study study, const std::string &option,
   const std::vector<StudyEntry> entries = study_entries(study);
   for (const auto &[path, value] : values)
     assign(entries, option + ": ", path, value);
-  attach_profile(study);
-  attach_orbit_speeds(study);
-  check_study(study);
-  attach_load(study);
+  read_files_and_check(study);
   return study;
 }
 
@@ -251,18 +361,16 @@ std::string study_identity(const Study &study)
 std::string commented_defaults(const std::string &section)
 {
   Study study;
-  const std::vector<StudyEntry> all = study_entries(study);
-  std::vector<StudyEntry> entries;
-  for (const StudyEntry &entry : all)
-    if (section.empty() || boost::iequals(entry.section, section))
-      entries.push_back(entry);
-  require(!entries.empty(), "There is no section \"" + shortened(section) +
-                              "\"; give Motion, Glass, Table, Contact or Load, or nothing for all.");
+  std::vector<StudyEntry> entries = study_entries(study);
+  const std::string sections = listed(sections_of(entries));
+  const auto is_another = [&](const StudyEntry &entry) { return !boost::iequals(entry.section, section); };
   if (!section.empty())
-    return prm_text(entries, true);
-  return "# A study of Stemware with every entry at its default. A study file needs to state only what "
-         "differs.\n" +
-         prm_text(entries, true);
+    entries.erase(std::remove_if(entries.begin(), entries.end(), is_another), entries.end());
+  require(!entries.empty(),
+          "There is no section \"" + shortened(section) + "\"; give " + sections + ", or nothing for all.");
+  const std::string head =
+    "# A study of Stemware with every entry at its default. A study file needs to state only what differs.\n";
+  return (section.empty() ? head : "") + prm_text(entries, true);
 }
 
 } // namespace stemware::pipeline

@@ -24,6 +24,17 @@ void check_study(const Study &study);
 /// about the first thing that is wrong.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
+/// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
+/// files:
+///
+///   subsection Glass          # a comment
+///     set Contact radius = 0.03
+///   end
+///
+/// Sections may come in any order and more than once, an entry once; a line that ends in a backslash goes on
+/// in the next one. Throws BadInput, with the line, about the first thing that is wrong.
+void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
+
 /// Gives entries of @p study other values, each "Section/Entry" with its text, and checks the whole. Throws
 /// BadInput that names @p option as where they come from.
 Study with_values(Study study, const std::string &option,

@@ -17,8 +17,6 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr char mesh_file_entry[] = "Contact/Mesh file";
-
 /// The program and its libraries.
 constexpr double memory_of_the_program = 1.6e8;
 
@@ -96,21 +94,20 @@ StudyEntry greediest(Study &study)
   Study defaults;
   const std::vector<StudyEntry> standard = study_entries(defaults), tried = study_entries(study);
   double least = size_of(study).memory;
-  std::size_t found = 0;
+  StudyEntry found = tried.front();
   for (std::size_t i = 0; i < tried.size(); ++i)
-  {
-    const std::string before = tried[i].text();
-    if (before == standard[i].text() || (tried[i].unit.empty() && tried[i].path() != mesh_file_entry))
-      continue;
-    tried[i].assign(standard[i].text());
-    if (const double memory = size_of(study).memory; memory < least)
+    if (!tried[i].unit.empty() || tried[i].path_value != nullptr)
     {
-      least = memory;
-      found = i;
+      const std::string before = tried[i].text();
+      tried[i].assign(standard[i].text());
+      if (const double memory = size_of(study).memory; memory < least)
+      {
+        least = memory;
+        found = tried[i];
+      }
+      tried[i].assign(before);
     }
-    tried[i].assign(before);
-  }
-  return tried[found];
+  return found;
 }
 
 } // namespace
@@ -153,13 +150,13 @@ void require_affordable(const Study &study)
   {
     Study trial = study;
     const StudyEntry entry = greediest(trial);
-    throw BadInput(fmt::format(
-      FMT_STRING("{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), above {} GB; "
-                 "give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
-      entry.path(), shortened_path(entry.text()), size.memory / 1e9, size.cells, size.unknowns,
-      to_short_text(study.contact.memory_limit / 1e9),
-      entry.path() == mesh_file_entry ? "coarser mesh" : "value nearer to its default",
-      std::ceil(1.1 * size.memory / 1e9)));
+    throw BadInput(
+      fmt::format(FMT_STRING("{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), "
+                             "above {} GB; give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
+                  entry.path(), shortened_path(entry.text()), size.memory / 1e9, size.cells, size.unknowns,
+                  to_short_text(study.contact.memory_limit / 1e9),
+                  entry.path_value != nullptr ? "coarser mesh" : "value nearer to its default",
+                  std::ceil(1.1 * size.memory / 1e9)));
   }
 }
 

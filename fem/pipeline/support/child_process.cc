@@ -41,13 +41,13 @@ RunningProgram start(const std::vector<std::string> &command, const fs::path &fo
     line += " " + quoted(word);
   line += " 2>&1 >/dev/null </dev/null";
   RunningProgram program;
-  const auto lock = postpone_interruption();
+  const PostponedInterruption postponed;
   // Not fork(), which may harm memory that Open MPI has registered: the C library starts the shell by
   // vfork().
   program.messages = ::popen(line.c_str(), "re");
   if (program.messages == nullptr || std::fscanf(program.messages, "%d%*c", &program.process) != 1)
     throw std::system_error(errno, std::generic_category(), "cannot start " + command.front());
-  kill_on_interruption(program.process);
+  postponed->children.insert(program.process);
   return program;
 }
 
@@ -58,9 +58,9 @@ EndedProgram wait_for(const RunningProgram &program)
   while (const std::size_t n_read = std::fread(buffer.data(), 1, buffer.size(), program.messages))
     ended.messages.append(buffer.data(), n_read);
   // An interruption between the two would hit whoever has got the number of the process by then.
-  const auto lock = postpone_interruption();
+  const PostponedInterruption postponed;
   const int status = ::pclose(program.messages);
-  spare_on_interruption(program.process);
+  postponed->children.erase(program.process);
   ended.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return ended;
 }

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <random>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 namespace stemware::pipeline
 {
@@ -18,7 +16,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Whether the folder is still the one that was opened: another process may have removed it in between.
+/// Whether the folder is the one that was opened, and no link to it: another process may have removed it in
+/// between.
 bool is_at(const fs::path &folder, int descriptor)
 {
   struct stat opened = {}, present = {};
@@ -88,31 +87,13 @@ std::string unique_suffix()
 }
 
 FolderClaim::FolderClaim(const fs::path &folder)
-    : descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC))
 {
-  if (descriptor < 0)
+  DIR *const opened = ::opendir(folder.c_str());
+  if (opened == nullptr)
     return;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_at(folder, descriptor))
-    return;
-  ::close(descriptor);
-  descriptor = -1;
-}
-
-FolderClaim::~FolderClaim()
-{
-  if (descriptor >= 0)
-    ::close(descriptor);
-}
-
-FolderClaim::FolderClaim(FolderClaim &&other) noexcept
-    : descriptor(std::exchange(other.descriptor, -1))
-{
-}
-
-FolderClaim &FolderClaim::operator=(FolderClaim &&other) noexcept
-{
-  std::swap(descriptor, other.descriptor);
-  return *this;
+  claimed = std::shared_ptr<DIR>(opened, [](DIR *claim) { ::closedir(claim); });
+  if (::flock(::dirfd(opened), LOCK_EX | LOCK_NB) != 0 || !is_at(folder, ::dirfd(opened)))
+    claimed.reset();
 }
 
 } // namespace stemware::pipeline

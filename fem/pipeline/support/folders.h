@@ -1,6 +1,8 @@
 #pragma once
 
+#include <dirent.h>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -40,18 +42,15 @@ class FolderClaim
 {
 public:
   FolderClaim() = default;
-  ~FolderClaim();
-  FolderClaim(FolderClaim &&other) noexcept;
-  FolderClaim &operator=(FolderClaim &&other) noexcept;
 
   /// Claims an existing folder. Not held when another process has it, when it is gone or a link, or where the
   /// file system knows no such locks.
   explicit FolderClaim(const std::filesystem::path &folder);
 
-  bool held() const { return descriptor >= 0; }
+  bool held() const { return claimed != nullptr; }
 
 private:
-  int descriptor = -1;
+  std::shared_ptr<DIR> claimed; ///< open as long as a copy is
 };
 
 } // namespace stemware::pipeline

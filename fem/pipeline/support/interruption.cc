@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <set>
 #include <thread>
 #include <unistd.h>
 
@@ -20,11 +19,8 @@ namespace
 struct Watch
 {
   std::mutex mutex;
-  std::function<void()> clean_up;
-  std::function<std::string()> sentence;
-  std::string work_done;
+  InterruptionPlan plan;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::set<pid_t> children;
   bool first_rank = true; ///< asked in advance: MPI may be busy, or over, when the signal comes
 };
 
@@ -38,13 +34,12 @@ Watch &watch()
 /// started (nohup, jobs in the background).
 sigset_t interruptions;
 
-std::string how_far()
+std::string usual_sentence()
 {
-  if (watch().work_done.empty())
-    return "";
-  const auto seconds = std::chrono::steady_clock::now() - watch().start;
-  return " after " + rough_duration(std::chrono::duration<double>(seconds).count()) + "; " +
-         watch().work_done + " done";
+  const std::string &work = watch().plan.work_done;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - watch().start;
+  const std::string how_far = " after " + rough_duration(seconds.count()) + "; " + work + " done";
+  return "interrupted" + (work.empty() ? "" : how_far) + "; no results were written.";
 }
 
 [[noreturn]] void end_on_interruption()
@@ -54,16 +49,16 @@ std::string how_far()
   // Kept until the end, so that the working thread cannot publish results, or report that its folder is gone,
   // meanwhile.
   watch().mutex.lock();
-  for (const pid_t child : watch().children)
+  const InterruptionPlan &plan = watch().plan;
+  for (const pid_t child : plan.children)
     ::kill(child, SIGKILL);
-  if (watch().clean_up)
-    watch().clean_up();
+  if (plan.clean_up)
+    plan.clean_up();
   // mpirun kills the remaining ranks as soon as one has ended: the first rank, which owns the folder, gets
   // time to tidy up.
   if (!watch().first_rank)
     std::this_thread::sleep_for(std::chrono::seconds(1));
-  const std::string usual = "interrupted" + how_far() + "; no results were written.";
-  const std::string message = "\nstemware: " + (watch().sentence ? watch().sentence() : usual) + "\n";
+  const std::string message = "\nstemware: " + (plan.sentence ? plan.sentence() : usual_sentence()) + "\n";
   if (watch().first_rank) [[maybe_unused]]
     const auto n_written = ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(static_cast<int>(ExitCode::interrupted));
@@ -97,35 +92,14 @@ void watch_for_interruption()
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-std::unique_lock<std::mutex> postpone_interruption()
+PostponedInterruption::PostponedInterruption()
+    : lock(watch().mutex)
 {
-  return std::unique_lock<std::mutex>(watch().mutex);
 }
 
-void clean_up_on_interruption(std::function<void()> clean_up)
+InterruptionPlan *PostponedInterruption::operator->() const
 {
-  watch().clean_up = std::move(clean_up);
-}
-
-void say_on_interruption(std::function<std::string()> sentence)
-{
-  watch().sentence = std::move(sentence);
-}
-
-void note_work_done(const std::string &work)
-{
-  const auto lock = postpone_interruption();
-  watch().work_done = work;
-}
-
-void kill_on_interruption(pid_t child)
-{
-  watch().children.insert(child);
-}
-
-void spare_on_interruption(pid_t child)
-{
-  watch().children.erase(child);
+  return &watch().plan;
 }
 
 } // namespace stemware::pipeline

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <mutex>
+#include <set>
 #include <string>
 #include <sys/types.h>
 
@@ -14,32 +15,32 @@ namespace stemware::pipeline
 void hold_interruptions_back();
 
 /// Lets SIGINT, SIGTERM and SIGHUP end the program from now on, with exit code 130, at once and whatever it
-/// is doing, after the clean-up of clean_up_on_interruption(). A thread waits for them and does the work: so
-/// the clean-up is ordinary code, and a factorisation that never looks at a flag does not delay it. To be
-/// called before the work, and again after start_mpi(), which says which rank this is.
+/// is doing, as the InterruptionPlan says. A thread waits for them and does the work: so the clean-up is
+/// ordinary code, and a factorisation that never looks at a flag does not delay it. To be called before the
+/// work, and again after start_mpi(), which says which rank this is.
 void watch_for_interruption();
 
-/// Holds an interruption back while the lock lives: for steps that must happen together, such as swapping
-/// folders.
-std::unique_lock<std::mutex> postpone_interruption();
+/// Plan for the end of an interrupted program.
+struct InterruptionPlan
+{
+  std::set<pid_t> children;              ///< killed first; to be erased once they have been waited for
+  std::function<void()> clean_up;        ///< comes next; must not wait for the thread that works
+  std::function<std::string()> sentence; ///< said instead of "interrupted; no results were written"
+  /// How far the work is, for that sentence: "interrupted after 35 s; contact, 3 of 20 error bands done; no
+  /// results were written."
+  std::string work_done;
+};
 
-/// Sets the clean-up before the program ends; replaces the earlier one. The clean-up must not wait for the
-/// thread that works. The caller holds the lock of postpone_interruption().
-void clean_up_on_interruption(std::function<void()> clean_up);
+/// Holds an interruption back while it lives, for steps that must happen together, such as swapping folders,
+/// and gives access to the plan.
+class PostponedInterruption
+{
+public:
+  PostponedInterruption();
+  InterruptionPlan *operator->() const;
 
-/// Sets the sentence of the interrupted program, said instead of "interrupted; no results were written". The
-/// thread that does the clean-up asks for it. The caller holds the lock of postpone_interruption().
-void say_on_interruption(std::function<std::string()> sentence);
-
-/// How far the work is, for that sentence: "interrupted after 35 s; contact, 3 of 20 error bands done; no
-/// results were written." Takes the lock.
-void note_work_done(const std::string &work);
-
-/// A child process that is killed on interruption, before the clean-up, until it is spared. The caller holds
-/// the lock.
-void kill_on_interruption(pid_t child);
-
-/// Undoes kill_on_interruption(): @p child has been waited for. The caller holds the lock.
-void spare_on_interruption(pid_t child);
+private:
+  std::unique_lock<std::mutex> lock;
+};
 
 } // namespace stemware::pipeline

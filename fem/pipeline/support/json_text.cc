@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/support/failures.h"
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -35,9 +37,10 @@ Json parse_json(const std::string &origin, const std::string &text)
   const auto look = [&](int level, Json::parse_event_t event, Json &value)
   {
     if (level > most_levels)
-      throw BadInput(fmt::format(FMT_STRING("{}: the JSON is nested more than {} levels deep; a study has "
-                                            "sections and entries, two levels."),
-                                 origin, most_levels));
+      throw BadInput(fmt::format(
+        FMT_STRING(
+          "{}: the JSON is nested more than {} levels deep; a study has sections and entries, two levels."),
+        origin, most_levels));
     if (event == Json::parse_event_t::object_start)
       names.emplace_back();
     else if (event == Json::parse_event_t::object_end)
@@ -74,6 +77,25 @@ try
 catch (const BadInput &)
 {
   return std::nullopt;
+}
+
+std::string check_sum(const std::string &bytes)
+{
+  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true> crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return fmt::format(FMT_STRING("{:016x}"), crc.checksum());
+}
+
+std::string sealed_text(Json object)
+{
+  object["crc64"] = check_sum(object.dump());
+  return object.dump(2) + "\n";
+}
+
+bool is_sealed(const std::string &text)
+{
+  Json object = json_in(text).value_or(Json());
+  return object.is_object() && object.erase("crc64") > 0 && sealed_text(object) == text;
 }
 
 } // namespace stemware::pipeline

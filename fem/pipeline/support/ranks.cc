@@ -36,6 +36,21 @@ bool launched_by_mpirun()
   return false;
 }
 
+/// Outcome of some work: the exit code that belongs to it, and the message of its failure.
+std::pair<int, std::string> outcome_of(const std::function<void()> &work)
+try
+{
+  work();
+  return { static_cast<int>(ExitCode::success), "" };
+}
+catch (const std::exception &failure)
+{
+  const bool is_of_files = dynamic_cast<const OutputFailure *>(&failure) != nullptr ||
+                           dynamic_cast<const std::filesystem::filesystem_error *>(&failure) != nullptr;
+  return { static_cast<int>(is_of_files ? ExitCode::output_failure : ExitCode::numerical_failure),
+           failure.what() };
+}
+
 } // namespace
 
 MpiSession::MpiSession()
@@ -52,9 +67,8 @@ MpiSession::~MpiSession()
 void start_mpi()
 {
   if (launched_by_mpirun() && !has_mpi)
-    throw BadInput(
-      "mpirun has started this program, whose deal.II has no MPI, so that its processes do not know of "
-      "each other; start it by itself.");
+    throw BadInput("mpirun has started this program, whose deal.II has no MPI, so that its processes do not "
+                   "know of each other; start it by itself.");
   static int n_arguments = 0;
   static char **arguments = nullptr;
   // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for;
@@ -70,41 +84,6 @@ void start_mpi()
   if (!running_session)
     running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
 }
-
-bool is_first_rank()
-{
-  return this_rank() == 0;
-}
-
-unsigned int n_ranks()
-{
-  return running_session ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
-}
-
-namespace
-{
-
-/// Outcome of some work: the exit code that belongs to it, and the message of its failure.
-std::pair<int, std::string> outcome_of(const std::function<void()> &work)
-try
-{
-  work();
-  return { static_cast<int>(ExitCode::success), "" };
-}
-catch (const OutputFailure &failure)
-{
-  return { static_cast<int>(ExitCode::output_failure), failure.what() };
-}
-catch (const std::filesystem::filesystem_error &failure)
-{
-  return { static_cast<int>(ExitCode::output_failure), failure.what() };
-}
-catch (const std::exception &failure)
-{
-  return { static_cast<int>(ExitCode::numerical_failure), failure.what() };
-}
-
-} // namespace
 
 void on_every_rank(const std::function<void()> &work)
 {
@@ -133,6 +112,16 @@ std::string from_first_rank(const std::function<std::string()> &work)
 unsigned int this_rank()
 {
   return running_session ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
+}
+
+unsigned int n_ranks()
+{
+  return running_session ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
+}
+
+bool is_first_rank()
+{
+  return this_rank() == 0;
 }
 
 void abort_all_ranks(int exit_status)

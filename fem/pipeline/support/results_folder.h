@@ -3,15 +3,32 @@
 #include "fem/pipeline/support/folders.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
+/// Name of the file in which a folder of results lists its files, so that nothing else is ever replaced or
+/// removed: {"program": "stemware", "files": {"load.dat": {"bytes": 123, "crc64": "..."}, ...}}. Files in
+/// folders below are listed by their relative path, the manifest itself is not.
+extern const char *const manifest_name;
+
+/// Writes the manifest of all files that are in @p folder now. Files of sealed_text() are listed without size
+/// and check sum, so that equal runs have equal manifests. Throws OutputFailure,
+/// std::filesystem::filesystem_error.
+void write_manifest(const std::filesystem::path &folder);
+
+/// Obstacle to replacing @p folder, as the end of a sentence that begins with the folder: "holds
+/// figures/note.txt, which is not a result of Stemware". Nothing where the folder is empty, or holds only
+/// files that its manifest lists, each as it was written. Links are not followed. Throws
+/// std::filesystem::filesystem_error.
+std::optional<std::string> why_not_replaceable(const std::filesystem::path &folder);
+
 /// Refuses a place for results where anything would be lost: throws OutputFailure, with one sentence, where
 /// @p target is neither missing nor an empty folder nor one of results, all of whose files are listed in its
-/// manifest.json with the size and check sum that they have (manifest.h).
+/// manifest.json with the size and check sum that they have.
 void require_replaceable(const std::filesystem::path &target);
 
 /// A folder of results that appears under its name whole or not at all. All ranks make one together; the

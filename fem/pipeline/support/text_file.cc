@@ -87,8 +87,8 @@ void require_regular_file(const std::string &setting, const fs::path &file)
 {
   std::error_code error;
   const auto status = fs::status(file, error);
-  require(fs::exists(status), setting + " does not exist; give a path that starts at the study "
-                                        "file (on the command line: where the program is started).");
+  require(fs::exists(status), setting + " does not exist; give a path that starts at the study file (on the "
+                                        "command line: where the program is started).");
   require(fs::is_regular_file(status), setting + " is not a file; give the path of a file.");
 }
 

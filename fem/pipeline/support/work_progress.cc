@@ -24,8 +24,6 @@ WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::strin
     : n_cases(n_cases)
     , n_before(n_before)
     , noun(std::move(noun))
-    , start(std::chrono::steady_clock::now())
-    , last_line(start)
     , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
 {
 }

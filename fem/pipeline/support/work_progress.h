@@ -30,8 +30,8 @@ private:
   const std::size_t n_cases;
   const std::size_t n_before;
   const std::string noun;
-  const std::chrono::steady_clock::time_point start;
-  std::chrono::steady_clock::time_point last_line;
+  const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_line = start;
   std::size_t tenths_shown;
   std::size_t bar_width = 0; ///< columns of the line that may have to be overwritten
 };

@@ -4,7 +4,7 @@
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/manifest.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/text_file.h"

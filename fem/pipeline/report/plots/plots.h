@@ -8,7 +8,7 @@
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/report/render/table.h"
-#include "fem/pipeline/study/measured_spin_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/motion.h"
 

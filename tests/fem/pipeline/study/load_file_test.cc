@@ -1,5 +1,5 @@
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/study/load_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
 

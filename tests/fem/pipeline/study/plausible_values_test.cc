@@ -1,8 +1,8 @@
 // Values that no glass has are computed after a warning; sizes that no machine has are refused before the
 // work.
+#include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/study/study_notes.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"

@@ -1,6 +1,6 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/folders.h"
-#include "fem/pipeline/support/manifest.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/results_folder.h"
 #include "fem/pipeline/support/text_file.h"
 #include "tests/fem/pipeline/program_runner.h"

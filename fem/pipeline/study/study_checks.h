@@ -28,12 +28,4 @@ std::vector<std::string> implausible_notes(const Study &study);
 /// Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
 std::string implausible_list(const Study &study);
 
-/// Throws BadInput with one sentence where a value that the study was given is more than a billion times
-/// outside its plausible range: no unit is meant there, and the computation would overflow.
-void require_conceivable(const Study &study);
-
-/// Throws BadInput for a length that no glass or table has beside its contact radius
-/// (StudyEntry::times_contact_radius), where it has an effect.
-void require_alike_lengths(const Study &study);
-
 } // namespace stemware::pipeline
