@@ -3,8 +3,6 @@
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <stdexcept>
 
@@ -63,12 +61,7 @@ FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial 
     , owned(level.dof_handler.locally_owned_dofs())
     , nodes(std::move(contact_nodes))
 {
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
-  TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, communicator);
-  DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
-                                  Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
-  TrilinosWrappers::SparseMatrix matrix(sparsity);
+  TrilinosWrappers::SparseMatrix matrix;
   assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, matrix);
   std::vector<std::array<double, 3>> local;
   for (const auto row : owned)
