@@ -130,8 +130,10 @@ double RevolvedBody::describe_nodes(const SolidLevel &level)
   for (Eigen::Index i = 0; i < cosines.cols(); ++i)
     for (unsigned int n = 0; n <= n_max; ++n)
     {
-      cosines(n, i) = static_cast<float>(std::cos(n * azimuths[static_cast<std::size_t>(i)]));
-      sines(n, i) = static_cast<float>(std::sin(n * azimuths[static_cast<std::size_t>(i)]));
+      const double angle = n * azimuths[static_cast<std::size_t>(i)];
+      cosines(n, i) = static_cast<float>(std::cos(angle));
+      // Of n = 0 the azimuthal displacement is torsion, the same all round.
+      sines(n, i) = n == 0 ? 1 : static_cast<float>(std::sin(angle));
     }
   return Utilities::MPI::min(clamped_height, communicator);
 }
