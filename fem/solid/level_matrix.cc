@@ -48,9 +48,9 @@ float LevelMatrix::el(size_type, size_type) const
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
 {
   LevelSmoother::AdditionalData data;
-  data.smoothing_range = 40;
-  data.degree = 5;
-  data.eig_cg_n_iterations = 15;
+  data.smoothing_range = multigrid_numbers.smoothing_range;
+  data.degree = multigrid_numbers.degree;
+  data.eig_cg_n_iterations = multigrid_numbers.n_eigenvalue_iterations;
   data.preconditioner = matrix.jacobi();
   return data;
 }
