@@ -321,22 +321,15 @@ void make_step(const GlassProfile &profile, const FootResolution &resolution, Tr
 /// The plan in the coordinates of the ProfileChart, bent.
 void make_foot(const GlassProfile &profile, const FootResolution &resolution, Triangulation<3> &triangulation)
 {
-  const ProfileChart chart(profile);
-  const auto bend = [&](const Point<3> &straight) -> Point<3>
-  {
-    const double radius = std::hypot(straight[0], straight[1]);
-    const SectionPoint point = chart.push_forward({ radius, straight[2] });
-    const double stretch = radius > 0 ? point.radius / radius : 1;
-    return { stretch * straight[0], stretch * straight[1], point.height };
-  };
-  const auto straight_radius = [&](const Point<3> &point) {
-    return chart.pull_back({ std::hypot(point[0], point[1]), point[2] }).radius;
-  };
-  extrude(make_plan(profile, resolution), foot_slabs(profile, resolution), bend, triangulation);
+  const auto core = make_core_manifold(profile), rings = make_ring_manifold(profile);
+  extrude(
+    make_plan(profile, resolution), foot_slabs(profile, resolution),
+    [&](const Point<3> &straight) { return core->push_forward(straight); }, triangulation);
   triangulation.set_all_manifold_ids(core_id);
-  mark_rings(core_radius(profile), straight_radius, triangulation);
-  triangulation.set_manifold(core_id, *make_core_manifold(profile));
-  triangulation.set_manifold(ring_id, *make_ring_manifold(profile));
+  mark_rings(
+    core_radius(profile), [&](const Point<3> &point) { return rings->pull_back(point)[0]; }, triangulation);
+  triangulation.set_manifold(core_id, *core);
+  triangulation.set_manifold(ring_id, *rings);
 }
 
 /// The contact zone are the faces at z = 0 whose vertices lie on the land, the stem cut those at its height.

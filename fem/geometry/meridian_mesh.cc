@@ -300,16 +300,12 @@ void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangu
   make_grid(
     radii, levels, [&](double radius, double level) { return level < 1 || radius < fillet.middle_radius; },
     triangulation);
-  GridTools::transform(
-    [&](const Point<2> &straight) -> Point<2>
-    {
-      const SectionPoint point = chart.push_forward({ straight[0], straight[1] });
-      return { point.radius, point.height };
-    },
-    triangulation);
+  const auto section = make_section_manifold(profile);
+  GridTools::transform([&](const Point<2> &straight) { return section->push_forward(straight); },
+                       triangulation);
   constexpr types::manifold_id profile_id = 1;
   triangulation.set_all_manifold_ids(profile_id);
-  triangulation.set_manifold(profile_id, *make_section_manifold(profile));
+  triangulation.set_manifold(profile_id, *section);
 }
 
 } // namespace

@@ -53,107 +53,94 @@ StraightPoint ProfileChart::pull_back(const SectionPoint &point) const
 namespace
 {
 
-class SectionManifold : public ChartManifold<2>
+/// Manifold whose lines are straight in coordinates that a ProfileChart gives; @p to_chart and @p from_chart
+/// are the two ways.
+template <int dim>
+class StraightenedManifold : public ChartManifold<dim>
 {
 public:
-  explicit SectionManifold(const ProfileChart &chart)
-      : chart(chart)
-  {
-  }
+  using Map = Point<dim> (*)(const ProfileChart &, const Point<dim> &);
 
-  std::unique_ptr<Manifold<2>> clone() const override { return std::make_unique<SectionManifold>(chart); }
-
-  Point<2> pull_back(const Point<2> &point) const override
-  {
-    const StraightPoint straight = chart.pull_back({ point[0], point[1] });
-    return { straight.radius, straight.level };
-  }
-
-  Point<2> push_forward(const Point<2> &point) const override
-  {
-    const SectionPoint section = chart.push_forward({ point[0], point[1] });
-    return { section.radius, section.height };
-  }
-
-private:
-  const ProfileChart chart;
-};
-
-/// Chart coordinates: straight radius, azimuth, level.
-class RingManifold : public ChartManifold<3>
-{
-public:
-  explicit RingManifold(const ProfileChart &chart)
-      : ChartManifold<3>(Point<3>(0, 2 * numbers::PI, 0))
+  StraightenedManifold(const ProfileChart &chart, Map to_chart, Map from_chart,
+                       const Tensor<1, dim> &periodicity = {})
+      : ChartManifold<dim>(periodicity)
       , chart(chart)
+      , to_chart(to_chart)
+      , from_chart(from_chart)
   {
   }
 
-  std::unique_ptr<Manifold<3>> clone() const override { return std::make_unique<RingManifold>(chart); }
-
-  Point<3> pull_back(const Point<3> &point) const override
+  std::unique_ptr<Manifold<dim>> clone() const override
   {
-    const StraightPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
-    const double azimuth = std::atan2(point[1], point[0]);
-    return { straight.radius, azimuth < 0 ? azimuth + 2 * numbers::PI : azimuth, straight.level };
+    return std::make_unique<StraightenedManifold>(chart, to_chart, from_chart, this->get_periodicity());
   }
-
-  Point<3> push_forward(const Point<3> &point) const override
-  {
-    const SectionPoint section = chart.push_forward({ point[0], point[2] });
-    return { section.radius * std::cos(point[1]), section.radius * std::sin(point[1]), section.height };
-  }
+  Point<dim> pull_back(const Point<dim> &point) const override { return to_chart(chart, point); }
+  Point<dim> push_forward(const Point<dim> &point) const override { return from_chart(chart, point); }
 
 private:
   const ProfileChart chart;
+  const Map to_chart, from_chart;
 };
 
-/// Chart coordinates: x and y of the straightened foot, level.
-class CoreManifold : public ChartManifold<3>
+/// @p point with its distance from the axis changed from @p radius to @p other, at another @p height.
+Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
 {
-public:
-  explicit CoreManifold(const ProfileChart &chart)
-      : chart(chart)
-  {
-  }
-
-  std::unique_ptr<Manifold<3>> clone() const override { return std::make_unique<CoreManifold>(chart); }
-
-  Point<3> pull_back(const Point<3> &point) const override
-  {
-    const double radius = std::hypot(point[0], point[1]);
-    const StraightPoint straight = chart.pull_back({ radius, point[2] });
-    const double stretch = radius > 0 ? straight.radius / radius : 1;
-    return { stretch * point[0], stretch * point[1], straight.level };
-  }
-
-  Point<3> push_forward(const Point<3> &point) const override
-  {
-    const double radius = std::hypot(point[0], point[1]);
-    const SectionPoint section = chart.push_forward({ radius, point[2] });
-    const double stretch = radius > 0 ? section.radius / radius : 1;
-    return { stretch * point[0], stretch * point[1], section.height };
-  }
-
-private:
-  const ProfileChart chart;
-};
+  const double stretch = radius > 0 ? other / radius : 1;
+  return { stretch * point[0], stretch * point[1], height };
+}
 
 } // namespace
 
-std::unique_ptr<Manifold<2>> make_section_manifold(const GlassProfile &profile)
+std::unique_ptr<ChartManifold<2>> make_section_manifold(const GlassProfile &profile)
 {
-  return std::make_unique<SectionManifold>(ProfileChart(profile));
+  return std::make_unique<StraightenedManifold<2>>(
+    ProfileChart(profile),
+    [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
+    {
+      const StraightPoint straight = chart.pull_back({ point[0], point[1] });
+      return { straight.radius, straight.level };
+    },
+    [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
+    {
+      const SectionPoint section = chart.push_forward({ point[0], point[1] });
+      return { section.radius, section.height };
+    });
 }
 
-std::unique_ptr<Manifold<3>> make_ring_manifold(const GlassProfile &profile)
+std::unique_ptr<ChartManifold<3>> make_ring_manifold(const GlassProfile &profile)
 {
-  return std::make_unique<RingManifold>(ProfileChart(profile));
+  return std::make_unique<StraightenedManifold<3>>(
+    ProfileChart(profile),
+    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    {
+      const StraightPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
+      const double azimuth = std::atan2(point[1], point[0]);
+      return { straight.radius, azimuth < 0 ? azimuth + 2 * numbers::PI : azimuth, straight.level };
+    },
+    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    {
+      const SectionPoint section = chart.push_forward({ point[0], point[2] });
+      return { section.radius * std::cos(point[1]), section.radius * std::sin(point[1]), section.height };
+    },
+    Point<3>(0, 2 * numbers::PI, 0));
 }
 
-std::unique_ptr<Manifold<3>> make_core_manifold(const GlassProfile &profile)
+std::unique_ptr<ChartManifold<3>> make_core_manifold(const GlassProfile &profile)
 {
-  return std::make_unique<CoreManifold>(ProfileChart(profile));
+  return std::make_unique<StraightenedManifold<3>>(
+    ProfileChart(profile),
+    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    {
+      const double radius = std::hypot(point[0], point[1]);
+      const StraightPoint straight = chart.pull_back({ radius, point[2] });
+      return moved_radially(point, radius, straight.radius, straight.level);
+    },
+    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    {
+      const double radius = std::hypot(point[0], point[1]);
+      const SectionPoint section = chart.push_forward({ radius, point[2] });
+      return moved_radially(point, radius, section.radius, section.height);
+    });
 }
 
 } // namespace stemware::fem

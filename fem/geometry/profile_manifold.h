@@ -6,8 +6,8 @@
 
 namespace dealii
 {
-template <int dim, int spacedim>
-class Manifold;
+template <int dim, int spacedim, int chartdim>
+class ChartManifold;
 }
 
 namespace stemware::fem
@@ -52,16 +52,16 @@ private:
   Fillet fillet;
 };
 
-/// Manifold of the section in (r, z): points lie on straight lines of the chart, those of the boundary on the
-/// profile.
-std::unique_ptr<dealii::Manifold<2, 2>> make_section_manifold(const GlassProfile &profile);
+/// Manifold of the section in (r, z), chart coordinates radius and level: points lie on straight lines of the
+/// chart, those of the boundary on the profile.
+std::unique_ptr<dealii::ChartManifold<2, 2, 2>> make_section_manifold(const GlassProfile &profile);
 
 /// Manifold of the foot in (x, y, z) where cells run round the axis: straight lines in straight radius,
 /// azimuth and level.
-std::unique_ptr<dealii::Manifold<3, 3>> make_ring_manifold(const GlassProfile &profile);
+std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_ring_manifold(const GlassProfile &profile);
 
 /// Manifold of the foot in (x, y, z) round the axis, where the plan view is Cartesian: straight lines in
 /// level and in x and y stretched with the straight radius.
-std::unique_ptr<dealii::Manifold<3, 3>> make_core_manifold(const GlassProfile &profile);
+std::unique_ptr<dealii::ChartManifold<3, 3, 3>> make_core_manifold(const GlassProfile &profile);
 
 } // namespace stemware::fem

@@ -4,10 +4,7 @@
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_solver.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <iostream>
 
@@ -77,14 +74,6 @@ FactorizedStiffness::FactorizedStiffness(const Triangulation<3> &triangulation, 
             mapping_degree)
     , nodes(contact_nodes_of(level))
 {
-  const IndexSet owned = level.dof_handler.locally_owned_dofs();
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
-  const MPI_Comm communicator = level.dof_handler.get_communicator();
-  TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, communicator);
-  DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
-                                  Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
-  stiffness.reinit(sparsity);
   assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, stiffness);
 }
 

@@ -3,8 +3,6 @@
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <stdexcept>
 
@@ -50,9 +48,9 @@ float LevelMatrix::el(size_type, size_type) const
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
 {
   LevelSmoother::AdditionalData data;
-  data.smoothing_range = 40;
-  data.degree = 5;
-  data.eig_cg_n_iterations = 15;
+  data.smoothing_range = multigrid_numbers.smoothing_range;
+  data.degree = multigrid_numbers.degree;
+  data.eig_cg_n_iterations = multigrid_numbers.n_eigenvalue_iterations;
   data.preconditioner = matrix.jacobi();
   return data;
 }
@@ -63,12 +61,7 @@ FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial 
     , owned(level.dof_handler.locally_owned_dofs())
     , nodes(std::move(contact_nodes))
 {
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
-  TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, communicator);
-  DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
-                                  Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
-  TrilinosWrappers::SparseMatrix matrix(sparsity);
+  TrilinosWrappers::SparseMatrix matrix;
   assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, matrix);
   std::vector<std::array<double, 3>> local;
   for (const auto row : owned)

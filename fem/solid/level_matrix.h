@@ -49,7 +49,21 @@ private:
 using LevelSmoother =
   dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
 
-/// How every level is smoothed: as good as any on this foot (docs/method/solid_at_scale.md).
+/// Numbers of multigrid that were tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
+/// (docs/method/solid_measurements.md).
+struct MultigridNumbers
+{
+  /// Degree of the smoother's polynomial, and the share of the spectrum, from above, that it reduces: any
+  /// other takes as long for a linear solve.
+  unsigned int degree = 5;
+  double smoothing_range = 40;
+  unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
+  /// Factors of a coarsest level with more unknowns cost more than a cycle with its mean body of revolution.
+  dealii::types::global_dof_index most_factorized_unknowns = 10000;
+};
+inline constexpr MultigridNumbers multigrid_numbers = {};
+
+/// How every level is smoothed.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
 /// An approximate inverse of K + B' T B on the coarsest level.

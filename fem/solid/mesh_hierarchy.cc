@@ -27,9 +27,6 @@ namespace
 
 constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
 
-/// Factors of a coarsest level with more unknowns cost more than a cycle with its mean body of revolution.
-constexpr types::global_dof_index most_factorized_unknowns = 10000;
-
 } // namespace
 
 AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
@@ -77,7 +74,7 @@ struct MeshHierarchy::Cycle
       matrices[l].reinit(*levels[l], material, contact_nodes[l]);
     make_transfer(finest);
     make_smoothers(finest);
-    if (levels[0]->dof_handler.n_dofs() <= most_factorized_unknowns)
+    if (levels[0]->dof_handler.n_dofs() <= multigrid_numbers.most_factorized_unknowns)
       coarse_solver = std::make_unique<FactorizedLevel>(*levels[0], material, contact_nodes[0]);
     else
       coarse_solver = std::make_unique<RevolvedCycle>(*levels[0], matrices[0], material, contact_nodes[0]);

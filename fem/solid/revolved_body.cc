@@ -19,10 +19,6 @@ using namespace dealii;
 namespace
 {
 
-/// A wave has at least four cells round the rim; shorter ones are left to the smoother.
-constexpr unsigned int cells_per_wave = 4;
-constexpr unsigned int most_harmonics = 32;
-
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 Eigen::SparseMatrix<double> matrix_of(const Triplets &entries, std::size_t n_rows, std::size_t n_columns)
@@ -50,7 +46,8 @@ void RevolvedBody::describe_contact(const SolidLevel &level)
   const ContactSurface surface = describe_contact_zone(level.mapping, level.dof_handler, level.constraints,
                                                        contact_nodes, [](double, double) { return 0.; })
                                    .surface;
-  n_max = std::clamp(surface.n_sectors / cells_per_wave, 2u, most_harmonics);
+  n_max =
+    std::clamp(surface.n_sectors / revolved_numbers.cells_per_wave, 2u, revolved_numbers.most_harmonics);
   std::vector<std::vector<std::pair<unsigned int, double>>> functions; // of the grid, at each contact node
   std::vector<double> seen;                                            // nodes of the grid
   contact_cosines.resize(surface.n_nodes(), n_max + 1);
@@ -130,8 +127,10 @@ double RevolvedBody::describe_nodes(const SolidLevel &level)
   for (Eigen::Index i = 0; i < cosines.cols(); ++i)
     for (unsigned int n = 0; n <= n_max; ++n)
     {
-      cosines(n, i) = static_cast<float>(std::cos(n * azimuths[static_cast<std::size_t>(i)]));
-      sines(n, i) = static_cast<float>(std::sin(n * azimuths[static_cast<std::size_t>(i)]));
+      const double angle = n * azimuths[static_cast<std::size_t>(i)];
+      cosines(n, i) = static_cast<float>(std::cos(angle));
+      // Of n = 0 the azimuthal displacement is torsion, the same all round.
+      sines(n, i) = n == 0 ? 1 : static_cast<float>(std::sin(angle));
     }
   return Utilities::MPI::min(clamped_height, communicator);
 }

@@ -20,13 +20,6 @@ using namespace dealii;
 namespace
 {
 
-/// Size of a square over that of the cells there, at most.
-constexpr double relative_size = 2.8;
-
-/// Shares of the glass's stiffness.
-constexpr double stiffness_of_touched_square = 0.1;
-constexpr double stiffness_of_empty_square = 1e-6;
-
 /// Where a cell of the mesh lies and how large it is in the half plane [m].
 using CellInSection = std::array<double, 3>; // radius, height, size
 
@@ -115,7 +108,7 @@ void SectionGrid::make_squares(const SolidLevel &level)
     for (const auto &[radius, height, size] : section.cells)
     {
       const Square square = square_at({ radius, height });
-      if (square->extent_in_direction(0) <= relative_size * size)
+      if (square->extent_in_direction(0) <= revolved_numbers.relative_size * size)
         continue;
       square->set_refine_flag();
       is_fine = false;
@@ -234,8 +227,9 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
     {
       const double width = square->extent_in_direction(0);
       const Point<2> point = square->vertex(0) + width * quadrature.point(q);
-      const double share =
-        is_touched[square->active_cell_index()] > 0 ? stiffness_of_touched_square : stiffness_of_empty_square;
+      const double share = is_touched[square->active_cell_index()] > 0
+                             ? revolved_numbers.stiffness_of_touched_square
+                             : revolved_numbers.stiffness_of_empty_square;
       const double volume = 2 * numbers::PI * point[0] * width * width * quadrature.weight(q);
       add_point(shapes_at(square, { point[0], point[1] }), point[0], share * volume,
                 sums[square->active_cell_index()]);

@@ -20,6 +20,20 @@ struct MeridianPlace
   double height = 0;
 };
 
+/// Numbers of the coarse space of a mesh's mean body of revolution, tuned on round feet and tried on chipped,
+/// lobed and oval ones (docs/method/solid_measurements.md).
+struct RevolvedNumbers
+{
+  /// A wave has at least four cells round the rim; shorter ones are left to the smoother.
+  unsigned int cells_per_wave = 4;
+  unsigned int most_harmonics = 32; ///< so that the dense matrix of the table has some hundred rows
+  /// Size of a square over that of the cells there, at most: smaller ones take no iterations away.
+  double relative_size = 2.8;
+  /// Shares of the glass's stiffness that squares with glass and without have besides.
+  double stiffness_of_touched_square = 0.1, stiffness_of_empty_square = 1e-6;
+};
+inline constexpr RevolvedNumbers revolved_numbers = {};
+
 /// Radius and height of @p point, whatever its azimuth.
 MeridianPlace place_of(const dealii::Point<3> &point);
 

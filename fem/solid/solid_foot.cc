@@ -41,15 +41,18 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
   return options;
 }
 
-/// How much more a foot yields than the spring that stands for a hard interface, integrated along lines, on a
-/// mesh that can be refined; that of the body of revolution.
-constexpr double hardness = 1000;
-
-/// How much softer it is on each coarser mesh.
-constexpr double softening = 8;
-
-/// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
-constexpr unsigned int fewest_repetitions = 12;
+/// Numbers of a solid foot that were tuned.
+struct FootNumbers
+{
+  /// How much more a foot yields than the spring that stands for a hard interface, integrated along lines, on
+  /// a mesh that can be refined; that of the body of revolution.
+  double hardness = 1000;
+  /// How much softer it is on each coarser mesh: what Newton's method hardens in a few steps.
+  double softening = 8;
+  /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
+  unsigned int fewest_repetitions = 12;
+};
+constexpr FootNumbers foot_numbers = {};
 
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
@@ -83,8 +86,8 @@ std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const 
     return setup.hardness < 1 ? setup.table.interface->softened(1 / setup.hardness) : setup.table.interface;
   const double nu = setup.material.poisson_ratio;
   const double width = setup.profile.crown_radius > 0 ? body.contact_cell_size() : setup.profile.land_width;
-  return std::make_shared<WinklerInterface>(setup.hardness * hardness * setup.material.young_modulus /
-                                            ((1 - nu * nu) * width));
+  return std::make_shared<WinklerInterface>(setup.hardness * foot_numbers.hardness *
+                                            setup.material.young_modulus / ((1 - nu * nu) * width));
 }
 
 } // namespace
@@ -115,7 +118,7 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
     , body(std::make_unique<SolidBody>(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile),
                                        options_of(mesh, setup.options)))
     , interface(interface_of(setup, *body))
-    , softening_of_coarser(is_spring(setup, *body) ? softening : 1)
+    , softening_of_coarser(is_spring(setup, *body) ? foot_numbers.softening : 1)
     , law(interface->make(body->contact_surface(), setup.material.young_modulus / body->contact_cell_size()))
     , n_contact_nodes(body->contact_surface().n_nodes_of_whole())
 {
@@ -142,7 +145,7 @@ FootCapabilities SolidFoot::capabilities() const
   FootCapabilities capabilities;
   capabilities.is_collective = true;
   capabilities.friction_deforms = setup.friction_coefficient > 0;
-  if (mesh.report && mesh.report->n_repetitions < fewest_repetitions)
+  if (mesh.report && mesh.report->n_repetitions < foot_numbers.fewest_repetitions)
     capabilities.period_of_glass = 2 * dealii::numbers::PI / mesh.report->n_repetitions;
   return capabilities;
 }

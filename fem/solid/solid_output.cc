@@ -6,6 +6,10 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream.hpp>
+
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,80 +22,78 @@ using namespace dealii;
 namespace
 {
 
-/// Stress of isotropic elasticity from displacement gradients [Pa].
-class Stress : public DataPostprocessorTensor<3>
+using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
+
+/// Displacement [m] with the table's motion given back to the glass: q0 + q1 x + q2 y upward, and what a
+/// small rotation does to the rest; stress [Pa] and strain of isotropic elasticity; stress of von Mises [Pa].
+class GlassFields : public DataPostprocessor<3>
 {
 public:
-  explicit Stress(const ElasticMaterial &material)
-      : DataPostprocessorTensor<3>("stress", update_gradients)
-      , material(material)
+  GlassFields(const ElasticMaterial &material, const Eigen::Vector3d &motion)
+      : material(material)
+      , motion(motion)
   {
   }
 
-  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
-                             std::vector<Vector<double>> &stresses) const override
+  std::vector<std::string> get_names() const override
   {
-    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
+    return of_each<std::string>("displacement", "stress", "strain", "von_mises_stress");
+  }
+
+  std::vector<Interpretation> get_data_component_interpretation() const override
+  {
+    using namespace DataComponentInterpretation;
+    return of_each<Interpretation>(component_is_part_of_vector, component_is_part_of_tensor,
+                                   component_is_part_of_tensor, component_is_scalar);
+  }
+
+  UpdateFlags get_needed_update_flags() const override
+  {
+    return update_values | update_gradients | update_quadrature_points;
+  }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
+                             std::vector<Vector<double>> &fields) const override
+  {
+    const double lambda = material.lame_lambda(), shear = material.shear_modulus();
+    for (unsigned int p = 0; p < input.solution_values.size(); ++p)
     {
+      const Point<3> &x = input.evaluation_points[p];
+      const auto &displacement = input.solution_values[p];
       const auto &gradient = input.solution_gradients[p];
+      Vector<double> &field = fields[p];
+      field(0) = displacement(0) - motion(1) * x[2];
+      field(1) = displacement(1) - motion(2) * x[2];
+      field(2) = displacement(2) + motion(0) + motion(1) * x[0] + motion(2) * x[1];
       const double divergence = gradient[0][0] + gradient[1][1] + gradient[2][2];
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          stresses[p](Tensor<2, 3>::component_to_unrolled_index(TableIndices<2>(i, j))) =
-            material.shear_modulus() * (gradient[i][j] + gradient[j][i]) +
-            (i == j ? material.lame_lambda() * divergence : 0);
-    }
-  }
-
-private:
-  const ElasticMaterial material;
-};
-
-/// Strain from displacement gradients.
-class Strain : public DataPostprocessorTensor<3>
-{
-public:
-  Strain()
-      : DataPostprocessorTensor<3>("strain", update_gradients)
-  {
-  }
-
-  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
-                             std::vector<Vector<double>> &strains) const override
-  {
-    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          strains[p](Tensor<2, 3>::component_to_unrolled_index(TableIndices<2>(i, j))) =
-            (input.solution_gradients[p][i][j] + input.solution_gradients[p][j][i]) / 2;
-  }
-};
-
-/// Stress of von Mises from displacement gradients [Pa].
-class VonMises : public DataPostprocessorScalar<3>
-{
-public:
-  explicit VonMises(const ElasticMaterial &material)
-      : DataPostprocessorScalar<3>("von_mises_stress", update_gradients)
-      , material(material)
-  {
-  }
-
-  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
-                             std::vector<Vector<double>> &stresses) const override
-  {
-    for (unsigned int p = 0; p < input.solution_gradients.size(); ++p)
-    {
       SymmetricTensor<2, 3> strain;
       for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          strain[i][j] = (input.solution_gradients[p][i][j] + input.solution_gradients[p][j][i]) / 2;
-      stresses[p](0) = 2 * material.shear_modulus() * std::sqrt(1.5) * deviator(strain).norm();
+        for (unsigned int j = 0; j < 3; ++j)
+        {
+          const double both = gradient[i][j] + gradient[j][i];
+          strain[i][j] = both / 2;
+          field(first_of_stress + 3 * i + j) = shear * both + (i == j ? lambda * divergence : 0);
+          field(first_of_strain + 3 * i + j) = both / 2;
+        }
+      field(place_of_von_mises) = 2 * shear * std::sqrt(1.5) * deviator(strain).norm();
     }
   }
 
 private:
+  static constexpr unsigned int first_of_stress = 3, first_of_strain = 12, place_of_von_mises = 21;
+
+  template <typename Word>
+  static std::vector<Word> of_each(Word displacement, Word stress, Word strain, Word von_mises)
+  {
+    std::vector<Word> words(first_of_stress, displacement);
+    words.resize(first_of_strain, stress);
+    words.resize(place_of_von_mises, strain);
+    words.push_back(von_mises);
+    return words;
+  }
+
   const ElasticMaterial material;
+  const Eigen::Vector3d motion;
 };
 
 /// The vertical component of a vector field whose other two are not used: a scalar that lives on the contact
@@ -112,38 +114,19 @@ public:
   }
 };
 
-/// The table's motion given back to the glass: q0 + q1 x + q2 y upward, and what a small rotation does to the
-/// rest.
-class RestoredMotion : public DataPostprocessorVector<3>
+/// The file. Its length is not known before, and a text that grows would take three times the memory: as much
+/// is reserved as numbers without compression take, and what is not written takes none.
+std::string vtu_text(const DataOut<3> &data_out, const DoFHandler<3> &dof_handler)
 {
-public:
-  explicit RestoredMotion(const Eigen::Vector3d &motion)
-      : DataPostprocessorVector<3>("displacement", update_values | update_quadrature_points)
-      , motion(motion)
-  {
-  }
-
-  void evaluate_vector_field(const DataPostprocessorInputs::Vector<3> &input,
-                             std::vector<Vector<double>> &displacements) const override
-  {
-    for (unsigned int p = 0; p < input.solution_values.size(); ++p)
-    {
-      const Point<3> &x = input.evaluation_points[p];
-      displacements[p](0) = input.solution_values[p](0) - motion(1) * x[2];
-      displacements[p](1) = input.solution_values[p](1) - motion(2) * x[2];
-      displacements[p](2) = input.solution_values[p](2) + motion(0) + motion(1) * x[0] + motion(2) * x[1];
-    }
-  }
-
-private:
-  const Eigen::Vector3d motion;
-};
-
-std::string vtu_text(const DataOut<3> &data_out)
-{
-  std::ostringstream text;
-  data_out.write_vtu(text);
-  return text.str();
+  constexpr std::size_t n_bytes_a_node = 200;
+  std::string text;
+  text.reserve(n_bytes_a_node * dof_handler.get_triangulation().n_active_cells() *
+               dof_handler.get_fe().n_dofs_per_cell() / 3);
+  boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> stream(
+    boost::iostreams::back_inserter(text));
+  data_out.write_vtu(stream);
+  stream.flush();
+  return text;
 }
 
 std::string name_of_piece(unsigned int rank)
@@ -163,12 +146,16 @@ std::string without_comment(std::string record)
 
 /// Files that this rank has to write of a picture that several ranks have parts of. A rank without cells
 /// writes no piece, which ParaView could not read.
-std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, bool has_cells,
-                                       const MPI_Comm &communicator)
+std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, const DoFHandler<3> &dof_handler)
 {
+  const MPI_Comm &communicator = dof_handler.get_communicator();
+  bool has_cells = false;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    has_cells = has_cells || cell->is_locally_owned();
   std::vector<FieldFile> files;
   if (has_cells)
-    files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), vtu_text(data_out) });
+    files.push_back(
+      { name_of_piece(Utilities::MPI::this_mpi_process(communicator)), vtu_text(data_out, dof_handler) });
   const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, has_cells);
   std::vector<std::string> pieces;
   for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // none but on the first
@@ -197,10 +184,7 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
     pressure(nodes.dofs()[i]) = nodal_pressure(i);
   pressure.update_ghost_values();
 
-  const RestoredMotion restored(motion);
-  const Stress stress(system->glass());
-  const Strain strain;
-  const VonMises von_mises(system->glass());
+  const GlassFields glass(system->glass(), motion);
   const ContactPressure contact_pressure;
   DataOut<3> data_out;
   DataOutBase::VtkFlags flags;
@@ -208,19 +192,12 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
   flags.compression_level = decltype(flags.compression_level)::best_speed;
   flags.print_date_and_time = false; // equal runs give equal files
   data_out.set_flags(flags);
-  data_out.add_data_vector(dof_handler, displacement, restored);
-  data_out.add_data_vector(dof_handler, displacement, stress);
-  data_out.add_data_vector(dof_handler, displacement, strain);
-  data_out.add_data_vector(dof_handler, displacement, von_mises);
+  data_out.add_data_vector(dof_handler, displacement, glass);
   data_out.add_data_vector(dof_handler, pressure, contact_pressure);
   data_out.build_patches(system->mapping(), dof_handler.get_fe().degree, DataOut<3>::curved_inner_cells);
-  const MPI_Comm &communicator = dof_handler.get_communicator();
-  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-    return { { "contact.vtu", vtu_text(data_out) } };
-  bool has_cells = false;
-  for (const auto &cell : dof_handler.active_cell_iterators())
-    has_cells = has_cells || cell->is_locally_owned();
-  return pieces_on_ranks(data_out, has_cells, communicator);
+  if (Utilities::MPI::n_mpi_processes(dof_handler.get_communicator()) == 1)
+    return { { "contact.vtu", vtu_text(data_out, dof_handler) } };
+  return pieces_on_ranks(data_out, dof_handler);
 }
 
 } // namespace stemware::fem

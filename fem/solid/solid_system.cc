@@ -23,28 +23,29 @@ using namespace dealii;
 namespace
 {
 
-constexpr unsigned int most_iterations = 200;
+/// Numbers of the Newton steps of a solid body that were tuned on feet with and without a hierarchy.
+struct StepNumbers
+{
+  unsigned int most_iterations = 200; ///< of conjugate gradients, which take 20 to 75 on meshes of use
 
-/// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
-constexpr double unbalanced_share = 2e-10;
+  /// Share of the forces that Newton's method may leave unbalanced: a fifth of what its stopping rule allows.
+  double unbalanced_share = 2e-10;
+  /// Largest share of the residual that a linear solve may leave: with a larger one, Newton's method takes
+  /// more steps and no fewer iterations.
+  double least_reduction = 1e-3;
+  /// A Newton step that would come this close to the last target is solved as far as that: a few iterations
+  /// more are less than another step.
+  double nearly_last = 30;
 
-/// Largest share of the residual that a linear solve may leave: with a larger one, Newton's method takes more
-/// steps and no fewer iterations.
-constexpr double least_reduction = 1e-3;
-
-/// A Newton step that would come this close to the last target is solved as far as that: a few iterations
-/// more are less than another step.
-constexpr double nearly_last = 30;
-
-/// How well W has to solve its equations where it only helps to precondition, and where the conditions on the
-/// forces are closed with it.
-constexpr double loose_border = 0.02;
-constexpr double tight_border = 1e-3;
-
-/// W is left out where the V-cycle sees at least this share of what the table's motions change.
-constexpr double small_border = 0.2;
-/// Whether it is to be left out is asked again where the table is stiffer by this factor.
-constexpr double much_stiffer = 4;
+  /// How well W has to solve its equations where it only helps to precondition, and where the conditions on
+  /// the forces are closed with it.
+  double loose_border = 0.02, tight_border = 1e-3;
+  /// W is left out where the V-cycle sees at least this share of what the table's motions change.
+  double small_border = 0.2;
+  /// Whether it is to be left out is asked again where the table is stiffer by this factor.
+  double much_stiffer = 4;
+};
+constexpr StepNumbers tuned = {};
 
 /// K + B' T B.
 struct TangentOperator
@@ -125,6 +126,49 @@ struct SolidSystem::ProjectedPreconditioner
     for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
       for (unsigned int k = 0; k < 3; ++k)
         dst.local_element(i) += motion(k) * double(w[k].local_element(i));
+  }
+};
+
+/// The linear system of one Newton step without what friction makes unsymmetric in it.
+struct SolidSystem::SymmetricStep
+{
+  const SolidSystem &system;
+  const LinearConditions *const closed; ///< conditions that are closed with W; nothing for resultants
+  const ScaledMotions motions;
+  const Border border;
+
+  /// @p residual as conjugate gradients see it, when the motions give the conditions what is @p missing.
+  Vector projected(Vector residual, const Eigen::Vector3d &missing) const
+  {
+    system.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
+    return residual;
+  }
+
+  /// Contact forces that @p of takes away.
+  Eigen::VectorXd forces_of(const SolidIncrement &of) const
+  {
+    return system.contact.matrix() * (of.displacement + motions.modes * of.motion);
+  }
+
+  /// The increment for a projected residual, down to one of @p target.
+  SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
+  {
+    const ContactNodes &nodes = system.contact.nodes();
+    SolidIncrement solution;
+    system.body->initialize(solution.body);
+    if (rhs.l2_norm() > target)
+      solution.n_iterations =
+        conjugate_gradients(ProjectedOperator{ system, border }, ProjectedPreconditioner{ system, border },
+                            rhs, target, tuned.most_iterations, solution.body);
+    solution.displacement = nodes.gather(solution.body);
+    solution.motion = border.inverse_corner *
+                      (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
+    if (closed)
+      system.close_conditions(*closed, motions, missing, solution);
+    system.body->initialize(solution.image);
+    system.body->vmult(solution.image, solution.body);
+    solution.image += system.contact_load(forces_of(solution));
+    return solution;
   }
 };
 
@@ -222,19 +266,13 @@ SolidSystem::Vector SolidSystem::solve_symmetric(const Eigen::SparseMatrix<doubl
                                                  const Eigen::VectorXd &nodal,
                                                  const Eigen::Vector3d &on_motions, double reduction)
 {
-  forget_increment();
-  contact.set(tangent);
-  body->set_contact(tangent);
-  const ScaledMotions motions(zone.surface);
-  const Border border = make_border(motions.modes, loose_border);
-  const Eigen::Vector3d missing = motions.scale.asDiagonal() * on_motions;
-  Vector rhs, solution;
-  body->initialize(rhs);
-  body->initialize(solution);
-  contact.nodes().scatter_add(nodal - border.columns * (border.inverse_corner * missing), rhs);
-  conjugate_gradients(ProjectedOperator{ *this, border }, ProjectedPreconditioner{ *this, border }, rhs,
-                      reduction * rhs.l2_norm(), most_iterations, solution);
-  return solution;
+  const SymmetricStep step = begin_step(tangent, nullptr);
+  const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * on_motions;
+  Vector load;
+  body->initialize(load);
+  contact.nodes().scatter_add(nodal, load);
+  const Vector rhs = step.projected(std::move(load), missing);
+  return step.solve(rhs, missing, reduction * rhs.l2_norm()).body;
 }
 
 Eigen::VectorXd SolidSystem::contact_displacement() const
@@ -251,7 +289,7 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
   border.corner = ((border.corner + border.corner.transpose()) / 2).eval();
   border.inverse_corner = border.corner.inverse();
   const double stiffness = border.corner(0, 0);
-  if (!border_matters && tolerance >= loose_border && stiffness < much_stiffer * border_stiffness)
+  if (!border_matters && tolerance >= tuned.loose_border && stiffness < tuned.much_stiffer * border_stiffness)
     return border;
 
   const TangentOperator tangent{ *body, contact };
@@ -272,7 +310,7 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
     if (residual.l2_norm() > target)
     {
       correction = 0;
-      conjugate_gradients(tangent, preconditioner, residual, target, most_iterations, correction);
+      conjugate_gradients(tangent, preconditioner, residual, target, tuned.most_iterations, correction);
       column += correction;
       eliminated_border[i].copy_locally_owned_data_from(column);
       tangent.vmult(image, column);
@@ -289,7 +327,7 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
   border.inverse_schur = schur.inverse();
   const double share =
     Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(schur, border.corner).eigenvalues().minCoeff();
-  border_matters = share < small_border;
+  border_matters = share < tuned.small_border;
   border_stiffness = stiffness;
   return border;
 }
@@ -301,81 +339,66 @@ double SolidSystem::target_residual(double residual, double force)
   // As exact as the step before was good: what a Newton step cannot keep is not worth solving for.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
-  const double target = std::min(least_reduction, ratio * ratio) * residual;
-  const double last_target = unbalanced_share * force;
-  return target < nearly_last * last_target ? last_target : target;
+  const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;
+  const double last_target = tuned.unbalanced_share * force;
+  return target < tuned.nearly_last * last_target ? last_target : target;
+}
+
+SolidSystem::SymmetricStep SolidSystem::begin_step(const Eigen::SparseMatrix<double> &tangent,
+                                                   const LinearConditions *closed)
+{
+  forget_increment();
+  contact.set(tangent);
+  body->set_contact(tangent);
+  const ScaledMotions motions(zone.surface);
+  return { *this, closed, motions,
+           make_border(motions.modes, closed ? tuned.tight_border : tuned.loose_border) };
 }
 
 NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                                    const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
-  forget_increment();
-  contact.set(tangent);
-  body->set_contact(tangent);
-  const ContactNodes &nodes = contact.nodes();
-  const ScaledMotions motions(zone.surface);
-  const bool symmetric = conditions.are_resultants();
-  const Border border = make_border(motions.modes, symmetric ? loose_border : tight_border);
+  const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
-  const ProjectedOperator matrix{ *this, border };
-  const ProjectedPreconditioner preconditioner{ *this, border };
-  const auto forces_of = [&](const SolidIncrement &of) -> Eigen::VectorXd
-  { return contact.matrix() * (of.displacement + motions.modes * of.motion); };
-  const auto projected = [&](Vector residual, const Eigen::Vector3d &missing)
-  {
-    nodes.scatter_add(-border.columns * (border.inverse_corner * missing), residual);
-    return residual;
-  };
-  const auto solve_symmetric_part = [&](const Vector &rhs, const Eigen::Vector3d &missing, double target)
-  {
-    SolidIncrement solution;
-    body->initialize(solution.body);
-    if (rhs.l2_norm() > target)
-      solution.n_iterations =
-        conjugate_gradients(matrix, preconditioner, rhs, target, most_iterations, solution.body);
-    solution.displacement = nodes.gather(solution.body);
-    solution.motion = border.inverse_corner *
-                      (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
-    if (!symmetric)
-      close_conditions(conditions, motions, missing, solution);
-    body->initialize(solution.image);
-    body->vmult(solution.image, solution.body);
-    solution.image += contact_load(forces_of(solution));
-    return solution;
-  };
-
-  const Eigen::Vector3d missing = motions.scale.asDiagonal() * conditions.residual(forces, motion);
-  // Vectors of the whole body are most of the memory: none stays that is not needed in the next line.
+  // 1. The symmetric part, for the whole residual. Vectors of the whole body are most of the memory: none
+  // stays that is not needed in the next line.
+  const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * conditions.residual(forces, motion);
   double target = 0;
   SolidIncrement solution = [&]
   {
-    const Vector rhs = projected(residual(forces), missing);
-    target = target_residual(rhs.l2_norm(), nodes.norm(forces));
-    return solve_symmetric_part(rhs, missing, target);
+    const Vector rhs = step.projected(residual(forces), missing);
+    target = target_residual(rhs.l2_norm(), contact.nodes().norm(forces));
+    return step.solve(rhs, missing, target);
   }();
+
+  // 2. What friction leaves.
   if (has_friction)
   {
     Vector left = residual(forces);
     left -= solution.image;
     correct_for_friction(solution, std::move(left), 2 * target,
                          [&](const Vector &of, double to)
-                         { return solve_symmetric_part(of, Eigen::Vector3d::Zero(), to); });
+                         { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
-
-  const Eigen::VectorXd change = forces_of(solution);
-  NewtonIncrement step;
-  step.linear_iterations = solution.n_iterations;
-  step.steadiness = solution.steadiness;
-  step.displacement = solution.displacement;
-  step.motion = motions.scale.asDiagonal() * solution.motion;
-  // The work of friction, which changes with the forces, belongs to the body's.
-  step.energy_curvature = solution.image * solution.body - nodes.parts().sum(change.dot(step.displacement));
-  step.energy_slope = nodes.parts().sum(forces.dot(step.displacement)) - residual(forces) * solution.body;
   body->learn(solution.n_iterations);
+
+  // 3. What Newton's method is told of the increment. The work of friction, which changes with the forces,
+  // belongs to the body's.
+  const Eigen::VectorXd change = step.forces_of(solution);
+  const SurfaceParts &parts = contact.nodes().parts();
+  NewtonIncrement result;
+  result.linear_iterations = solution.n_iterations;
+  result.steadiness = solution.steadiness;
+  result.displacement = solution.displacement;
+  result.motion = step.motions.scale.asDiagonal() * solution.motion;
+  result.energy_curvature = solution.image * solution.body - parts.sum(change.dot(result.displacement));
+  result.energy_slope = parts.sum(forces.dot(result.displacement)) - residual(forces) * solution.body;
+
+  // 4. The increment itself stays here, for update().
   increment.swap(solution.body);
   increment_forces.swap(solution.image);
   increment_forces -= contact_load(change);
-  return step;
+  return result;
 }
 
 void SolidSystem::forget_increment()

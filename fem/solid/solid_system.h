@@ -84,10 +84,13 @@ private:
   struct Border;
   struct ProjectedOperator;
   struct ProjectedPreconditioner;
+  struct SymmetricStep;
 
   const SolidLevel &mesh() const { return body->mesh(); }
   /// B' @p forces with the friction that they bring along.
   Vector contact_load(const Eigen::VectorXd &forces) const;
+  /// Takes over @p tangent; @p closed: conditions other than resultants.
+  SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent, const LinearConditions *closed);
   /// The border of the present contact stiffness; W solves its equations to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
   /// The residual [N] down to which a system that starts from @p residual is worth solving under contact

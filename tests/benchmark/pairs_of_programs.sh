@@ -38,7 +38,7 @@ arguments_of() { # name
   wavy) printf '%s\n' run "$cookbooks/three_point_waviness.prm" ;;
   slide) printf '%s\n' slide ;;
   solid)
-    printf '%s\n' run "$cookbooks/lift_off.prm" --set Contact/Body=solid --set Contact/Shape=step \
+    printf '%s\n' run "$cookbooks/lift_off.prm" --set Contact/Body=solid --set Glass/Shape=step \
       --set 'Contact/Azimuthal cells=96' --set 'Contact/Radial cells=8' --set 'Contact/Foot layers=4' \
       --set Contact/Degree=2
     ;;

@@ -171,9 +171,14 @@ std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr
     return std::nullopt;
   Variant one_ring = { "one_ring", "one ring", study };
   one_ring.study.contact.rings = 1;
+  // A foot that takes all ranks together is costly, and its contact of rest does not depend on the rings.
+  one_ring.on_same_foot = is_collective(study);
+  const std::shared_ptr<ElasticFoot> its_foot = one_ring.on_same_foot ? foot->twin() : foot;
+  if (one_ring.on_same_foot)
+    its_foot->forget_rings();
   SpinQuestion question;
   question.near = known_zero(all);
-  SpinRow row = solve_rows({ one_ring }, foot, question, executor).front().row;
+  SpinRow row = solve_rows({ one_ring }, its_foot, question, executor).front().row;
   row.harmonics = all.harmonics;
   row.all_harmonics = true;
   if (row.terminal && all.relative_change)

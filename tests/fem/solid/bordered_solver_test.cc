@@ -92,3 +92,15 @@ TEST(LinearSolver, ItsIterationsHardlyGrow)
   EXPECT_LE(fine.press().linear_iterations, before + 15);
   EXPECT_LE(quadratic.press().linear_iterations, before + 20);
 }
+
+/// Friction of a foot that spins in its place twists it on its stem, which the load of a table hardly does.
+TEST(LinearSolver, FrictionThatTwistsTheFootTakesFewMoreIterations)
+{
+  OvalFoot foot({ 48, 4, 4, 0 }, LinearSolver::multigrid, 1);
+  const unsigned int without = foot.press().linear_iterations;
+  SlidingTraction spinning;
+  spinning.friction_coefficient = 1e-6; // next to nothing for the pressure
+  spinning.spin_per_speed = 1e6;
+  foot.body->set_sliding(spinning);
+  EXPECT_LE(foot.press().linear_iterations, 3 * without / 2);
+}

@@ -61,12 +61,7 @@ void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refineme
   const SolidLevel level(std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {}), degree,
                          degree);
   const dealii::IndexSet &owned = level.dof_handler.locally_owned_dofs();
-  const dealii::IndexSet relevant = dealii::DoFTools::extract_locally_relevant_dofs(level.dof_handler);
-  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, relevant, MPI_COMM_WORLD);
-  dealii::DoFTools::make_sparsity_pattern(level.dof_handler, sparsity, level.constraints, false,
-                                          dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-  sparsity.compress();
-  dealii::TrilinosWrappers::SparseMatrix matrix(sparsity);
+  dealii::TrilinosWrappers::SparseMatrix matrix;
   assemble_stiffness(level.mapping, level.dof_handler, ElasticMaterial(), level.constraints, matrix);
 
   const auto stiffness =
