@@ -12,6 +12,8 @@ const T = () => STRINGS[state.language];
 const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
 const pair_name = () => state.glass + '|' + state.table, pair = () => DATA.pairs[pair_name()];
 const digits = (x, n = 4) => x == null ? '–' : x.toFixed(n).replace('-', '−');
+// Decimals as the language has them, in what is read; files have points.
+const local = text => state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,');
 const escaped = text => String(text).replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
 // Sliders: entry, from, to, step, unit shown, factor of the SI value, logarithmic.
@@ -93,7 +95,7 @@ function show(reply, ms) {
   }
   const chosen = answer.first_n || answer.all, omega = chosen.omega, all = answer.all;
   if (omega == null) {
-    box.textContent = chosen.falls ? say(t.falls, digits(chosen.last_spin, 3)) : say(t.no_spin, chosen.reason);
+    box.textContent = chosen.falls ? local(say(t.falls, digits(chosen.last_spin, 3))) : say(t.no_spin, chosen.reason);
     box.classList.add('falls');
   } else {
     const sense = value_text('Motion/Orbit sense') === 'clockwise' ? -1 : 1;
@@ -105,10 +107,10 @@ function show(reply, ms) {
     } else if (answer.paper.omega != null) text += ' ' + say(t.paper_says, digits(answer.paper.omega));
     const fraction = answer.contact ? answer.contact.contact_fraction : null;
     if (fraction != null) text += ' ' + (fraction < 0.9995 ? say(t.lifts, (100 * fraction).toFixed(0)) : t.full);
-    box.textContent = text;
+    box.textContent = local(text);
   }
   const notes = [...(answer.notes || [])];
-  if (answer.fit === 'near') notes.unshift(say(t.near, band().toExponential(0)));
+  if (answer.fit === 'near') notes.unshift(local(say(t.near, scientific(band()))));
   if (answer.first_n && chosen.standing === 'formal') notes.push(t.pulls);
   $('notice').textContent = notes.join(' ');
   target = omega == null ? chosen.last_spin || 0 : omega;
@@ -117,7 +119,7 @@ function show(reply, ms) {
   if (checked === null && answer.was_cold && Object.keys(state.changes).length === 0) {
     const native = pair().omega;
     checked = Math.abs(all.omega - pair().here) < DATA.tolerance;
-    $('check').textContent = say(checked ? t.check_ok : t.check_bad, digits(all.omega, 10), digits(native, 10));
+    $('check').textContent = local(say(checked ? t.check_ok : t.check_bad, digits(all.omega, 10), digits(native, 10)));
     $('check').classList.toggle('falls', !checked);
   }
   facts(ms);
@@ -136,10 +138,10 @@ function facts(ms) {
   const f = T().facts, a = answer.all, end = a.at_end || a.at_rest, contact = answer.contact;
   const rows = [[f.omega, digits(a.omega, 6) + ' rad/s'], [f.time_constant, a.time_constant ? a.time_constant.toFixed(3) + ' s' : '–'],
     [f.moment_ratio, end ? end.moment_ratio.toFixed(4) : '–'], [f.fraction, contact ? (100 * contact.contact_fraction).toFixed(1) + ' %' : '–'],
-    [f.normal, end ? end.normal_force.toFixed(3) + ' N' : '–'], [f.tau0, a.at_rest ? digits(1e3 * a.at_rest.torque) + ' mN m' : '–'],
+    [f.normal, end ? end.normal_force.toFixed(3) + ' N' : '–'], [f.tau0, a.at_rest ? digits(1e3 * a.at_rest.torque) + ' mN m' : '…'],
     [f.lean, contact ? (1e6 * Math.hypot(contact.motion[1], contact.motion[2])).toFixed(1) + ' µrad' : '–'],
-    [f.effect, harmonic_effect()], [f.band, pair().band || answer.fit === 'near' ? '±' + band().toExponential(1) + ' rad/s' : '–'], [f.ms, ms.toFixed(0) + ' ms']];
-  $('facts').innerHTML = rows.map(([k, v]) => `<div><dt>${escaped(k)}</dt><dd>${escaped(v)}</dd></div>`).join('');
+    [f.effect, harmonic_effect()], [f.band, pair().band || answer.fit === 'near' ? '±' + scientific(band()) + ' rad/s' : '–'], [f.ms, ms.toFixed(0) + ' ms']];
+  $('facts').innerHTML = rows.map(([k, v]) => `<div><dt>${escaped(k)}</dt><dd>${escaped(local(v))}</dd></div>`).join('');
 }
 
 // ---- Controls.
@@ -183,7 +185,7 @@ function make_sliders() {
     input.min = Math.min(from, base); input.max = Math.max(to, base); input.value = now; input.dataset.path = path;
     const write = () => {
       const value = value_of(path);
-      slider.querySelector('output').textContent = (log ? scientific(value) : Number((value * factor).toFixed(3)).toString().replace('-', '−')) + (unit ? ' ' + unit : '');
+      slider.querySelector('output').textContent = local((log ? scientific(value) : Number((value * factor).toFixed(3)).toString().replace('-', '−')) + (unit ? ' ' + unit : ''));
       input.setAttribute('aria-valuetext', slider.querySelector('output').textContent);
       slider.classList.toggle('changed', path in state.changes);
     };
@@ -250,7 +252,7 @@ function plot(id, { x_label, y_label, series, x_range, zero, x_ticks, marks = []
   const xs = x_range || [Math.min(...shown.flatMap(s => s.x)), Math.max(...shown.flatMap(s => s.x))];
   const values = shown.flatMap(s => s.y).filter(Number.isFinite);
   if (!values.length) { blank(id); return; }
-  const W = 380, H = 240, left = 52, right = 10, bottom = 38, names = legend(shown, Math.max(left + 8, 14 + ruler.measureText(y_label).width), W), top = 10 + 16 * names.rows;
+  const W = 380, H = 240, left = 52, right = 10, bottom = 38, names = legend(shown, Math.max(left + 8, 18 + ruler.measureText(y_label).width), W), top = 10 + 16 * names.rows;
   let low = Math.min(...values), high = Math.max(...values);
   if (zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
   if (high - low < 1e-12 * Math.max(1, Math.abs(high))) { low -= 0.5; high += 0.5; }
@@ -283,11 +285,16 @@ function picture(id, box, inside, heading, rows) {
   if (!plot.querySelector('svg')) plot.innerHTML = `<svg role="img"></svg><span class="save print-no"><button data-as="svg">SVG</button><button data-as="png">PNG</button><button data-as="csv">CSV</button></span>`;
   const svg = plot.querySelector('svg');
   svg.setAttribute('viewBox', box); svg.setAttribute('aria-label', title);
-  svg.innerHTML = inside;
+  svg.innerHTML = inside.replace(/>([^<]*)<\/text>/g, (_, words) => `>${local(words)}</text>`);
   for (const b of plot.querySelectorAll('.save button')) { b.setAttribute('aria-label', `${title}: ${b.dataset.as.toUpperCase()}`); b.onclick = () => save_picture(id, b.dataset.as); }
   tables[id] = { heading, rows };
 }
-function draw() { draw_load(); draw_torque(); draw_spin(); draw_budget(); draw_pressure(); draw_side(); draw_scene_parts(); }
+// Curves, budget and pressure stay those of the last pause while something moves.
+function draw() {
+  draw_load(); draw_side(); draw_scene_parts();
+  if (answer.all && !answer.was_cold) return;
+  draw_torque(); draw_spin(); draw_budget(); draw_pressure();
+}
 
 // The load at theta of an end state, up to harmonic n.
 const load_at = (s, theta, n = 1e9) => { let sum = 0; for (let k = 0; k < s.a.length && k <= n; ++k) sum += s.a[k] * Math.cos(k * theta) + s.b[k] * Math.sin(k * theta); return sum; };
@@ -378,7 +385,7 @@ function draw_side() {
   const lean = answer && answer.contact ? -answer.contact.motion[1] * 180 / Math.PI : 0;
   let svg = `<path d="M10 ${ground}H${W - 10}" stroke="var(--ink)" stroke-width="1.5"/>`;
   svg += `<g transform="rotate(${(answer && !answer.all && answer.tips ? 14 : lean).toFixed(5)} ${middle + scale * R} ${ground})"><path d="M${X(-foot)} ${ground}Q${X(-foot)} ${Y(3)} ${X(-5)} ${Y(6)}V${Y(top * 0.45)}Q${X(-bowl)} ${Y(top * 0.55)} ${X(-bowl * 0.8)} ${Y(top)}H${X(bowl * 0.8)}Q${X(bowl)} ${Y(top * 0.55)} ${X(5)} ${Y(top * 0.45)}V${Y(6)}Q${X(foot)} ${Y(3)} ${X(foot)} ${ground}Z" fill="var(--glass)" stroke="var(--line)" stroke-width="1.5"/><circle cx="${middle}" cy="${Y(z)}" r="4.5" fill="var(--ink)"/></g>`;
-  svg += `<text class="quiet" x="${middle + 9}" y="${Y(z) + 4}">${escaped(t.mass_centre)} ${tick_text(Math.round(z))} mm</text>`;
+  svg += `<text class="quiet" x="${middle + (answer && !answer.all && answer.tips ? 28 : 9)}" y="${Y(z) + 4}">${escaped(t.mass_centre)} ${tick_text(Math.round(z))} mm</text>`;
   if (end) {
     const v = value_of('Motion/Orbit speed'), rho = value_of('Motion/Orbit radius'), per = 22, fx = -end.friction[0];
     svg += arrow(middle, Y(hand), per * fx, 0, 'var(--first)', `${t.hand} ${fx.toFixed(2)} N`);
@@ -408,7 +415,7 @@ function draw_scene_parts() {
   }
   [[t.elastic, answer && answer.all ? answer.first_n || answer.all : null, 0], [t.ring, answer && answer.all ? answer.paper : null, 1]].forEach(([name, row, i]) => {
     const g = scene_parts[i], s = row && (row.at_end || row.at_rest);
-    g.querySelector('.name').textContent = name + (row && row.omega != null ? `: ${digits(row.omega, 3)} rad/s` : '');
+    g.querySelector('.name').textContent = local(name + (row && row.omega != null ? `: ${digits(row.omega, 3)} rad/s` : ''));
     g.loads = s ? Array.from({ length: arcs }, (_, k) => { const th = 2 * Math.PI * (k + 0.5) / arcs; return i === 0 && row === answer.all ? pointwise(th) : load_at(s, th, row === answer.first_n ? state.harmonics : 1e9); }) : null;
     const most = g.loads ? Math.max(...g.loads) : 1;
     g.querySelector('.rim').innerHTML = g.loads ? g.loads.map((v, k) => { const a = 2 * Math.PI * k / arcs, b = 2 * Math.PI * (k + 1.05) / arcs, r = 40; return `<path d="M${(r * Math.cos(a)).toFixed(2)} ${(-r * Math.sin(a)).toFixed(2)}A${r} ${r} 0 0 0 ${(r * Math.cos(b)).toFixed(2)} ${(-r * Math.sin(b)).toFixed(2)}" fill="none" stroke="${v < 0 ? 'var(--first)' : v < 1e-6 * most ? 'var(--line)' : shade(0.12 + 0.88 * v / most)}" stroke-width="${v <= 1e-6 * most ? 2 : 9}"/>`; }).join('') : '';
