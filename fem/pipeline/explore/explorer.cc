@@ -1,11 +1,13 @@
 #include "fem/pipeline/explore/explorer.h"
 
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "fem/revolution/revolution_foot.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/no_balance.h"
 
 #include <algorithm>
@@ -49,13 +51,16 @@ void Explorer::take(std::shared_ptr<const fem::ContactCompliance> given, bool is
   (is_disc ? disc_compliance : compliance) = std::move(given);
 }
 
-void Explorer::set(const std::string &path, const std::string &value)
+void Explorer::set(const std::string &entry_path, const std::string &value)
 {
   const std::vector<StudyEntry> entries = study_entries(present);
-  const StudyEntry &entry = entry_at(entries, "", path);
-  require(!is_ready || is_live(path) || entry.text() == value,
-          path + " needs another mesh than this page has; `stemware run` makes one.");
+  const StudyEntry &entry = entry_at(entries, "", entry_path);
+  require(!is_ready || is_live(entry_path) || entry.text() == value,
+          entry_path + " needs another mesh than this page has; `stemware run` makes one.");
+  const auto quantity = [&entry] { return entry.quantity ? *entry.quantity : std::nan(""); };
+  const double before = quantity();
   assign(entry, "", value);
+  path.change(entry_path, before, quantity());
 }
 
 void Explorer::ready(double fineness)
@@ -102,8 +107,7 @@ Executor Explorer::executor() const
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 {
-  std::shared_ptr<ElasticFoot> last = std::move(foot);
-  const std::optional<ring::KnownZero> last_spin = std::exchange(near, {});
+  const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
   rows.clear();
   check_values(present);
   require_standing(present);
@@ -112,21 +116,83 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   require(answer.fit != MeshFit::foreign,
           "The contact would be of another width, which the mesh of this page does not "
           "resolve; `stemware run` makes one that does.");
-  const bool warm = !cold && last;
-  foot = study_foot(present, executor().make_foot, silent_progress(), warm ? last.get() : nullptr);
-  if (warm && last->has_rings())
+  const bool from_last = !cold && last && last->has_rings();
+  if (!from_last || !follow(*last, n_harmonics, answer))
+    solve_anew(from_last ? last.get() : nullptr, n_harmonics, answer);
+  answer.contact_radius = foot->radius();
+  const Study paper = paper_study(present);
+  answer.paper = attempt_spin_row(*find_load(paper, nullptr), spin_question(paper));
+  if (answer.first_n)
+    shift_of_first_n = answer.first_n->last_spin().value_or(0) - answer.all.last_spin().value_or(0);
+  return answer;
+}
+
+bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer)
+{
+  const std::optional<LiveBalance> near = path.expected();
+  if (!near)
+    return false;
+  foot = study_foot(present, executor().make_foot);
+  foot->set_rings(last.ring_radii(), last.n_harmonics());
+  const auto row_of = [&](const LiveBalance &balance, const LeaningLoad &load)
+  {
+    const double omega = balance.spin.omega;
+    RingState state = { load };
+    state.friction = ring::wrench(present.motion.orbit, load, omega);
+    state.lean_torque = load.lean_torque();
+    state.grip_torque =
+      grip_torque(state.friction.torque + state.lean_torque, omega, present.motion.grip_torque);
+    state.moment_ratio = load.moment_ratio(foot->radius());
+    SpinRow row;
+    row.harmonics = load.n_harmonics();
+    row.terminal = ring::TerminalSpin{ omega, balance.spin.slope, std::nan(""), true };
+    row.at_terminal = state;
+    row.standing = Standing::full_contact;
+    return row;
+  };
+  try
+  {
+    const auto all = balance_near(*near, present, foot, all_harmonics);
+    if (!all)
+      return false;
+    if (n_harmonics < foot->n_harmonics())
+    {
+      LiveBalance beside = all->first;
+      beside.spin.omega += shift_of_first_n;
+      const auto first_n = balance_near(beside, present, foot, n_harmonics);
+      if (!first_n)
+        return false;
+      answer.first_n = row_of(first_n->first, first_n->second);
+    }
+    answer.all = row_of(all->first, all->second);
+    answer.all.all_harmonics = true;
+    answer.contact = all->first.contact;
+    path.append(all->first);
+    return true;
+  }
+  catch (const fem::ContactFailure &)
+  {
+    return false;
+  }
+}
+
+void Explorer::solve_anew(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
+{
+  foot = study_foot(present, executor().make_foot, silent_progress(), last);
+  if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   SpinQuestion question = spin_question(present);
-  question.with_slope = question.with_minima = cold; // a move is to be quick
-  if (warm)
-    question.near = last_spin;
-
+  question.with_slope = question.with_minima = !last; // a move is to be quick
+  if (const std::optional<LiveBalance> near = path.expected(); near && last)
+    question.near = near->spin;
   const SharedLoad load = find_load(present, foot);
   answer.all = attempt_spin_row(*load, question);
-  answer.contact_radius = foot->radius();
+  std::optional<ring::KnownZero> zero = known_zero(answer.all);
+  if (!zero && question.near && answer.all.omega_terminal())
+    zero = ring::KnownZero{ *answer.all.omega_terminal(), question.near->slope };
   if (n_harmonics < foot->n_harmonics())
   {
-    question.near = known_zero(answer.all);
+    question.near = zero;
     const SharedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
     answer.first_n = attempt_spin_row(*cut, question);
     answer.first_n->harmonics = n_harmonics;
@@ -134,13 +200,8 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   }
   answer.all.all_harmonics = true;
   rows.push_back({ answer.all, load });
-  const Study paper = paper_study(present);
-  answer.paper = attempt_spin_row(*find_load(paper, nullptr), spin_question(paper));
   answer.contact = load->contact(answer.all.last_spin().value_or(0));
-  near = known_zero(answer.all);
-  if (!near && warm && last_spin && answer.all.omega_terminal())
-    near = ring::KnownZero{ *answer.all.omega_terminal(), last_spin->slope };
-  return answer;
+  path.append(zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt);
 }
 
 std::optional<LiveCurves> Explorer::curves()

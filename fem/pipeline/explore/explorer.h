@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/explore/live_path.h"
 #include "fem/revolution/contact_compliance.h"
 
 #include <memory>
@@ -67,8 +68,9 @@ public:
   /// How the mesh suits the study as it is now.
   MeshFit fit() const;
 
-  /// Solves the study with @p n_harmonics, from the last answer, or, where @p cold, as `stemware run` does.
-  /// Throws BadInput with one sentence for what is refused, and what contacts and balances throw at rest.
+  /// Solves the study with @p n_harmonics, from the last answer to 1e-7 rad/s, where that leads on without
+  /// its state at rest, or, where @p cold, as `stemware run` does. Throws BadInput with one sentence for what
+  /// is refused, and what contacts and balances throw at rest.
   LiveAnswer solve(unsigned int n_harmonics, bool cold);
 
   /// Curves of the last answer; nothing where it has no spin.
@@ -86,13 +88,20 @@ public:
 private:
   std::shared_ptr<fem::Foot> make_foot(const Study &study) const;
   Executor executor() const;
+  /// Fills in the rows of @p answer by balances next to those before, on the rings of @p last; whether that
+  /// leads on. Then there is no curve and no budget.
+  bool follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAnswer &answer);
+  /// The same from what the contacts of @p last let expect, if any, else from nothing.
+  void solve_anew(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer);
 
   Study present, base;
   bool is_ready = false;
   std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
-  std::shared_ptr<ElasticFoot> foot;   ///< of the last answer
-  std::vector<LoadedRow> rows;         ///< of the last answer, that of all harmonics last
-  std::optional<ring::KnownZero> near; ///< its spin
+  std::shared_ptr<ElasticFoot> foot; ///< of the last answer
+  std::vector<LoadedRow> rows;       ///< of the last answer, that of all harmonics last; none of follow()
+  LivePath path;
+  /// The terminal spin of the first n harmonics alone less that of all in the last answer [rad/s].
+  double shift_of_first_n = 0;
 };
 
 /// A compliance as numbers in a row, and back: nodes, degree, highest harmonic, unknowns, whether the land

@@ -12,6 +12,8 @@ const T = () => STRINGS[state.language];
 const say = (text, ...values) => text.replace(/\{(\d)\}/g, (_, i) => values[i]);
 const pair_name = () => state.glass + '|' + state.table, pair = () => DATA.pairs[pair_name()];
 const digits = (x, n = 4) => x == null ? '–' : x.toFixed(n).replace('-', '−');
+// Decimals as the language has them, in what is read; files have points.
+const local = text => state.language === 'en' ? text : text.replace(/(\d)\.(?=\d)/g, '$1,');
 const escaped = text => String(text).replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
 // Sliders: entry, from, to, step, unit shown, factor of the SI value, logarithmic.
@@ -86,13 +88,14 @@ function show(reply, ms) {
     box.textContent = reply.tips ? t.tips : reply.refused ? say(t.refused, reply.error) : reply.error;
     box.classList.add('falls');
     if (reply.tips) $('notice').textContent = reply.error;
+    $('facts').innerHTML = '';
     target = 0;
     draw();
     return;
   }
   const chosen = answer.first_n || answer.all, omega = chosen.omega, all = answer.all;
   if (omega == null) {
-    box.textContent = chosen.falls ? say(t.falls, digits(chosen.last_spin, 3)) : say(t.no_spin, chosen.reason);
+    box.textContent = chosen.falls ? local(say(t.falls, digits(chosen.last_spin, 3))) : say(t.no_spin, chosen.reason);
     box.classList.add('falls');
   } else {
     const sense = value_text('Motion/Orbit sense') === 'clockwise' ? -1 : 1;
@@ -100,14 +103,14 @@ function show(reply, ms) {
     let text = say(t.answer, way, digits(omega), Math.abs(omega) < 1e-6 ? '∞' : (2 * Math.PI / Math.abs(omega)).toFixed(2));
     if (answer.first_n && all.omega != null) {
       const change = all.omega - omega, percent = 100 * (all.omega / omega - 1);
-      text += ' ' + say(t.effect, (percent >= 0 ? '+' : '−') + Math.abs(percent).toFixed(2) + ' %', digits(change), state.harmonics);
+      text += ' ' + say(state.harmonics === 1 ? t.effect_of_first : t.effect, (percent >= 0 ? '+' : '−') + Math.abs(percent).toFixed(2) + ' %', digits(change), state.harmonics);
     } else if (answer.paper.omega != null) text += ' ' + say(t.paper_says, digits(answer.paper.omega));
     const fraction = answer.contact ? answer.contact.contact_fraction : null;
     if (fraction != null) text += ' ' + (fraction < 0.9995 ? say(t.lifts, (100 * fraction).toFixed(0)) : t.full);
-    box.textContent = text;
+    box.textContent = local(text);
   }
   const notes = [...(answer.notes || [])];
-  if (answer.fit === 'near') notes.unshift(say(t.near, band().toExponential(0)));
+  if (answer.fit === 'near') notes.unshift(local(say(t.near, scientific(band()))));
   if (answer.first_n && chosen.standing === 'formal') notes.push(t.pulls);
   $('notice').textContent = notes.join(' ');
   target = omega == null ? chosen.last_spin || 0 : omega;
@@ -116,7 +119,7 @@ function show(reply, ms) {
   if (checked === null && answer.was_cold && Object.keys(state.changes).length === 0) {
     const native = pair().omega;
     checked = Math.abs(all.omega - pair().here) < DATA.tolerance;
-    $('check').textContent = say(checked ? t.check_ok : t.check_bad, digits(all.omega, 10), digits(native, 10));
+    $('check').textContent = local(say(checked ? t.check_ok : t.check_bad, digits(all.omega, 10), digits(native, 10)));
     $('check').classList.toggle('falls', !checked);
   }
   facts(ms);
@@ -135,10 +138,10 @@ function facts(ms) {
   const f = T().facts, a = answer.all, end = a.at_end || a.at_rest, contact = answer.contact;
   const rows = [[f.omega, digits(a.omega, 6) + ' rad/s'], [f.time_constant, a.time_constant ? a.time_constant.toFixed(3) + ' s' : '–'],
     [f.moment_ratio, end ? end.moment_ratio.toFixed(4) : '–'], [f.fraction, contact ? (100 * contact.contact_fraction).toFixed(1) + ' %' : '–'],
-    [f.normal, end ? end.normal_force.toFixed(3) + ' N' : '–'], [f.tau0, a.at_rest ? digits(1e3 * a.at_rest.torque) + ' mN m' : '–'],
+    [f.normal, end ? end.normal_force.toFixed(3) + ' N' : '–'], [f.tau0, a.at_rest ? digits(1e3 * a.at_rest.torque) + ' mN m' : '…'],
     [f.lean, contact ? (1e6 * Math.hypot(contact.motion[1], contact.motion[2])).toFixed(1) + ' µrad' : '–'],
-    [f.effect, harmonic_effect()], [f.band, pair().band || answer.fit === 'near' ? '±' + band().toExponential(1) + ' rad/s' : '–'], [f.ms, ms.toFixed(0) + ' ms']];
-  $('facts').innerHTML = rows.map(([k, v]) => `<div><dt>${escaped(k)}</dt><dd>${escaped(v)}</dd></div>`).join('');
+    [f.effect, harmonic_effect()], [f.band, pair().band || answer.fit === 'near' ? '±' + scientific(band()) + ' rad/s' : '–'], [f.ms, ms.toFixed(0) + ' ms']];
+  $('facts').innerHTML = rows.map(([k, v]) => `<div><dt>${escaped(k)}</dt><dd>${escaped(local(v))}</dd></div>`).join('');
 }
 
 // ---- Controls.
@@ -182,7 +185,7 @@ function make_sliders() {
     input.min = Math.min(from, base); input.max = Math.max(to, base); input.value = now; input.dataset.path = path;
     const write = () => {
       const value = value_of(path);
-      slider.querySelector('output').textContent = (log ? scientific(value) : Number((value * factor).toFixed(3)).toString().replace('-', '−')) + (unit ? ' ' + unit : '');
+      slider.querySelector('output').textContent = local((log ? scientific(value) : Number((value * factor).toFixed(3)).toString().replace('-', '−')) + (unit ? ' ' + unit : ''));
       input.setAttribute('aria-valuetext', slider.querySelector('output').textContent);
       slider.classList.toggle('changed', path in state.changes);
     };
@@ -229,11 +232,27 @@ function ticks(from, to, n) {
   return list;
 }
 const tick_text = x => Number(x.toPrecision(6)).toString().replace('-', '−');
+// Names of curves in rows beside the label of the axis: their marks, and how many rows there are.
+const ruler = document.createElement('canvas').getContext('2d');
+ruler.font = '12px system-ui, sans-serif';
+function legend(series, begin, end) {
+  let x = begin, row = 0, svg = '';
+  for (const s of series.filter(s => s.name)) {
+    const width = 34 + ruler.measureText(s.name).width;
+    if (x > begin && x + width > end) { x = begin; ++row; }
+    const y = 12 + 16 * row;
+    svg += s.points ? `<circle cx="${x + 8}" cy="${y}" r="2.4" fill="${s.colour}"/>` : `<path d="M${x} ${y}h16" stroke="${s.colour}" stroke-width="2.5" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''}/>`;
+    svg += `<text x="${x + 20}" y="${y + 4}">${escaped(s.name)}</text>`;
+    x += width;
+  }
+  return { svg, rows: row + 1 };
+}
 function plot(id, { x_label, y_label, series, x_range, zero, x_ticks, marks = [] }) {
-  const W = 380, H = 240, left = 52, right = 10, top = 26, bottom = 38, shown = series.filter(s => s.y && s.y.some(Number.isFinite));
+  const shown = series.filter(s => s.y && s.y.some(Number.isFinite));
   const xs = x_range || [Math.min(...shown.flatMap(s => s.x)), Math.max(...shown.flatMap(s => s.x))];
   const values = shown.flatMap(s => s.y).filter(Number.isFinite);
-  if (!values.length) { $(id).innerHTML = `<p class="quiet">${escaped(busy ? T().solving : T().budget_wait)}</p>`; return; }
+  if (!values.length) { blank(id); return; }
+  const W = 380, H = 240, left = 52, right = 10, bottom = 38, names = legend(shown, Math.max(left + 8, 18 + ruler.measureText(y_label).width), W), top = 10 + 16 * names.rows;
   let low = Math.min(...values), high = Math.max(...values);
   if (zero) { low = Math.min(low, 0); high = Math.max(high, 0); }
   if (high - low < 1e-12 * Math.max(1, Math.abs(high))) { low -= 0.5; high += 0.5; }
@@ -251,23 +270,31 @@ function plot(id, { x_label, y_label, series, x_range, zero, x_ticks, marks = []
     else svg += `<path d="${d}" fill="none" stroke="${s.colour}" stroke-width="${s.width || 2}" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''} stroke-linejoin="round"/>`;
   });
   for (const m of marks) if (m.x >= xs[0] && m.x <= xs[1]) svg += `<circle cx="${X(m.x).toFixed(1)}" cy="${Y(m.y || 0).toFixed(1)}" r="4" fill="${m.colour}"/>`;
-  let x = Math.max(left + 8, 14 + 6.4 * y_label.length);
-  shown.forEach(s => { if (!s.name) return; svg += `<path d="M${x} 12h16" stroke="${s.colour}" stroke-width="2.5" ${s.dash ? `stroke-dasharray="${s.dash}"` : ''}/><text x="${x + 20}" y="16">${escaped(s.name)}</text>`; x += 30 + 6.4 * s.name.length; });
-  svg += `<text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(x_label)}</text><text class="quiet" x="2" y="16">${escaped(y_label)}</text>`;
+  svg += names.svg + `<text class="quiet" x="${W - right}" y="${H - 4}" text-anchor="end">${escaped(x_label)}</text><text class="quiet" x="2" y="16">${escaped(y_label)}</text>`;
   picture(id, `0 0 ${W} ${H}`, svg, ['curve', x_label, y_label], shown.flatMap(s => s.x.map((x, i) => [s.name || id, x, s.y[i]])));
 }
 const tables = {};
+// In the place of a picture that there is not, or not yet.
+function blank(id) {
+  $(id).innerHTML = `<p class="quiet">${escaped(busy ? T().solving : answer && !answer.all ? T().nothing : T().budget_wait)}</p>`;
+  delete tables[id];
+}
 // Shows a picture; its CSV has one heading line and a row for each point.
 function picture(id, box, inside, heading, rows) {
   const plot = $(id), title = plot.closest('section').querySelector('h2').textContent;
   if (!plot.querySelector('svg')) plot.innerHTML = `<svg role="img"></svg><span class="save print-no"><button data-as="svg">SVG</button><button data-as="png">PNG</button><button data-as="csv">CSV</button></span>`;
   const svg = plot.querySelector('svg');
   svg.setAttribute('viewBox', box); svg.setAttribute('aria-label', title);
-  svg.innerHTML = inside;
+  svg.innerHTML = inside.replace(/>([^<]*)<\/text>/g, (_, words) => `>${local(words)}</text>`);
   for (const b of plot.querySelectorAll('.save button')) { b.setAttribute('aria-label', `${title}: ${b.dataset.as.toUpperCase()}`); b.onclick = () => save_picture(id, b.dataset.as); }
   tables[id] = { heading, rows };
 }
-function draw() { draw_load(); draw_torque(); draw_spin(); draw_budget(); draw_pressure(); draw_side(); draw_scene_parts(); }
+// Curves, budget and pressure stay those of the last pause while something moves.
+function draw() {
+  draw_load(); draw_side(); draw_scene_parts();
+  if (answer.all && !answer.was_cold) return;
+  draw_torque(); draw_spin(); draw_budget(); draw_pressure();
+}
 
 // The load at theta of an end state, up to harmonic n.
 const load_at = (s, theta, n = 1e9) => { let sum = 0; for (let k = 0; k < s.a.length && k <= n; ++k) sum += s.a[k] * Math.cos(k * theta) + s.b[k] * Math.sin(k * theta); return sum; };
@@ -298,7 +325,7 @@ function draw_torque() {
     { x: curves.spin, y: scaled(curves.of_paper), name: t.paper, colour: COLOURS[2], dash: '5 4' },
     { x: curves.spin, y: scaled(curves.torque), name: t.all, colour: COLOURS[0] },
     { x: curves.spin, y: scaled(curves.of_n), name: say(t.first, state.harmonics), colour: COLOURS[1] }].filter(s => s.y),
-    marks: answer.all && answer.all.omega != null ? [{ x: answer.all.omega, y: 0, colour: COLOURS[0] }] : [] });
+    marks: !answer.all ? [] : [[answer.paper, COLOURS[2]], [answer.all, COLOURS[0]], [answer.first_n, COLOURS[1]]].filter(([row]) => row && row.omega != null).map(([row, colour]) => ({ x: row.omega, y: 0, colour })) });
 }
 function draw_spin() {
   const t = T(); if (!curves || !curves.time) { plot('spin', { series: [] }); return; }
@@ -309,7 +336,7 @@ function draw_spin() {
 }
 function draw_budget() {
   const t = T(), rows = budget && budget.rows ? budget.rows.filter(r => r.omega != null) : [];
-  if (!rows.length) { $('budget').innerHTML = `<p class="quiet">${escaped(t.budget_wait)}</p>`; return; }
+  if (!rows.length) { blank('budget'); return; }
   const shown = rows.filter((r, i) => i === 0 || Math.abs(r.difference || 0) > 1e-6), W = 380, row = 24, top = 8, left = 128, H = top + row * (shown.length + 1) + 26;
   const values = shown.flatMap((r, i) => i ? [r.omega, r.omega - r.difference] : [r.omega]), low = Math.min(...values), high = Math.max(...values), room = 0.12 * (high - low || 1);
   const X = v => left + (W - left - 62) * (v - low + room) / (high - low + 2 * room);
@@ -331,7 +358,7 @@ function draw_budget() {
 // Pale to dark: a load of none is the ground.
 const shade = x => `color-mix(in srgb, var(--all) ${(100 * Math.max(0, Math.min(1, x))).toFixed(0)}%, var(--glass))`;
 function draw_pressure() {
-  const t = T(); if (!pressure || !pressure.cuts || !pressure.cuts.length || !answer || !answer.contact) { $('pressure').innerHTML = `<p class="quiet">${escaped(t.budget_wait)}</p>`; return; }
+  const t = T(); if (!pressure || !pressure.cuts || !pressure.cuts.length || !answer || !answer.contact) { blank('pressure'); return; }
   const W = 380, H = 240, left = 46, right = 10, top = 26, bottom = 38, c = answer.contact;
   const middle = (c.inner_radius + c.outer_radius) / 2, half = Math.max(0.75 * (c.outer_radius - c.inner_radius), 1e-6), r0 = middle - half, r1 = middle + half, N = 40;
   let most = 0; const grid = pressure.cuts.map(([radii, values]) => Array.from({ length: N }, (_, k) => {
@@ -357,8 +384,8 @@ function draw_side() {
   const arrow = (x, y, dx, dy, colour, text, anchor = 'start') => { const n = Math.hypot(dx, dy) || 1, u = dx / n, v = dy / n, ex = x + dx, ey = y + dy; return n < 2 ? '' : `<path d="M${x.toFixed(1)} ${y.toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}M${(ex - 7 * u + 4 * v).toFixed(1)} ${(ey - 7 * v - 4 * u).toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}L${(ex - 7 * u - 4 * v).toFixed(1)} ${(ey - 7 * v + 4 * u).toFixed(1)}" fill="none" stroke="${colour}" stroke-width="2"/><text x="${(ex + (anchor === 'end' ? -6 : 6)).toFixed(1)}" y="${(ey + 4).toFixed(1)}" text-anchor="${anchor}">${escaped(text)}</text>`; };
   const lean = answer && answer.contact ? -answer.contact.motion[1] * 180 / Math.PI : 0;
   let svg = `<path d="M10 ${ground}H${W - 10}" stroke="var(--ink)" stroke-width="1.5"/>`;
-  svg += `<g transform="rotate(${(answer && !answer.all && answer.tips ? 14 : lean).toFixed(5)} ${middle + scale * R} ${ground})"><path d="M${X(-foot)} ${ground}Q${X(-foot)} ${Y(3)} ${X(-5)} ${Y(6)}V${Y(top * 0.45)}Q${X(-bowl)} ${Y(top * 0.55)} ${X(-bowl * 0.8)} ${Y(top)}H${X(bowl * 0.8)}Q${X(bowl)} ${Y(top * 0.55)} ${X(5)} ${Y(top * 0.45)}V${Y(6)}Q${X(foot)} ${Y(3)} ${X(foot)} ${ground}Z" fill="var(--glass)" stroke="var(--line)" stroke-width="1.5"/></g>`;
-  svg += `<circle cx="${middle}" cy="${Y(z)}" r="4.5" fill="var(--ink)"/><text class="quiet" x="${middle + 9}" y="${Y(z) + 4}">${escaped(t.mass_centre)} ${tick_text(Math.round(z))} mm</text>`;
+  svg += `<g transform="rotate(${(answer && !answer.all && answer.tips ? 14 : lean).toFixed(5)} ${middle + scale * R} ${ground})"><path d="M${X(-foot)} ${ground}Q${X(-foot)} ${Y(3)} ${X(-5)} ${Y(6)}V${Y(top * 0.45)}Q${X(-bowl)} ${Y(top * 0.55)} ${X(-bowl * 0.8)} ${Y(top)}H${X(bowl * 0.8)}Q${X(bowl)} ${Y(top * 0.55)} ${X(5)} ${Y(top * 0.45)}V${Y(6)}Q${X(foot)} ${Y(3)} ${X(foot)} ${ground}Z" fill="var(--glass)" stroke="var(--line)" stroke-width="1.5"/><circle cx="${middle}" cy="${Y(z)}" r="4.5" fill="var(--ink)"/></g>`;
+  svg += `<text class="quiet" x="${middle + (answer && !answer.all && answer.tips ? 28 : 9)}" y="${Y(z) + 4}">${escaped(t.mass_centre)} ${tick_text(Math.round(z))} mm</text>`;
   if (end) {
     const v = value_of('Motion/Orbit speed'), rho = value_of('Motion/Orbit radius'), per = 22, fx = -end.friction[0];
     svg += arrow(middle, Y(hand), per * fx, 0, 'var(--first)', `${t.hand} ${fx.toFixed(2)} N`);
@@ -388,7 +415,7 @@ function draw_scene_parts() {
   }
   [[t.elastic, answer && answer.all ? answer.first_n || answer.all : null, 0], [t.ring, answer && answer.all ? answer.paper : null, 1]].forEach(([name, row, i]) => {
     const g = scene_parts[i], s = row && (row.at_end || row.at_rest);
-    g.querySelector('.name').textContent = name + (row && row.omega != null ? `: ${digits(row.omega, 3)} rad/s` : '');
+    g.querySelector('.name').textContent = local(name + (row && row.omega != null ? `: ${digits(row.omega, 3)} rad/s` : ''));
     g.loads = s ? Array.from({ length: arcs }, (_, k) => { const th = 2 * Math.PI * (k + 0.5) / arcs; return i === 0 && row === answer.all ? pointwise(th) : load_at(s, th, row === answer.first_n ? state.harmonics : 1e9); }) : null;
     const most = g.loads ? Math.max(...g.loads) : 1;
     g.querySelector('.rim').innerHTML = g.loads ? g.loads.map((v, k) => { const a = 2 * Math.PI * k / arcs, b = 2 * Math.PI * (k + 1.05) / arcs, r = 40; return `<path d="M${(r * Math.cos(a)).toFixed(2)} ${(-r * Math.sin(a)).toFixed(2)}A${r} ${r} 0 0 0 ${(r * Math.cos(b)).toFixed(2)} ${(-r * Math.sin(b)).toFixed(2)}" fill="none" stroke="${v < 0 ? 'var(--first)' : v < 1e-6 * most ? 'var(--line)' : shade(0.12 + 0.88 * v / most)}" stroke-width="${v <= 1e-6 * most ? 2 : 9}"/>`; }).join('') : '';

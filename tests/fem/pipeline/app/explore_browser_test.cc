@@ -75,7 +75,7 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
     const double omega =
       pipeline::spin_row(*pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     for (const char *const width : { "1100", "400" })
-      EXPECT_NEAR(found[width]["omega"][i].get<double>(), omega, 1e-8) << moves[i].first << ", " << width;
+      EXPECT_NEAR(found[width]["omega"][i].get<double>(), omega, 1e-10) << moves[i].first << ", " << width;
   }
   for (const char *const width : { "1100", "400" })
   {

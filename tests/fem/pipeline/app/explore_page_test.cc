@@ -34,7 +34,8 @@ TEST(ExplorePage, TheCommittedAnswersAreTheProgramsAndThePageIsSmall)
     const double omega =
       pipeline::spin_row(*pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     EXPECT_NEAR(pair["omega"].get<double>(), omega, 1e-9) << name;
-    EXPECT_NEAR(pair["here"].get<double>(), omega, pair["band"].is_null() ? 1e-8 : pair["band"].get<double>())
+    EXPECT_NEAR(pair["here"].get<double>(), omega,
+                pair["band"].is_null() ? 1e-10 : pair["band"].get<double>())
       << name;
   }
 }

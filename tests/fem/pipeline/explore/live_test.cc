@@ -160,14 +160,50 @@ TEST(Live, TheFirstHarmonicsAlone)
 TEST(Live, MovesOneAfterTheOtherEndWhereColdOnesDo)
 {
   fem::ComplianceCache cache;
+  const LiveBodies bodies = live_bodies(Study(), cache);
+  struct Moves
+  {
+    const char *path;
+    std::vector<const char *> values;
+  };
+  // Onwards, back and in leaps; into the grip that holds the glass, and out of it.
+  for (const auto &[path, values] :
+       { Moves{ "Motion/Friction coefficient", { "0.29", "0.27", "0.35", "0.36", "0.37", "0.36", "0.2" } },
+         Moves{ "Motion/Force offset", { "-0.048", "-0.046", "-0.044", "-0.042" } },
+         Moves{ "Motion/Orbit speed", { "0.36", "0.37", "0.38", "0.25" } },
+         Moves{ "Motion/Grip torque", { "1e-3", "2e-3", "3e-3", "5e-3", "1e-3" } },
+         Moves{ "Glass/Crown radius", { "3.1e-3", "3.2e-3", "3.4e-3" } } })
+  {
+    open_page({}, bodies);
+    solved(1);
+    std::vector<std::pair<double, double>> live;
+    const auto spins = [](const nlohmann::json &answer)
+    { return std::pair(answer["all"]["omega"].get<double>(), answer["first_n"]["omega"].get<double>()); };
+    for (const char *const value : values)
+    {
+      EXPECT_STREQ(explore_set(path, value), "{}");
+      live.push_back(spins(solved(1, false)));
+    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      explore_set(path, values[i]);
+      const auto [all, first_n] = spins(solved(1, true));
+      EXPECT_NEAR(live[i].first, all, 1e-7) << path << " = " << values[i];
+      EXPECT_NEAR(live[i].second, first_n, 1e-7) << path << " = " << values[i];
+    }
+  }
+}
+
+TEST(Live, AMoveTakesContactsNextToTheSpinAlone)
+{
+  fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));
   solved();
-  for (const char *const mu : { "0.29", "0.27", "0.35" })
-  {
-    EXPECT_STREQ(explore_set("Motion/Friction coefficient", mu), "{}");
-    const double live = solved(0, false)["all"]["omega"].get<double>();
-    EXPECT_NEAR(live, solved(0, true)["all"]["omega"].get<double>(), 1e-7) << mu;
-  }
+  explore_set("Motion/Friction coefficient", "0.31");
+  const nlohmann::json answer = solved(0, false);
+  EXPECT_FALSE(answer["all"].contains("at_rest"));
+  EXPECT_TRUE(answer["all"].contains("at_end"));
+  EXPECT_GT(answer["contact"]["azimuth"].size(), 60u);
 }
 
 TEST(Live, WhatThePageDoesNotResolveIsRefused)
