@@ -104,20 +104,6 @@ SpinQuestion spin_question(const Study &study, SpinQuestion question)
   return question;
 }
 
-SpinRow failed_row(const std::exception_ptr &failure)
-{
-  SpinRow row;
-  try
-  {
-    std::rethrow_exception(failure);
-  }
-  catch (...)
-  {
-    note_failure(row);
-  }
-  return row;
-}
-
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const SpinQuestion &asked,
                                   const Executor &executor, Progress &progress, const std::string &pieces)
