@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace stemware::pipeline
 {
@@ -28,12 +29,6 @@ struct ComparedLoad
   Study study;
   std::shared_ptr<ElasticFoot> foot = nullptr;
   std::shared_ptr<const ring::UnilateralFoundation> rim = nullptr;
-};
-
-/// A load under one moment balance, cut off somewhere.
-struct ComparedVariant : Variant
-{
-  std::shared_ptr<const ring::UnilateralFoundation> rim;
 };
 
 /// A rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
@@ -98,28 +93,16 @@ std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_p
   return loads;
 }
 
-/// The load of a variant. Throws what contacts and balances throw.
-SharedLoad load_of(const ComparedVariant &variant, const std::shared_ptr<ElasticFoot> &foot)
-{
-  if (!variant.rim)
-    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics);
-  const ring::Motion &motion = variant.study.motion.orbit;
-  const ring::Closure closure = variant.study.motion.closure;
-  const LoadReport at_rest =
-    report_of(variant.rim->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion)));
-  return balance(variant.rim, motion, closure, at_rest, variant.n_harmonics);
-}
-
 /// Share of the rim that carries @p load in balance at a spin; nothing for a formal load.
-std::optional<double> contact_fraction(const ComparedVariant &variant, const BalancedLoad &load, double omega)
+std::optional<double> contact_fraction(const ComparedLoad &compared, const BalancedLoad &load, double omega)
 {
-  if (!variant.rim)
+  if (!compared.rim)
   {
     const std::optional<fem::ContactState> state = load.contact(omega);
     return state ? std::optional(state->load.contact_fraction) : std::nullopt;
   }
   // Share of the ring on which cos(theta - beta) > c.
-  const double edge = variant.rim->edge(load.at(omega).moment_ratio(variant.rim->radius()));
+  const double edge = compared.rim->edge(load.at(omega).moment_ratio(compared.rim->radius()));
   return edge <= -1 ? 1 : std::acos(edge) / boost::math::double_constants::pi;
 }
 
@@ -133,67 +116,37 @@ Standing standing_of(const SpinRow &row)
   return *row.contact_fraction < 1 ? Standing::lift_off : Standing::full_contact;
 }
 
-SpinRow compared_row(const ComparedVariant &variant, const std::shared_ptr<ElasticFoot> &foot)
+/// The rows of a load under each moment balance, with 1, 2, 3 and all harmonics, where these are more.
+std::vector<SpinRow> compared_rows(const ComparedLoad &compared, const Executor &executor)
 {
-  const SharedLoad load = load_of(variant, foot);
-  SpinRow row = attempt_spin_row(*load, spin_question(variant.study));
-  row.all_harmonics = variant.n_harmonics == all_harmonics;
-  if (row.terminal)
-  {
-    row.contact_fraction = contact_fraction(variant, *load, row.terminal->omega);
-    row.standing = standing_of(row);
-  }
-  if (row.reason.empty())
-    row.reason = held_by_the_grip(variant.study, row);
-  return row;
-}
-
-/// The rows of a load under each moment balance with each of @p orders, whose reasons are filled in where
-/// something is missing.
-std::vector<SpinRow> solve_compared(const ComparedLoad &compared, const std::vector<unsigned int> &orders,
-                                    const Executor &executor)
-{
-  std::vector<ComparedVariant> variants;
+  std::vector<Variant> variants;
   for (const ring::Closure closure : closures)
-    for (const unsigned int n : orders)
-      variants.push_back(
-        { { "", compared.name, with_closure(compared.study, closure), n, compared.foot != nullptr },
-          compared.rim });
+    for (const unsigned int n : { 1u, 2u, 3u, all_harmonics })
+      variants.push_back({ "", compared.name, with_closure(compared.study, closure), n,
+                           compared.foot != nullptr, "", compared.rim });
   std::vector<SpinRow> rows;
-  for (const Solved<SpinRow> &solved : solve(variants, compared.foot, compared_row, executor))
-  {
-    const ComparedVariant &variant = variants[rows.size()];
-    SpinRow &row = rows.emplace_back(solved.answer ? *solved.answer : failed_row(solved.failure));
-    row.closure = variant.study.motion.closure;
-    row.load = variant.name;
-    row.all_harmonics = variant.n_harmonics == all_harmonics;
-    if (!row.all_harmonics)
-      row.harmonics = variant.n_harmonics;
-  }
-  return rows;
-}
-
-/// Rows of a load, [moment balance][truncation]: under each of them as many, the one of all harmonics being
-/// the last.
-std::vector<std::vector<SpinRow>> compared_rows(const ComparedLoad &compared, const Executor &executor)
-{
-  const std::vector<SpinRow> all = solve_compared(compared, { all_harmonics }, executor);
   unsigned int n_all = 1;
-  for (const SpinRow &row : all)
-    n_all = std::max(n_all, row.harmonics);
-  std::vector<unsigned int> orders;
-  for (const unsigned int n : { 1u, 2u, 3u })
-    if (n < n_all)
-      orders.push_back(n);
-  const std::vector<SpinRow> cut = solve_compared(compared, orders, executor);
-  std::vector<std::vector<SpinRow>> rows;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (const LoadedRow &solved : solve_rows(variants, compared.foot, {}, executor))
   {
-    const auto first = cut.begin() + static_cast<std::ptrdiff_t>(i * orders.size());
-    rows.emplace_back(first, first + static_cast<std::ptrdiff_t>(orders.size()));
-    rows.back().push_back(all[i]);
-    rows.back().back().harmonics = n_all;
+    const Variant &variant = variants[rows.size()];
+    SpinRow &row = rows.emplace_back(solved.row);
+    row.load = compared.name;
+    row.all_harmonics = variant.n_harmonics == all_harmonics;
+    if (row.terminal)
+    {
+      row.contact_fraction = contact_fraction(compared, *solved.load, row.terminal->omega);
+      row.standing = standing_of(row);
+    }
+    if (row.reason.empty())
+      row.reason = held_by_the_grip(variant.study, row);
+    if (row.all_harmonics)
+      n_all = std::max(n_all, row.harmonics);
   }
+  for (SpinRow &row : rows)
+    row.harmonics = row.all_harmonics ? n_all : row.harmonics;
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [=](const SpinRow &row) { return !row.all_harmonics && row.harmonics >= n_all; }),
+             rows.end());
   return rows;
 }
 
@@ -210,15 +163,6 @@ void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     const Study own = with_closure(with_coupling(study, LoadCoupling::two_way), row.closure);
     row.band = band_of(estimate_bands(own, foot, row, std::nullopt, executor), "omega_terminal");
   }
-}
-
-/// The study's way from the paper's model to the load of @p own, its rows by harmonics.
-std::vector<BudgetRow> budget_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                 const std::vector<SpinRow> &own, const Executor &executor)
-{
-  return budget_rows(
-    own.front().load == compared_load::foot_in_balance ? with_coupling(study, LoadCoupling::two_way) : study,
-    foot, own, executor);
 }
 
 } // namespace
@@ -244,26 +188,31 @@ Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot>
   const std::vector<ComparedLoad> loads = compared_loads(study, foot, executor);
   Comparison comparison;
   comparison.spin_scale = spin_scale(study);
-  std::vector<std::vector<std::vector<SpinRow>>> rows;
+  std::vector<SpinRow> &rows = comparison.rows;
+  std::size_t n_done = 0;
   for (const ComparedLoad &load : loads)
   {
-    rows.push_back(compared_rows(load, executor));
-    progress.pieces_done("loads", rows.size(), loads.size());
+    const std::vector<SpinRow> of_load = compared_rows(load, executor);
+    rows.insert(rows.end(), of_load.begin(), of_load.end());
+    progress.pieces_done("loads", ++n_done, loads.size());
   }
-  for (std::size_t i = 0; i < std::size(closures); ++i)
-    for (const auto &of_load : rows)
-      comparison.rows.insert(comparison.rows.end(), of_load[i].begin(), of_load[i].end());
-  const std::optional<double> paper = comparison.rows.front().omega_terminal();
-  for (SpinRow &row : comparison.rows)
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const SpinRow &one, const SpinRow &other) { return one.closure < other.closure; });
+  const std::optional<double> paper = rows.front().omega_terminal();
+  for (SpinRow &row : rows)
     if (paper && row.terminal)
       row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_scale);
   progress.stage_done("comparison");
-  add_error_bands(study, foot, executor, comparison.rows);
-  for (const auto &of_closure : rows.back())
-    if (of_closure.front().closure == study.motion.closure)
-      comparison.budget = budget_of(study, foot, of_closure, executor);
-  if (const SpinRow *own = comparison.find(study.motion.closure, comparison.rows.back().load))
-    add_bands(own->band, std::nullopt, comparison.budget);
+  add_error_bands(study, foot, executor, rows);
+  const std::string &own_load = loads.back().name;
+  std::vector<SpinRow> own;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+               [&](const SpinRow &row)
+               { return row.closure == study.motion.closure && row.load == own_load; });
+  const bool in_balance = own_load == compared_load::foot_in_balance;
+  comparison.budget =
+    budget_rows(in_balance ? with_coupling(study, LoadCoupling::two_way) : study, foot, own, executor);
+  add_bands(own.back().band, std::nullopt, comparison.budget);
   progress.stage_done("error_bands");
   return comparison;
 }

@@ -19,39 +19,41 @@ namespace
 
 constexpr double largest_slip_ratio = 64; ///< to which the contact of a glass is followed
 
-/// Friction, and the moment ratio m with which it tilts the pressure.
+/// Friction, and the moment ratio with which it tilts the pressure.
 struct TiltingFriction
 {
-  ring::SlidingFriction friction;
-  std::function<double(double speed, double omega)> moment_ratio;
+  ring::Wrench wrench;
+  double moment_ratio;
 };
 
+/// That of a body at a speed and a spin.
+using FrictionLaw = std::function<TiltingFriction(double speed, double omega)>;
+
 /// Shares of the weight instead of the contact: kernels alone.
-TiltingFriction friction_of_body(const ring::FreeSlider &slider)
+FrictionLaw friction_of_body(const ring::FreeSlider &slider)
 {
-  const auto friction = [slider](double speed, double omega)
-  { return ring::sliding_friction(slider, speed, omega); };
-  // p ~ 1 + r (alpha cos + beta sin) with N <r^2> / 2 |(alpha, beta)| = h |T|.
-  const auto moment_ratio = [slider](double speed, double omega)
+  return [slider](double speed, double omega)
   {
     const ring::Wrench wrench = ring::sliding_friction(slider, speed, omega);
-    return 2 * slider.centre_of_mass_height * slider.body.outer_radius() *
-           std::hypot(wrench.force_x, wrench.force_y) /
-           (slider.mass * slider.gravity * slider.body.mean_square_radius());
+    // p ~ 1 + r (alpha cos + beta sin) with N <r^2> / 2 |(alpha, beta)| = h |T|.
+    const double moment_ratio = 2 * slider.centre_of_mass_height * slider.body.outer_radius() *
+                                std::hypot(wrench.force_x, wrench.force_y) /
+                                (slider.mass * slider.gravity * slider.body.mean_square_radius());
+    return TiltingFriction{ wrench, moment_ratio };
   };
-  return { friction, moment_ratio };
 }
 
 /// The load depends on the ratio of spin and speed: it is asked for at the orbit's speed.
-TiltingFriction friction_of_load(const BalancedLoad &load, const ring::Motion &motion, double contact_radius)
+FrictionLaw friction_of_load(const BalancedLoad &load, const Study &study)
 {
-  const auto load_at = [load = load.shared_from_this(), reference = motion.orbit_speed](
-                         double speed, double omega) { return load->at(omega / speed * reference); };
-  const auto friction =
-    [load_at, ring = ring::CoulombRing(motion.friction_coefficient)](double speed, double omega)
-  { return ring.wrench(load_at(speed, omega), omega, speed); };
-  return { friction, [load_at, contact_radius](double speed, double omega)
-           { return load_at(speed, omega).moment_ratio(contact_radius); } };
+  const ring::Motion &motion = study.motion.orbit;
+  return
+    [load = load.shared_from_this(), ring = ring::CoulombRing(motion.friction_coefficient),
+     reference = motion.orbit_speed, radius = study.glass.profile.contact_radius](double speed, double omega)
+  {
+    const LeaningLoad at_spin = load->at(omega / speed * reference);
+    return TiltingFriction{ ring.wrench(at_spin, omega, speed), at_spin.moment_ratio(radius) };
+  };
 }
 
 ring::FreeSlider slider_of(const Study &study, const SlideQuestion &question)
@@ -83,7 +85,7 @@ void require_standing(const SlideStudy &slide, double speed, double omega, const
 }
 
 /// Fills in the path, point by point.
-void follow(const TiltingFriction &tilting, const ring::SlidingPath &path, SlideStudy &slide)
+void follow(const FrictionLaw &law, const ring::SlidingPath &path, SlideStudy &slide)
 {
   const ring::SlidingInertia &inertia = slide.inertia;
   slide.final_slip_ratio = path.final_slip_ratio;
@@ -92,12 +94,12 @@ void follow(const TiltingFriction &tilting, const ring::SlidingPath &path, Slide
     const ring::SlidingState &state = path.states[i];
     // At the stop only the ratio is left of the two speeds.
     const ring::SlidingState &moving = state.speed > 0 || state.omega != 0 ? state : path.states[i - 1];
-    const ring::Wrench friction = tilting.friction(moving.speed, moving.omega);
+    const auto [friction, moment_ratio] = law(moving.speed, moving.omega);
     require_standing(slide, moving.speed, moving.omega, friction);
     slide.points.push_back(
       { state, moving.omega * inertia.outer_radius / moving.speed, friction, friction.force_y / inertia.mass,
         (inertia.mass * state.speed * state.speed + inertia.yaw_inertia * state.omega * state.omega) / 2,
-        tilting.moment_ratio(moving.speed, moving.omega) });
+        moment_ratio });
   }
   slide.points.back().slip_ratio = path.final_slip_ratio;
   const double energy = slide.start().kinetic_energy;
@@ -132,13 +134,12 @@ std::optional<double> change_on_coarser_mesh(const Study &study, const std::shar
     const double radius = study.glass.profile.contact_radius,
                  most = motion.friction_at_rest() * motion.normal_force();
     const SharedLoad coarse_load = find_load(variant.study, coarse_foot);
-    const TiltingFriction own = friction_of_load(load, motion, radius),
-                          other = friction_of_load(*coarse_load, motion, radius);
+    const FrictionLaw own = friction_of_load(load, study), other = friction_of_load(*coarse_load, study);
     double largest = 0;
     for (const double slip_ratio : { start, (start + end) / 2, end })
     {
       const double speed = motion.orbit_speed, omega = slip_ratio * speed / radius;
-      const ring::Wrench one = own.friction(speed, omega), two = other.friction(speed, omega);
+      const ring::Wrench one = own(speed, omega).wrench, two = other(speed, omega).wrench;
       largest = std::max({ largest, std::abs(two.force_x - one.force_x) / most,
                            std::abs(two.force_y - one.force_y) / most,
                            std::abs(two.torque - one.torque) / (most * radius) });
@@ -158,7 +159,7 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, progress);
   const SharedLoad load = find_load(study, foot, progress);
   const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
-  const TiltingFriction exact = friction_of_load(*load, motion, slide.inertia.outer_radius);
+  const FrictionLaw exact = friction_of_load(*load, study);
   constexpr unsigned int n_intervals = 20;
   const double end =
     start == 0
@@ -171,18 +172,19 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
               throw std::runtime_error("The spin of the glass outlasts its sliding, through which its "
                                        "contact is not followed; give a "
                                        "Motion/Yaw inertia of less than about 2 m R^2, or slide a ring.");
-            return exact.friction(speed, omega);
+            return exact(speed, omega).wrench;
           },
           start, n_intervals);
   progress.stage_done("final slip ratio");
   const SharedLoad on_the_way = load_between(*load, motion, slide.inertia.outer_radius, start, end);
   if (const auto statistics = on_the_way->statistics())
     slide.load_error = statistics->interpolation_error.value_or(0);
-  const TiltingFriction tilting = friction_of_load(*on_the_way, motion, slide.inertia.outer_radius);
+  const FrictionLaw law = friction_of_load(*on_the_way, study);
+  const auto wrench = [&](double speed, double omega) { return law(speed, omega).wrench; };
   ring::SlidingPath path =
-    ring::slide_to_stop(slide.inertia, tilting.friction, slide.question.speed, slide.question.spin, 1e-10);
+    ring::slide_to_stop(slide.inertia, wrench, slide.question.speed, slide.question.spin, 1e-10);
   path.final_slip_ratio = end;
-  follow(tilting, path, slide);
+  follow(law, path, slide);
   if (foot)
     slide.mesh_change = change_on_coarser_mesh(study, foot, *load, start, end, cache);
 }
@@ -192,26 +194,16 @@ void slide_body(const Study &study, SlideStudy &slide)
   const ring::FreeSlider slider = slider_of(study, slide.question);
   slide.inertia = { slider.mass, slider.yaw_inertia, slider.body.outer_radius() };
   slide.centre_of_mass_height = slider.centre_of_mass_height;
-  const TiltingFriction tilting = friction_of_body(slider);
-  follow(tilting, ring::slide_to_stop(slider, slide.question.speed, slide.question.spin), slide);
+  follow(friction_of_body(slider), ring::slide_to_stop(slider, slide.question.speed, slide.question.spin),
+         slide);
 }
 
 } // namespace
 
 std::string to_string(SlidingBodyKind kind)
 {
-  switch (kind)
-  {
-  case SlidingBodyKind::glass:
-    return "glass";
-  case SlidingBodyKind::ring:
-    return "ring";
-  case SlidingBodyKind::annulus:
-    return "annulus";
-  case SlidingBodyKind::disc:
-    return "disc";
-  }
-  throw std::logic_error("a sliding body without a name");
+  static constexpr const char *names[] = { "glass", "ring", "annulus", "disc" };
+  return names[static_cast<std::size_t>(kind)];
 }
 
 double SlideStudy::largest_moment_ratio() const

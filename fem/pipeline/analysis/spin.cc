@@ -72,18 +72,6 @@ std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion
   }
 }
 
-/// A contact that has no solution, in the words of ring_model.
-class NoContact : public ring::NoBalance
-{
-public:
-  explicit NoContact(const fem::ContactFailure &failure)
-      : NoBalance(failure.what())
-      , failure(failure)
-  {
-  }
-  const fem::ContactFailure failure;
-};
-
 /// Whether the failure behind @p lost is that the glass tips.
 bool is_tipping(const ring::BalanceLost &lost)
 {
@@ -94,10 +82,6 @@ bool is_tipping(const ring::BalanceLost &lost)
   catch (const ring::Tipping &)
   {
     return true;
-  }
-  catch (const NoContact &cause)
-  {
-    return cause.failure.outcome == fem::ContactOutcome::tipping;
   }
   catch (const ring::NoBalance &)
   {
@@ -118,7 +102,6 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.harmonics = load.n_harmonics();
   row.all_harmonics = row.harmonics == load.report().rings.n_harmonics();
   row.at_rest = ring_state(load, question, 0);
-  row.torques = friction_torques(load, question.motion, question.torques_at, row.reason);
   LongRunSpin found;
   try
   {
@@ -192,7 +175,9 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
     }
     catch (const fem::ContactFailure &failure)
     {
-      throw NoContact(failure);
+      if (failure.outcome == fem::ContactOutcome::tipping)
+        throw ring::Tipping(failure.what());
+      throw ring::NoBalance(failure.what());
     }
   };
   ring::SpinSearch search;
@@ -271,41 +256,43 @@ SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
   }
   catch (...)
   {
-    note_failure(row);
+    return failed_row(std::current_exception(), row);
   }
   return row;
 }
 
-void note_failure(SpinRow &row)
+SpinRow failed_row(const std::exception_ptr &failure, SpinRow row)
 {
-  const auto note = [&](Standing standing, const std::exception &failure)
+  const auto because = [&](Standing standing, const std::exception &what)
   {
     row.standing = standing;
-    row.reason = failure.what();
+    row.reason = what.what();
+    return row;
   };
   try
   {
-    throw;
+    std::rethrow_exception(failure);
   }
-  catch (const ring::Tipping &failure)
+  catch (const ring::Tipping &tipping)
   {
-    note(Standing::tips, failure);
+    return because(Standing::tips, tipping);
   }
-  catch (const ring::NoTerminalSpin &failure)
+  catch (const ring::NoTerminalSpin &no_spin)
   {
-    note(Standing::no_terminal_spin, failure);
+    return because(Standing::no_terminal_spin, no_spin);
   }
-  catch (const ring::NoBalance &failure)
+  catch (const ring::NoBalance &no_balance)
   {
-    note(Standing::no_balance, failure);
+    return because(Standing::no_balance, no_balance);
   }
-  catch (const fem::ContactFailure &failure)
+  catch (const fem::ContactFailure &contact)
   {
-    note(failure.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance, failure);
+    return because(contact.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance,
+                   contact);
   }
-  catch (const BadInput &failure)
+  catch (const BadInput &no_model)
   {
-    note(Standing::no_balance, failure);
+    return because(Standing::no_balance, no_model);
   }
 }
 

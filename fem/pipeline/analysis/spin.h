@@ -4,6 +4,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "ring_model/yaw_motion.h"
 
+#include <exception>
 #include <optional>
 #include <vector>
 
@@ -17,8 +18,7 @@ struct SpinQuestion
   double grip_torque = 0; ///< of the fingers, against the spin [N m]
   /// Nominal radius R of moment ratios [m]; nothing: that of the load's one ring.
   std::optional<double> contact_radius = {};
-  std::vector<double> torques_at = {}; ///< spins of SpinRow::torques [rad/s]
-  std::vector<double> times = {};      ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
+  std::vector<double> times = {}; ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   double expected =
     0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
   /// The terminal spin of a load much like this one, where it is known.
@@ -79,9 +79,9 @@ SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question);
 /// standing and the reason for what is missing.
 SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
-/// Fills in why a row has no answer, from the failure that is being handled: ring::NoBalance,
-/// fem::ContactFailure, or BadInput where a model cannot be made of the study. Throws every other one on.
-void note_failure(SpinRow &row);
+/// @p row, as far as it has got, with the reason why it got no further: ring::NoBalance, fem::ContactFailure,
+/// or BadInput where a model cannot be made of the study. Throws every other @p failure on.
+SpinRow failed_row(const std::exception_ptr &failure, SpinRow row = {});
 
 /// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
 /// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all

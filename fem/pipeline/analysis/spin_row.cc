@@ -2,29 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <cstddef>
 
 namespace stemware::pipeline
 {
 
 std::string to_string(Standing standing)
 {
-  switch (standing)
-  {
-  case Standing::full_contact:
-    return "full contact";
-  case Standing::lift_off:
-    return "lift-off";
-  case Standing::formal:
-    return "formal";
-  case Standing::tips:
-    return "tips";
-  case Standing::no_balance:
-    return "no balance";
-  case Standing::no_terminal_spin:
-    return "no terminal spin";
-  }
-  throw std::logic_error("a standing without a name");
+  static constexpr const char *names[] = { "full contact", "lift-off",   "formal",
+                                           "tips",         "no balance", "no terminal spin" };
+  return names[static_cast<std::size_t>(standing)];
 }
 
 std::optional<double> SpinRow::omega_terminal() const

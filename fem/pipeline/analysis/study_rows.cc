@@ -46,6 +46,18 @@ bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Moti
                    negligible * std::abs(zero->slope * zero->omega);
 }
 
+/// The load of @p variant on its @p foot.
+SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+{
+  if (!variant.rigid_ring)
+    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics);
+  const ring::Motion &motion = variant.study.motion.orbit;
+  const ring::Closure closure = variant.study.motion.closure;
+  const ring::RingStack at_rest =
+    variant.rigid_ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion));
+  return balance(variant.rigid_ring, motion, closure, report_of(at_rest), variant.n_harmonics);
+}
+
 /// The load interpolated in the spin; nothing where it has no balance somewhere.
 SharedLoad interpolated(const BalancedLoad &load, double lower, double upper, double coarsest = 1e-5)
 {
@@ -102,27 +114,13 @@ SpinQuestion spin_question(const Study &study, SpinQuestion question)
   return question;
 }
 
-SpinRow failed_row(const std::exception_ptr &failure)
-{
-  SpinRow row;
-  try
-  {
-    std::rethrow_exception(failure);
-  }
-  catch (...)
-  {
-    note_failure(row);
-  }
-  return row;
-}
-
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const SpinQuestion &asked,
                                   const Executor &executor, Progress &progress, const std::string &pieces)
 {
   const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
-    const SharedLoad load = find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics);
+    const SharedLoad load = load_of(variant, its_foot);
     return LoadedRow{ attempt_spin_row(*load, spin_question(variant.study, asked)), load };
   };
   std::vector<LoadedRow> rows;

@@ -4,7 +4,6 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/variants/solve.h"
 
-#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,9 +44,6 @@ enum class Depth
 /// Question of a row about the spin of a study, its motion, grip and contact radius added to what is @p
 /// asked.
 SpinQuestion spin_question(const Study &study, SpinQuestion asked = {});
-
-/// A row that says why there is no answer, as note_failure().
-SpinRow failed_row(const std::exception_ptr &failure);
 
 /// The rows of @p variants, each asked @p asked with its own motion, grip and contact radius; solve() says
 /// whose @p foot is. Does not throw for what meshes that cannot be made, contacts, balances and spins throw:

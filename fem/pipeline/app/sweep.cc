@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/sweep/case_workers.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
@@ -40,7 +40,7 @@ struct SweepOptions : StudyOptions
 /// Message of an interrupted sweep: how many cases are kept, and how to go on.
 std::string interruption_message(const fs::path &folder, std::size_t n_cases)
 {
-  const std::size_t n_kept = SweepFolder::logs_in(folder, 0).count().n_finished;
+  const std::size_t n_kept = LogCounter(folder).count().n_finished;
   if (n_kept == 0)
     return "interrupted; no results were written.";
   return fmt::format(
@@ -116,7 +116,7 @@ class SweepWatch
 {
 public:
   SweepWatch(const SharedCases &cases, std::size_t n_cases)
-      : logs(SweepFolder::logs_in(cases.path, n_ranks()))
+      : logs(cases.path)
       , progress(n_cases, cases.n_before)
   {
   }

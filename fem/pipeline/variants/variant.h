@@ -3,6 +3,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
 
+#include <memory>
 #include <string>
 
 namespace stemware::pipeline
@@ -18,6 +19,9 @@ struct Variant
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< on the foot of the study, not on one of its own
   std::string reason = {};                  ///< why it is not solved; empty where it is
+  /// Rigid ring in closed form, whose load in balance stands in the place of the study's; nothing: the
+  /// study's.
+  std::shared_ptr<const ring::LoadModel> rigid_ring = nullptr;
 };
 
 } // namespace stemware::pipeline

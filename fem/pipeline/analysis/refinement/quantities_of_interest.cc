@@ -45,10 +45,11 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
   std::vector<QuantityOfInterest> quantities = load_quantities(at_rest, noise);
 
   SpinQuestion question = { motion };
-  question.torques_at = spins;
   question.expected = near.value_or(0);
   question.with_slope = true;
   question.with_minima = false;
+  std::string reason;
+  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
   const SpinRow row = spin_row(load, question);
   if (!row.terminal)
     throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
@@ -58,7 +59,7 @@ std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load,
     { "tau_at_rest", "torque at rest", "N m", row.at_rest->friction.torque, torque_noise });
   for (std::size_t i = 0; i < spins.size(); ++i)
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1),
-                           "torque at " + to_short_text(spins[i]) + " rad/s", "N m", row.torques[i],
+                           "torque at " + to_short_text(spins[i]) + " rad/s", "N m", torques[i],
                            torque_noise });
   quantities.push_back({ "omega_terminal", "terminal spin", "rad/s", row.terminal->omega,
                          noise.relative * load.spin_scale(motion) });
@@ -85,18 +86,8 @@ const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &qua
 
 std::string key_of(Goal goal)
 {
-  switch (goal)
-  {
-  case Goal::none:
-    return "";
-  case Goal::terminal_spin:
-    return "omega_terminal";
-  case Goal::a2:
-    return "a2";
-  case Goal::torque:
-    return "tau_at_spin_1";
-  }
-  throw std::logic_error("a goal without a quantity");
+  static constexpr const char *keys[] = { "", "omega_terminal", "a2", "tau_at_spin_1" };
+  return keys[static_cast<std::size_t>(goal)];
 }
 
 double move_at_several_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,

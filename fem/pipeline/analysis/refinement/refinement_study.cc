@@ -15,33 +15,30 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A level that has to be solved.
+using Quantities = std::vector<QuantityOfInterest>;
+
+/// A level that has to be solved: not the study itself.
 struct OpenLevel : RefinementLevel
 {
-  const RefinementAxis *axis;
-  std::size_t n_further;                       ///< levels behind it
-  std::vector<QuantityOfInterest> *quantities; ///< where they go
+  std::size_t axis, place; ///< which axis, and which level of it
 };
 
-/// Quantities of every level of every axis; the study's own levels are known.
-using LevelQuantities = std::vector<std::vector<std::vector<QuantityOfInterest>>>;
-
-std::vector<OpenLevel> open_levels(const std::vector<RefinementAxis> &axes, LevelQuantities &quantities)
+std::vector<OpenLevel> open_levels(const std::vector<RefinementAxis> &axes)
 {
   std::vector<OpenLevel> open;
   for (std::size_t a = 0; a < axes.size(); ++a)
     for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
       if (l != axes[a].own)
-        open.push_back({ axes[a].levels[l], &axes[a], axes[a].levels.size() - 1 - l, &quantities[a][l] });
+        open.push_back({ axes[a].levels[l], a, l });
   // The finest first: the longest work should not be begun last.
   std::stable_sort(open.begin(), open.end(),
-                   [](const OpenLevel &one, const OpenLevel &other)
-                   { return one.axis->role < other.axis->role; });
+                   [&](const OpenLevel &one, const OpenLevel &other)
+                   { return axes[one.axis].role < axes[other.axis].role; });
   return open;
 }
 
 /// Throws what the level has thrown, with the level named in front.
-void require_solved(const OpenLevel &level, const Solved<std::vector<QuantityOfInterest>> &solved)
+void require_solved(const OpenLevel &level, const Solved<Quantities> &solved)
 {
   const std::string where =
     "Level " + std::to_string(level.size) + " of the refinement in " + level.name + ": ";
@@ -59,28 +56,24 @@ void require_solved(const OpenLevel &level, const Solved<std::vector<QuantityOfI
   }
 }
 
-AxisResult judge(const RefinementAxis &axis, const std::vector<std::vector<QuantityOfInterest>> &levels)
+AxisResult judge(const RefinementAxis &axis, const std::vector<Quantities> &levels)
 {
   AxisResult result = { axis, {} };
   for (std::size_t f = 0; f < levels[axis.own].size(); ++f)
   {
-    QuantitySequence sequence;
+    QuantitySequence &sequence = result.quantities.emplace_back();
     double rounding = 0;
-    for (const std::vector<QuantityOfInterest> &level : levels)
+    bool has_correction = false;
+    for (const Quantities &level : levels)
     {
       sequence.values.push_back(level[f].value);
-      rounding = std::max(rounding, level[f].rounding);
-    }
-    sequence.judged = judge_refinement(sequence.values, axis.decay, rounding);
-    bool has_correction = false;
-    for (const std::vector<QuantityOfInterest> &level : levels)
-    {
       sequence.corrections.push_back(level[f].mesh_correction);
+      rounding = std::max(rounding, level[f].rounding);
       has_correction |= level[f].mesh_correction.has_value();
     }
+    sequence.judged = judge_refinement(sequence.values, axis.decay, rounding);
     if (axis.role != AxisRole::space || !has_correction)
       sequence.corrections.clear();
-    result.quantities.push_back(sequence);
   }
   return result;
 }
@@ -137,20 +130,21 @@ RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::v
   const auto quantities_at = [&](const OpenLevel &level, const std::shared_ptr<ElasticFoot> &foot)
   {
     // What is estimated is compared with two further levels; the finest are the most costly.
-    const bool is_estimated =
-      level.axis->role == AxisRole::space && (level.axis->is_graded || level.n_further >= 2);
+    const RefinementAxis &axis = axes[level.axis];
+    const bool has_two_further = level.place + 2 < axis.levels.size();
+    const bool is_estimated = axis.role == AxisRole::space && (axis.is_graded || has_two_further);
     return quantities_of_load(level.study, *find_load(level.study, foot), spins, near,
                               is_estimated ? foot.get() : nullptr);
   };
-  LevelQuantities quantities;
+  std::vector<std::vector<Quantities>> quantities; // of every level of every axis
   for (const RefinementAxis &axis : axes)
     quantities.emplace_back(axis.levels.size(), own);
-  const std::vector<OpenLevel> open = open_levels(axes, quantities);
+  const std::vector<OpenLevel> open = open_levels(axes);
   const auto done =
     [&, tell = counted(progress, "levels", open.size())](std::size_t i, const auto &solved) mutable
   {
     require_solved(open[i], solved);
-    *open[i].quantities = *solved.answer;
+    quantities[open[i].axis][open[i].place] = *solved.answer;
     tell(i, solved);
   };
   solve(open, nullptr, quantities_at, executor, done);

@@ -1,9 +1,18 @@
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
 
+#include "fem/contact/contact_newton.h"
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
+#include "fem/pipeline/analysis/sweep/sweep_folder.h"
+#include "fem/pipeline/analysis/sweep/sweep_plan.h"
+#include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/support/ranks.h"
 
+#include <chrono>
 #include <cmath>
+#include <exception>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -78,7 +87,6 @@ SweepQuantity difference_by(const std::string &name)
 
 std::vector<SweepQuantity> make_quantities()
 {
-  constexpr unsigned int n_listed_harmonics = 8;
   std::vector<SweepQuantity> quantities = {
     { "normal force", "N", [](const Case &found) { return found.load.normal_force; } },
     { "moment ratio", "1", [](const Case &found) { return found.load.moment_ratio; } },
@@ -88,14 +96,11 @@ std::vector<SweepQuantity> make_quantities()
     { "mean radius", "m", [](const Case &found) { return found.load.mean_radius; } },
     { "a_0", "N/rad", [](const Case &found) { return found.load.rings.a(0); } }
   };
-  for (unsigned int n = 1; n <= n_listed_harmonics; ++n)
+  for (unsigned int i = 0; i < 2 * n_harmonics_of_interest; ++i) // a_1/a_0, b_1/a_0, a_2/a_0, ...
   {
-    quantities.push_back({ "a_" + std::to_string(n) + "/a_0", "1", [n](const Case &found) {
-                            return found.load.rings.a(n) / found.load.rings.a(0);
-                          } });
-    quantities.push_back({ "b_" + std::to_string(n) + "/a_0", "1", [n](const Case &found) {
-                            return found.load.rings.b(n) / found.load.rings.a(0);
-                          } });
+    const QuantityOfInterest harmonic = load_quantities(LoadReport(), {})[i];
+    quantities.push_back({ harmonic.name, harmonic.unit,
+                           [i](const Case &found) { return load_quantities(found.load, {})[i].value; } });
   }
   const std::vector<SweepQuantity> of_spin = {
     { "torque at rest", "N m", [](const Case &found) { return found.all.at_rest->friction.torque; } },
@@ -126,6 +131,34 @@ std::vector<SweepQuantity> make_quantities()
   };
   quantities.insert(quantities.end(), of_spin.begin(), of_spin.end());
   return quantities;
+}
+
+/// The cases of a sweep as variants, each made when it is asked for.
+struct Cases
+{
+  std::size_t size() const { return indices.size(); }
+  Variant operator[](std::size_t i) const
+  {
+    return { "", "", mesh_for_goal(plan.study_of(indices[i]), executor).study };
+  }
+
+  const SweepPlan &plan;
+  const std::vector<std::size_t> &indices;
+  const Executor &executor;
+};
+
+CaseResult failed_case(const std::exception_ptr &failure)
+try
+{
+  std::rethrow_exception(failure);
+}
+catch (const fem::ContactFailure &contact)
+{
+  return { fem::to_string(contact.outcome), failure_sentence(), {} };
+}
+catch (...)
+{
+  return { "", failure_sentence(), {} };
 }
 
 } // namespace
@@ -172,6 +205,42 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
     result.values.push_back(value ? std::optional(*value + 0.) : std::nullopt); // no -0
   }
   return result;
+}
+
+bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
+try
+{
+  return is_collective(plan.study_of(index));
+}
+catch (const BadInput &)
+{
+  return false;
+}
+
+void solve_cases(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
+                 bool together, CaseLog &log, const std::function<void()> &watch)
+{
+  fem::ComplianceCache cache;
+  const Executor within_case(cache);
+  Executor executor(cache, together ? 1 : n_threads);
+  executor.keeps_all_failures = !together || n_ranks() == 1;
+  auto last_watched = std::chrono::steady_clock::now();
+  const auto finish = [&](std::size_t i, const Solved<CaseResult> &solved)
+  {
+    const CaseResult result = solved.answer ? *solved.answer : failed_case(solved.failure);
+    const auto append = [&] { log.append(indices[i], result); };
+    together ? on_first_rank(append) : append();
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_watched < std::chrono::milliseconds(200))
+      return;
+    last_watched = now;
+    watch();
+  };
+  const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+  { return case_result(variant.study, foot, within_case); };
+  watch();
+  solve(Cases{ plan, indices, within_case }, nullptr, result_of, executor, finish);
+  watch();
 }
 
 } // namespace stemware::pipeline

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -18,65 +21,59 @@ double score_of(const SweepPlan &plan, std::size_t index, std::size_t entry)
   return plan.spreads[entry].is_by_factors() ? std::log(value) : value;
 }
 
-/// A quantity over the cases that have it.
-struct QuantitySample
-{
-  std::vector<std::size_t> cases;
-  std::vector<double> values;
-};
+/// The values of a quantity by the cases that have it.
+using Sample = std::map<std::size_t, double>;
 
-QuantitySample sample_of(const FinishedCases &cases, std::size_t quantity)
+Sample sample_of(const FinishedCases &cases, std::size_t quantity)
 {
-  QuantitySample sample;
+  Sample sample;
   for (const auto &[index, result] : cases)
     if (result.is_solved() && result.values[quantity])
-    {
-      sample.cases.push_back(index);
-      sample.values.push_back(*result.values[quantity]);
-    }
+      sample.emplace(index, *result.values[quantity]);
   return sample;
 }
 
-/// Whether some values are positive and others negative, beyond rounding.
-bool has_both_signs(const std::vector<double> &values)
+/// Where the least and the largest value of a sample are.
+std::pair<Sample::const_iterator, Sample::const_iterator> extremes_of(const Sample &sample)
 {
-  if (values.empty())
-    return false;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double rounding = 1e-9 * std::max(std::abs(*least), std::abs(*most));
-  return *least<-rounding && * most> rounding;
+  return std::minmax_element(sample.begin(), sample.end(),
+                             [](const auto &one, const auto &other) { return one.second < other.second; });
 }
 
-QuantityFindings find_out(const SweepPlan &plan, const QuantitySample &sample)
+/// Whether values from @p least to @p most have both signs, beyond rounding.
+bool has_both_signs(double least, double most)
 {
+  const double rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
+  return least < -rounding && rounding < most;
+}
+
+/// @p sample is not empty.
+QuantityFindings find_out(const SweepPlan &plan, std::size_t quantity, const Sample &sample)
+{
+  const auto [least, most] = extremes_of(sample);
   QuantityFindings findings;
-  const auto [least, most] = std::minmax_element(sample.values.begin(), sample.values.end());
-  const auto case_of = [&](auto place)
-  { return sample.cases[static_cast<std::size_t>(place - sample.values.begin())]; };
-  findings.n_values = sample.values.size();
-  findings.first_case = sample.cases.front();
-  findings.least = *least;
-  findings.most = *most;
-  findings.least_case = case_of(least);
-  findings.most_case = case_of(most);
-  const double same = 1e-9 * std::max(std::abs(*least), std::abs(*most));
-  const auto n_near = [&](double value)
+  findings.index = quantity;
+  findings.n_values = sample.size();
+  findings.first_case = sample.begin()->first;
+  std::tie(findings.least_case, findings.least) = *least;
+  std::tie(findings.most_case, findings.most) = *most;
+  const double same = 1e-9 * std::max(std::abs(findings.least), std::abs(findings.most));
+  std::vector<double> values;
+  for (const auto &[index, value] : sample)
   {
-    return static_cast<std::size_t>(std::count_if(sample.values.begin(), sample.values.end(),
-                                                  [=](double other)
-                                                  { return std::abs(other - value) <= same; }));
-  };
-  findings.n_least = n_near(*least);
-  findings.n_most = n_near(*most);
-  if (!plan.is_random() || sample.values.size() < 2)
+    values.push_back(value);
+    findings.n_least += std::abs(value - findings.least) <= same ? 1 : 0;
+    findings.n_most += std::abs(value - findings.most) <= same ? 1 : 0;
+  }
+  if (!plan.is_random() || values.size() < 2)
     return findings;
-  findings.band = band_of(sample.values);
+  findings.band = band_of(values);
   std::vector<std::vector<double>> inputs(plan.entries.size());
   for (std::size_t entry = 0; entry < inputs.size(); ++entry)
-    for (const std::size_t index : sample.cases)
+    for (const auto &[index, value] : sample)
       inputs[entry].push_back(score_of(plan, index, entry));
-  findings.sensitivity = sensitivity_of(inputs, sample.values);
-  if (findings.sensitivity && sample.values.size() < least_samples_of_shares)
+  findings.sensitivity = sensitivity_of(inputs, values);
+  if (findings.sensitivity && values.size() < least_samples_of_shares)
     findings.sensitivity->first_order.clear();
   return findings;
 }
@@ -94,17 +91,17 @@ const QuantityFindings *SweepFindings::about(const std::string &quantity) const
 bool SweepFindings::spin_changes_sign() const
 {
   const QuantityFindings *spin = about("terminal spin");
-  return spin != nullptr && has_both_signs({ spin->least, spin->most });
+  return spin != nullptr && has_both_signs(spin->least, spin->most);
 }
 
 FinishedCases reported(FinishedCases cases)
 {
-  const QuantitySample spins = sample_of(cases, quantity_index("terminal spin"));
-  if (!has_both_signs(spins.values))
-    return cases;
-  for (auto &[index, result] : cases)
-    if (result.is_solved())
-      result.values[quantity_index("closure effect")].reset();
+  const Sample spins = sample_of(cases, quantity_index("terminal spin"));
+  const auto [least, most] = extremes_of(spins);
+  if (!spins.empty() && has_both_signs(least->second, most->second))
+    for (auto &[index, result] : cases)
+      if (result.is_solved())
+        result.values[quantity_index("closure effect")].reset();
   return cases;
 }
 
@@ -120,13 +117,8 @@ SweepFindings find_out(const SweepPlan &plan, const FinishedCases &cases)
         findings.first_failure = index;
     }
   for (std::size_t quantity = 0; quantity < sweep_quantities().size(); ++quantity)
-  {
-    const QuantitySample sample = sample_of(cases, quantity);
-    if (sample.values.empty())
-      continue;
-    findings.quantities.push_back(find_out(plan, sample));
-    findings.quantities.back().index = quantity;
-  }
+    if (const Sample sample = sample_of(cases, quantity); !sample.empty())
+      findings.quantities.push_back(find_out(plan, quantity, sample));
   return findings;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/analysis/sweep/case_log.h"
 #include "fem/pipeline/analysis/sweep/sample_statistics.h"
+#include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 
 #include <optional>

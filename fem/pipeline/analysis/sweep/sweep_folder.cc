@@ -2,12 +2,14 @@
 
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
-#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
 
-#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
+#include <regex>
 #include <set>
 #include <unistd.h>
 
@@ -20,6 +22,48 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
+/// In the line of a case that was solved, and in no other: quotes within a message have a backslash before
+/// them.
+constexpr char no_message[] = "\"message\":\"\",";
+
+[[noreturn]] void fail_to_keep(const fs::path &file)
+{
+  throw OutputFailure(fmt::format(
+    FMT_STRING(
+      "The finished cases cannot be kept in {} ({}); make room, or choose another folder with --output."),
+    file.string(), std::strerror(errno)));
+}
+
+std::string line_of(std::size_t index, const CaseResult &result)
+{
+  Json line = { { "case", index }, { "outcome", result.outcome }, { "message", result.message } };
+  Json &values = line["values"] = Json::array();
+  for (const std::optional<double> &value : result.values)
+    values.push_back(value ? Json(*value) : Json(nullptr));
+  return line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+/// The case of a line, or nothing where it is not whole.
+std::optional<std::pair<std::size_t, CaseResult>> case_of(const std::string &line)
+{
+  try
+  {
+    const Json json = json_in(line).value_or(Json());
+    CaseResult result;
+    result.outcome = json.at("outcome").get<std::string>();
+    result.message = json.at("message").get<std::string>();
+    for (const Json &value : json.at("values"))
+      result.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
+    if (result.values.size() != (result.is_solved() ? sweep_quantities().size() : 0))
+      return std::nullopt;
+    return std::pair(json.at("case").get<std::size_t>(), result);
+  }
+  catch (const Json::exception &)
+  {
+    return std::nullopt;
+  }
+}
+
 constexpr char plan_name[] = "plan.json";
 
 /// First key of the plan: the folder is one of ours.
@@ -30,12 +74,10 @@ fs::path folder_beside(const fs::path &results)
   return results.parent_path() / ("." + results.filename().string() + ".sweep");
 }
 
-/// cases-0.jsonl, cases-1.jsonl, ...
 bool is_log_name(const std::string &name)
 {
-  const auto digits = std::min(name.find_first_of("0123456789"), name.size());
-  const auto rank = parse_count(name.substr(digits, name.find('.') - digits));
-  return rank && SweepFolder::log_of("", *rank) == name;
+  static const std::regex pattern("cases-(0|[1-9][0-9]*)[.]jsonl"); // SweepFolder::log_of()
+  return std::regex_match(name, pattern);
 }
 
 /// The logs that are in the folder; none where it is gone.
@@ -69,6 +111,74 @@ std::string difference(const Json &kept, const Json &asked)
 }
 
 } // namespace
+
+CaseLog::CaseLog(const fs::path &file)
+    : file(file)
+    , descriptor(::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666))
+    , last_sync(std::chrono::steady_clock::now())
+{
+  if (descriptor < 0)
+    fail_to_keep(file);
+}
+
+CaseLog::~CaseLog()
+{
+  ::fdatasync(descriptor);
+  ::close(descriptor);
+}
+
+void CaseLog::append(std::size_t index, const CaseResult &result)
+{
+  const std::string line = line_of(index, result);
+  if (::write(descriptor, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
+    fail_to_keep(file);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_sync < std::chrono::seconds(1))
+    return;
+  last_sync = now;
+  if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS) // some file systems cannot be asked
+    fail_to_keep(file);
+}
+
+FinishedCases recover_cases(const fs::path &log)
+{
+  FinishedCases cases;
+  std::ifstream stream(log, std::ios::binary);
+  if (!stream)
+    return cases;
+  std::uintmax_t n_good = 0;
+  for (std::string line; std::getline(stream, line) && !stream.eof(); n_good += line.size() + 1)
+  {
+    const auto finished = case_of(line);
+    if (!finished)
+      break;
+    cases.insert(*finished);
+  }
+  std::error_code error;
+  if (!stream.bad() && n_good < fs::file_size(log))
+    fs::resize_file(log, n_good, error);
+  errno = error.value();
+  if (error)
+    fail_to_keep(log);
+  return cases;
+}
+
+const CaseCount &LogCounter::count()
+{
+  for (const fs::path &log : logs_that_are_in(folder))
+  {
+    std::uintmax_t &n_read = n_bytes[log];
+    std::ifstream stream(log, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(n_read));
+    for (std::string line; std::getline(stream, line) && !stream.eof();) // the last line has its end already
+    {
+      n_read += line.size() + 1;
+      ++cases.n_finished;
+      cases.n_failed += line.find(no_message) == std::string::npos ? 1 : 0;
+    }
+  }
+  return cases;
+}
 
 SweepFolder::SweepFolder(const fs::path &results_wanted, const Json &identity, bool restart)
     : results(resolved(results_wanted))
@@ -163,14 +273,6 @@ FinishedCases SweepFolder::finished_cases() const
   for (const fs::path &log : logs_that_are_in(folder))
     all.merge(recover_cases(log));
   return all;
-}
-
-LogCounter SweepFolder::logs_in(const fs::path &path, unsigned int n_ranks)
-{
-  std::set<fs::path> files = logs_that_are_in(path);
-  for (unsigned int rank = 0; rank < n_ranks; ++rank)
-    files.insert(log_of(path, rank));
-  return LogCounter(files);
 }
 
 void SweepFolder::remove() noexcept

@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 
-#include "fem/pipeline/analysis/sweep/varied_entry.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
@@ -12,6 +11,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 namespace stemware::pipeline
@@ -45,15 +45,15 @@ void require_allowed(std::size_t n_cases, const SweepRequest &request)
                       n_cases, n_cases < 172800 ? "hours" : "days", request.most_cases, n_cases));
 }
 
-/// The entry of a study that takes one value after the other, to see whether it does.
+/// Sees whether the entry of a study takes one value after the other.
 class TriedEntry
 {
 public:
   /// @p option is named as where the values come from.
   TriedEntry(const std::string &option, const std::string &path)
-      : option(option)
+      : origin(option + ": ")
       , entries(study_entries(study))
-      , entry(entry_at(entries, option + ": ", path))
+      , entry(entry_at(entries, origin, path))
   {
   }
   TriedEntry(const TriedEntry &) = delete;
@@ -63,27 +63,27 @@ public:
   /// it names is not there.
   std::string take(const std::string &value)
   {
-    assign(entries, option + ": ", entry.path(), value);
+    assign(entry, origin, value);
     for (const std::string &file : pipeline::files_of(study))
-      require_regular_file(option + ": " + entry.path() + " = " + shortened_path(file), file);
+      require_regular_file(origin + entry.path() + " = " + shortened_path(file), file);
     return entry.text();
   }
 
 private:
-  const std::string option;
+  const std::string origin;
   Study study;
   const std::vector<StudyEntry> entries;
   const StudyEntry &entry;
 };
 
 /// Each value is one that the entry takes, and stands once.
-void require_values(const VariedEntry &varied, const std::string &unit)
+void require_values(const SweptEntry &varied)
 {
   TriedEntry entry("--vary", varied.path);
   std::set<std::string> seen;
   for (const std::string &value : varied.values)
   {
-    const std::string range = range_meant_by(value, unit);
+    const std::string range = range_meant_by(value, varied.unit);
     require(range.empty(), fmt::format(FMT_STRING("--vary: {} = {} is not a number; did you mean \"{}={}\"?"),
                                        varied.path, value, varied.path, range));
     require(seen.insert(entry.take(value)).second,
@@ -94,13 +94,14 @@ void require_values(const VariedEntry &varied, const std::string &unit)
 }
 
 /// Each sample of a spread is one that the entry takes: without those that are not, the rest would be biased.
-void require_samples(const Spread &spread, const std::vector<std::string> &values)
+void require_samples(const SweepPlan &plan, std::size_t column)
 {
+  const Spread &spread = plan.spreads[column];
   TriedEntry entry("--random", spread.path);
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < plan.cases.size(); ++i)
     try
     {
-      entry.take(values[i]);
+      entry.take(plan.cases[i][column]);
     }
     catch (const BadInput &refusal)
     {
@@ -112,25 +113,20 @@ void require_samples(const Spread &spread, const std::vector<std::string> &value
 
 SweepPlan make_grid(const SweepRequest &request)
 {
-  const std::vector<std::string> &requests = request.varied;
-  require(requests.size() <= 2, "The sweep varies " + std::to_string(requests.size()) +
-                                  " entries; --vary takes one or two of them, --random any number.");
+  require(request.varied.size() <= 2, "The sweep varies " + std::to_string(request.varied.size()) +
+                                        " entries; --vary takes one or two of them, --random any number.");
   SweepPlan plan;
   plan.cases = { {} };
-  for (const std::string &text : requests)
+  for (const std::string &text : request.varied)
   {
-    const VariedEntry varied = parse_varied_entry(text);
-    plan.entries.push_back(
-      { varied.path, find_entry("--vary", varied.path).unit, varied.values, varied.by_factors });
+    const SweptEntry &varied = plan.entries.emplace_back(parse_varied_entry(text));
+    find_entry("--vary", varied.path);
     require_allowed(plan.cases.size() * varied.values.size(), request);
-    require_values(varied, plan.entries.back().unit);
+    require_values(varied);
     std::vector<std::vector<std::string>> cases;
     for (const auto &before : plan.cases)
       for (const std::string &value : varied.values)
-      {
-        cases.push_back(before);
-        cases.back().push_back(value);
-      }
+        cases.emplace_back(before).push_back(value);
     plan.cases = std::move(cases);
   }
   return plan;
@@ -145,28 +141,20 @@ SweepPlan make_sample(const SweepRequest &request)
   plan.seed = request.seed;
   for (const std::string &text : request.random)
   {
-    const Spread spread = parse_spread(text);
+    const Spread &spread = plan.spreads.emplace_back(parse_spread(text));
     const StudyEntry entry = find_entry("--random", spread.path);
     require(entry.quantity != nullptr,
             "--random: " + spread.path + " takes " + entry.allowed +
               ", which cannot be drawn from a spread; list its values with --vary.");
     plan.entries.push_back({ spread.path, entry.unit, {}, spread.is_by_factors() });
-    plan.spreads.push_back(spread);
   }
   for (const std::vector<double> &sample : draw_samples(plan.spreads, request.n_samples, request.seed))
   {
-    std::vector<std::string> values;
-    for (const double value : sample)
-      values.push_back(to_text(value));
-    plan.cases.push_back(values);
+    std::vector<std::string> &values = plan.cases.emplace_back();
+    std::transform(sample.begin(), sample.end(), std::back_inserter(values), to_text);
   }
-  for (std::size_t i = 0; i < plan.spreads.size(); ++i)
-  {
-    std::vector<std::string> values;
-    for (const std::vector<std::string> &sample : plan.cases)
-      values.push_back(sample[i]);
-    require_samples(plan.spreads[i], values);
-  }
+  for (std::size_t column = 0; column < plan.spreads.size(); ++column)
+    require_samples(plan, column);
   return plan;
 }
 
@@ -175,24 +163,6 @@ Json value_as_json(const SweptEntry &entry, const std::string &value)
 {
   const auto number = entry.unit.empty() ? std::nullopt : parse_number(value);
   return number ? Json(*number) : Json(value);
-}
-
-Json spread_as_json(const Spread &spread)
-{
-  switch (spread.kind)
-  {
-  case Spread::Kind::normal:
-    return { { "distribution", "normal" },
-             { "mean", spread.first },
-             { "standard_deviation", spread.second } };
-  case Spread::Kind::lognormal:
-    return { { "distribution", "lognormal" }, { "median", spread.first }, { "factor", spread.second } };
-  case Spread::Kind::uniform:
-    return { { "distribution", "uniform" }, { "least", spread.first }, { "most", spread.second } };
-  case Spread::Kind::log_uniform:
-    return { { "distribution", "log-uniform" }, { "least", spread.first }, { "most", spread.second } };
-  }
-  throw std::logic_error("a spread without a distribution");
 }
 
 /// Size and check sum of a file; null for one that cannot be read.
@@ -261,7 +231,7 @@ Json plan_as_json(const SweepPlan &plan)
     const SweptEntry &entry = plan.entries[i];
     Json one = { { "entry", entry.path }, { "unit", entry.unit } };
     if (plan.is_random())
-      one.update(spread_as_json(plan.spreads[i]));
+      one.update(plan.spreads[i].as_json());
     else
       for (const std::string &value : entry.values)
         one["values"].push_back(value_as_json(entry, value));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/sweep/distribution.h"
+#include "fem/pipeline/analysis/sweep/swept_entry.h"
 #include "fem/pipeline/study/study.h"
 
 #include <nlohmann/json.hpp>
@@ -21,15 +21,6 @@ struct SweepRequest
   unsigned int n_samples = 200;    ///< --samples
   std::uint64_t seed = 1;          ///< --seed
   std::size_t most_cases = 10000;  ///< --most-cases
-};
-
-/// An entry that differs from case to case.
-struct SweptEntry
-{
-  std::string path;                ///< Section/Entry
-  std::string unit;                ///< "1" for pure numbers, empty for words
-  std::vector<std::string> values; ///< of a grid; empty for random samples
-  bool by_factors = false;         ///< whether a logarithmic axis suits it
 };
 
 /// The cases of a sweep: one study, and for each case the values of some of its entries.

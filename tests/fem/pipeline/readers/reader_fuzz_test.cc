@@ -2,7 +2,7 @@
 // sentences; no crash, no foreign exception, no hang. The mutations come from a fixed seed, so that a finding
 // can be had again; under the preset `sanitize` the readers run with the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
-#include "fem/pipeline/analysis/sweep/case_log.h"
+#include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"

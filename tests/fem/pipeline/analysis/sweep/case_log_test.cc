@@ -1,5 +1,4 @@
 // Finished cases outlive the program, to the last digit; half-written ones do not.
-#include "fem/pipeline/analysis/sweep/case_log.h"
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -99,15 +98,16 @@ TEST(CaseLog, WhatAPowerCutLeavesIsCutOff)
 TEST(CaseLog, CasesAreCountedAsTheyCome)
 {
   const ScratchFolder scratch;
-  LogCounter counter({ scratch / "cases.jsonl" });
+  const fs::path file = SweepFolder::log_of(scratch.path(), 0);
+  LogCounter counter(scratch.path());
   EXPECT_EQ(counter.count().n_finished, 0u);
-  CaseLog log(scratch / "cases.jsonl");
+  CaseLog log(file);
   log.append(0, solved(1));
   EXPECT_EQ(counter.count().n_finished, 1u);
   EXPECT_EQ(counter.count().n_finished, 1u);
   log.append(1, solved(1));
   log.append(2, tipped("the text \"message\":\"\", itself"));
-  std::ofstream(scratch / "cases.jsonl", std::ios::app) << "{\"case\":3,\"outcome\":\"";
+  std::ofstream(file, std::ios::app) << "{\"case\":3,\"outcome\":\"";
   EXPECT_EQ(counter.count().n_finished, 3u);
   EXPECT_EQ(counter.count().n_failed, 1u);
 }

@@ -1,5 +1,5 @@
 // What --random takes, and the numbers that come out.
-#include "fem/pipeline/analysis/sweep/distribution.h"
+#include "fem/pipeline/analysis/sweep/swept_entry.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <gtest/gtest.h>

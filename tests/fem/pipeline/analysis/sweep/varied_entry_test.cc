@@ -1,5 +1,5 @@
 // What --vary takes: ranges, ranges by factors, lists; one sentence for everything else.
-#include "fem/pipeline/analysis/sweep/varied_entry.h"
+#include "fem/pipeline/analysis/sweep/swept_entry.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using Values = std::vector<std::string>;
 
 TEST(VariedEntry, RangeInEqualSteps)
 {
-  const VariedEntry entry = parse_varied_entry("Load/Moment ratio=0.1:1.9:7");
+  const SweptEntry entry = parse_varied_entry("Load/Moment ratio=0.1:1.9:7");
   EXPECT_EQ(entry.path, "Load/Moment ratio");
   EXPECT_EQ(entry.values, (Values{ "0.1", "0.4", "0.7", "1", "1.3", "1.6", "1.9" }));
   EXPECT_EQ(parse_varied_entry(" Motion/Force offset = 0.05 : -0.05 : 3 ").values,

@@ -1,11 +1,40 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
 {
+
+/// An entry of the study that differs from case to case.
+struct SweptEntry
+{
+  std::string path;                ///< Section/Entry
+  std::string unit;                ///< "1" for pure numbers, empty for words
+  std::vector<std::string> values; ///< of a grid, as a study file writes them; empty for random samples
+  bool by_factors = false;         ///< whether a logarithmic axis suits it: of a range, by equal factors
+};
+
+/// Reads what --vary was given:
+///
+///   Load/Moment ratio=0.1:1.9:50                from 0.1 to 1.9 in equal steps, 50 values
+///   Table/Foundation modulus=1e8:1e12:20:log    by equal factors
+///   Motion/Mass=200,250,300 g                   these; a unit behind the last one only holds for all
+///   Motion/Closure=paper,hand,full              these
+///
+/// Numbers may have units, also in a range; the values are in SI units.
+/// Values of a range are rounded to 15 digits, in equal steps to 15 digits of the larger end, so that a third
+/// of the way from 0 to 0.9 is 0.3, and half the way from -0.3 to 0.3 is 0. Throws BadInput with one sentence
+/// for anything else; whether the entry exists and takes the values is not looked at.
+SweptEntry parse_varied_entry(const std::string &text);
+
+/// The range that somebody may mean by a value in @p unit that is none: "0.1:0.5:5" for "0.1-0.5", "0.1..0.5"
+/// and "0.1 to 0.5". Empty for everything else.
+std::string range_meant_by(const std::string &value, const std::string &unit);
 
 /// An entry of the study that is known up to a spread.
 struct Spread
@@ -31,6 +60,9 @@ struct Spread
 
   /// "normal, mean 0.3, standard deviation 0.03".
   std::string description() const;
+
+  /// The same for sweep.json: {"distribution": "normal", "mean": 0.3, "standard_deviation": 0.03}.
+  nlohmann::ordered_json as_json() const;
 };
 
 /// Reads what --random was given:
