@@ -26,7 +26,7 @@ struct TiltingFriction
   double moment_ratio;
 };
 
-/// That of a body at a speed and a spin.
+/// Friction of a body at a speed [m/s] and a spin [rad/s].
 using FrictionLaw = std::function<TiltingFriction(double speed, double omega)>;
 
 /// Shares of the weight instead of the contact: kernels alone.
