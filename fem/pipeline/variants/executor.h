@@ -28,8 +28,8 @@ struct Executor
   /// which has neither meshes nor threads.
   Executor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
 
-  /// Calls @p work(i) for every i < @p n, side by side unless @p one_by_one, each as soon as a thread is
-  /// free; returns when all are done. After one has thrown, no further ones are begun, and its
+  /// Calls @p work(i) for every i < @p n, side by side unless @p one_by_one, in their order, each as soon as
+  /// a thread is free; returns when all are done. After one has thrown, no further ones are begun, and its
   /// exception (that of the least i, if several threw) is thrown here. Parallel loops within @p work do not
   /// mix with each other; they may take the threads that no call needs.
   void for_each(std::size_t n, const Work &work, bool one_by_one = false) const;

@@ -65,7 +65,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   };
   // Without the isolation a thread that waits for a loop within one call could begin another call, and then
   // wait for what it has itself not finished.
-  const auto isolated = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { guarded(i); }); };
+  std::atomic<std::size_t> next = 0; // in their order, whatever the parts that the loop is cut into
+  const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
   if (failure)
     std::rethrow_exception(failure);

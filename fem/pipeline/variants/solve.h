@@ -9,6 +9,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,27 @@ bool any_is_collective(const std::vector<AnyVariant> &variants)
                      [](const AnyVariant &variant) { return is_collective(variant.study); });
 }
 
+/// Numbers of @p variants in the order in which they are begun: what takes long comes first, for others to be
+/// solved beside it. Variants that are made as they are solved keep their order.
+template <typename Variants>
+std::vector<std::size_t> order_of_work(const Variants &variants)
+{
+  std::vector<std::size_t> order(variants.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  return order;
+}
+template <typename AnyVariant>
+std::vector<std::size_t> order_of_work(const std::vector<AnyVariant> &variants)
+{
+  const auto cost = [&](std::size_t i)
+  { return (variants[i].on_same_foot ? 0 : 1) + (variants[i].study.table.is_hard() ? 2 : 0); };
+  std::vector<std::size_t> order(variants.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t one, std::size_t other) { return cost(one) > cost(other); });
+  return order;
+}
+
 /// Nobody is told.
 inline constexpr auto nobody = [](std::size_t, const auto &) {};
 
@@ -88,7 +110,9 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
     const std::lock_guard<std::mutex> lock(mutex);
     done(i, solved[i]);
   };
-  executor.for_each(variants.size(), solve_one, any_is_collective(variants));
+  const std::vector<std::size_t> order = order_of_work(variants);
+  executor.for_each(
+    order.size(), [&](std::size_t i) { solve_one(order[i]); }, any_is_collective(variants));
   return solved;
 }
 
