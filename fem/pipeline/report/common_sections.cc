@@ -104,25 +104,16 @@ void add_chain(const Study &study, const Budget &budget, Document &document)
 {
   Budget steps = budget;
   steps.rows = named_steps(budget.rows);
-  const double rounding = 1e-9 * spin_scale(study);
   document.tables["chain"] = shown_budget_table(study, budget);
   document.tables["named_steps"] = shown_budget_table(study, steps);
-  document.plots["waterfall"] = [&budget, rounding] { return waterfall_plot(budget, rounding); };
-  document.plots["effects"] = [&budget, rounding] { return effects_plot(budget, rounding); };
-  document.plots["harmonic_torque"] = [&budget] { return harmonic_torque_plot(budget); };
+  add_budget_plots(budget, 1e-9 * spin_scale(study), document);
 }
 
 void add_load(const Study &study, const LoadReport &load, const std::vector<BandedQuantity> &bands,
               Document &document)
 {
-  const ring::OrbitSense sense = study.motion.orbit.orbit_sense;
   const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
-  const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
-  document.plots["load"] = [=, &load] { return load_plot(load.rings, pointwise, sense); };
-  document.plots["line_load"] = [=, &load] { return line_load_plot(load.rings, sense); };
-  document.plots["higher_harmonics"] = [=, &load]
-  { return higher_harmonics_plot(load.rings, !pointwise.empty()); };
-  document.plots["spectrum"] = [=, &load] { return spectrum_plot(load.rings, band); };
+  add_load_plots(load.rings, drawn_pointwise(load), band, study.motion.orbit.orbit_sense, document);
   document.tables["harmonics"] = harmonics_table(load.rings, band);
   document.tables["load"] = load_table(load.rings);
   document.tables["rings"] = ring_table(load.rings);
@@ -138,12 +129,6 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
   document.tables["bands"] = band_table(listed);
   document.tables["band_parts"] = part_table(listed);
   document.facts["has_band_parts"] = document.tables["band_parts"].columns.size() > 1;
-}
-
-void say_one_way(Document &document)
-{
-  for (auto &each : document.plots)
-    each.second = [plot = each.second] { return one_way(plot()); };
 }
 
 std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)

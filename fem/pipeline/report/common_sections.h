@@ -27,15 +27,12 @@ void add_chain(const Study &study, const Budget &budget, Document &document);
 /// Adds the tables for the template "error_bands".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 
-/// Says in all plots that @p document has so far that the load of rest is kept at every spin.
-void say_one_way(Document &document);
-
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonics_table() and
-/// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
+/// add_load_plots() take them: 0 beyond the harmonics that are followed; empty without bands.
 std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics);
 
 /// The first harmonics of a load over its mean; those that are smaller than their error band @p band, by n as
-/// in spectrum_plot(), are left out.
+/// in add_load_plots(), are left out.
 Table harmonics_table(const ring::RingStack &load, const std::vector<double> &band = {});
 
 /// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their

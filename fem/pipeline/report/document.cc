@@ -2,10 +2,10 @@
 
 #include "fem/pipeline/report/filled_text.h"
 
+#include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -31,11 +31,19 @@ std::pair<std::string, std::string> parted(const std::string &text, char mark)
            boost::trim_copy(text.substr(std::min(place + 1, text.size()))) };
 }
 
+/// "NAME", or "NAME: KEY KEY" under a title.
+Table view(const Document &document, const std::string &columns, const std::string &title)
+{
+  const auto [name, keys] = parted(columns, ':');
+  const Table &whole = named(document.tables, name);
+  return keys.empty() ? whole : whole.with(title, keys);
+}
+
 /// The results as they grow, line by line of a filled template.
 class Reading
 {
 public:
-  Reading(const Document &document, const nlohmann::ordered_json &facts)
+  Reading(const Document &document, nlohmann::ordered_json &facts)
       : document(document)
       , facts(facts)
   {
@@ -57,6 +65,19 @@ public:
       obey(parted(line.substr(1), ' '));
     else
       add_text(line);
+  }
+
+  /// Notes where the columns of a file of the results stand, before pictures ask for them.
+  void note_columns(const std::string &command)
+  {
+    const auto [file, name] = parted(parted(command, '|').first, '=');
+    const auto end = file.find(".csv");
+    if (end == std::string::npos || name.empty())
+      return;
+    nlohmann::ordered_json &columns = facts["columns"][file.substr(0, end)];
+    const Table table = std::get<Table>(content_of(document, name));
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      columns.emplace(table.columns[c].quantity.key, c + 1); // of a list the first one
   }
 
   Results results;
@@ -114,17 +135,17 @@ private:
 
   void add_plot(const std::string &what)
   {
-    const auto [name, label] = parted(what, '|');
-    Plot plot = named(document.plots, name)();
-    if (!label.empty())
-      plot.label = label;
+    const auto [names, label] = parted(what, '|');
+    const auto [name, source] = parted(names, '=');
+    Plot plot = picture_of(document, facts, name, source.empty() ? name : source);
+    plot.label = label;
     section().plots.push_back(plot);
   }
 
   void add_table(const std::string &what)
   {
     const auto [columns, title] = parted(what, '|');
-    const Table table = view(columns, title);
+    const Table table = view(document, columns, title);
     if (!on_console)
       section().tables.push_back(table);
     else
@@ -137,40 +158,51 @@ private:
   void add_file(const std::string &what)
   {
     const auto [names, words] = parted(what, '|');
-    const auto [file, content] = parted(names, '=');
+    const auto [file, name] = parted(names, '=');
     results.files.push_back({ file, words });
-    if (const auto text = document.texts.find(content); text != document.texts.end())
-      results.files.back().content = text->second;
-    else if (!content.empty())
-      results.files.back().content = view(content, "");
+    if (!name.empty())
+      results.files.back().content = content_of(document, name);
     if (!words.empty())
       section().files.push_back({ file, words });
   }
 
-  /// "NAME", or "NAME: KEY KEY" under a title.
-  Table view(const std::string &columns, const std::string &title) const
-  {
-    const auto [name, keys] = parted(columns, ':');
-    const Table &whole = named(document.tables, name);
-    return keys.empty() ? whole : whole.with(title, keys);
-  }
-
   const Document &document;
-  const nlohmann::ordered_json &facts;
+  nlohmann::ordered_json &facts;
   bool in_inputs = false;
   bool on_console = false;
 };
 
 } // namespace
 
+Content content_of(const Document &document, const std::string &what)
+{
+  if (const auto text = document.texts.find(what); text != document.texts.end())
+    return text->second;
+  return view(document, what, "");
+}
+
+Plot picture_of(const Document &document, const nlohmann::ordered_json &facts, const std::string &name,
+                const std::string &source)
+{
+  const auto values = document.plots.find(name);
+  return plot_from(name, source, facts,
+                   values == document.plots.end() ? nlohmann::ordered_json::object() : values->second,
+                   [&](const std::string &what) { return content_of(document, what); });
+}
+
 Results shown(const Document &document, const std::string &name)
 {
   nlohmann::ordered_json facts = document.findings.summary;
   facts.update(document.facts);
-  std::istringstream lines(filled_text(name + ".txt", facts));
+  std::vector<std::string> lines;
+  boost::split(lines, filled_text(name + ".txt", facts), [](char c) { return c == '\n'; });
   Reading reading(document, facts);
-  for (std::string line; std::getline(lines, line);)
-    if (boost::trim(line); !line.empty())
+  const std::string file = "@file ";
+  for (std::string &line : lines)
+    if (boost::trim(line); line.rfind(file, 0) == 0)
+      reading.note_columns(line.substr(file.size()));
+  for (const std::string &line : lines)
+    if (!line.empty())
       reading.add(line);
   Results results = reading.results;
   results.console.erase(std::remove_if(results.console.begin(), results.console.end(),

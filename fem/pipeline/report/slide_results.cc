@@ -180,9 +180,8 @@ Json sliding_facts(const SlideStudy &slide)
   return facts;
 }
 
-} // namespace
-
-Plot path_plot(const SlideStudy &slide)
+/// Values of "path": the body's outline and a mark on it at equal distances.
+Json path_values(const SlideStudy &slide)
 {
   constexpr unsigned int n_outlines = 6;
   std::vector<double> x, y, yaw;
@@ -202,17 +201,19 @@ Plot path_plot(const SlideStudy &slide)
   const double diameter = 2 * slide.inertia.outer_radius;
   const double height =
     std::clamp(160 + 420 * (*highest - *lowest + diameter) / (*last - *first + diameter), 240., 540.);
-  return plot_from("path", { { "height", height },
-                             { "radius", slide.inertia.outer_radius },
-                             { "x_at", x },
-                             { "y_at", y },
-                             { "yaw_at", yaw } });
+  return { { "height", height },
+           { "radius", slide.inertia.outer_radius },
+           { "x_at", x },
+           { "y_at", y },
+           { "yaw_at", yaw } };
 }
+
+} // namespace
 
 Results tabulate(const Study &study, const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state;
-  const double eps = slide.final_slip_ratio, radius = slide.inertia.outer_radius;
+  const double eps = slide.final_slip_ratio;
   Document document = { findings_of(slide) };
   document.facts = { { "turns", std::abs(stop.yaw) / turn },
                      { "drifts", drifts(slide) },
@@ -227,17 +228,7 @@ Results tabulate(const Study &study, const SlideStudy &slide)
   add_head(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
   document.tables = { { "path", path_table(slide) }, { "body", body_table(slide) } };
-  document.plots = { { "path", [&] { return path_plot(slide); } },
-                     { "drift", [] { return plot_from("drift"); } },
-                     { "speeds",
-                       [=] {
-                         return plot_from("speeds", { { "radius", radius } });
-                       } },
-                     { "slip_ratio",
-                       [=] {
-                         return plot_from("slip_ratio", { { "at_stop", eps } });
-                       } },
-                     { "energy", [] { return plot_from("energy"); } } };
+  document.plots["path"] = path_values(slide);
   add_study(study, document);
   return shown(document, "slide");
 }
