@@ -6,11 +6,14 @@
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
@@ -75,6 +78,37 @@ void add_data(const Content &content, Plot &plot)
   plot.data += (plot.data.empty() ? "" : "\n\n") + block;
 }
 
+/// Fills the template @p text into a plot that has its name.
+void fill(const std::string &text, const std::string &file, const Json &facts, const Json &values,
+          const std::function<Content(const std::string &)> &content, Plot &plot)
+{
+  std::istringstream lines(text);
+  std::string script;
+  bool is_caption = true, is_one_way = false;
+  for (std::string line; std::getline(lines, line);)
+    if (is_caption = is_caption && line.rfind("# ", 0) == 0; is_caption)
+      plot.caption += (plot.caption.empty() ? "" : " ") + line.substr(2);
+    else if (line.rfind("#@data ", 0) == 0)
+      add_data(content(filled(line.substr(7), facts, nullptr, file)), plot);
+    else if (line != "#@one_way")
+      script += line + '\n';
+    else
+      is_one_way = facts.value("one_way", false);
+  plot.caption = filled(plot.caption, facts, nullptr, file);
+  if (is_one_way)
+  {
+    plot.script = "note = \"one-way: load of rest kept\"\n" + plot.script;
+    plot.caption += std::string(plot.caption.empty() || plot.caption.back() == '.' ? "" : ".") +
+                    " One-way: the load of rest is kept at every spin.";
+  }
+  for (const auto &[variable, value] : values.items())
+    plot.script += assignment(variable, value);
+  plot.script += filled(script, facts, in_gnuplot, file);
+  static const std::regex data_file("\"([a-z_/]+[.](?:dat|csv))\"");
+  if (std::smatch found; plot.data.empty() && std::regex_search(plot.script, found, data_file))
+    plot.data_file = found[1];
+}
+
 } // namespace
 
 Plot plot_from(const std::string &name, const std::string &source, Json facts, const Json &values,
@@ -83,30 +117,15 @@ Plot plot_from(const std::string &name, const std::string &source, Json facts, c
   Plot plot = { name, "", "" };
   facts.update(values);
   facts["plot"] = name;
-  const std::string file = source + ".gp";
-  std::istringstream lines(plot_file_text(file));
-  std::string script;
-  bool is_caption = true;
-  for (std::string line; std::getline(lines, line);)
-    if (is_caption = is_caption && line.rfind("# ", 0) == 0; is_caption)
-      plot.caption += (plot.caption.empty() ? "" : " ") + line.substr(2);
-    else if (line.rfind("#@data ", 0) == 0)
-      add_data(content(filled(line.substr(7), facts, nullptr, file)), plot);
-    else if (line != "#@one_way")
-      script += line + '\n';
-    else if (facts.value("one_way", false))
-    {
-      plot.script = "note = \"one-way: load of rest kept\"\n" + plot.script;
-      plot.caption += std::string(plot.caption.empty() || plot.caption.back() == '.' ? "" : ".") +
-                      " One-way: the load of rest is kept at every spin.";
-    }
-  plot.caption = filled(plot.caption, facts, nullptr, file);
-  for (const auto &[variable, value] : values.items())
-    plot.script += assignment(variable, value);
-  plot.script += filled(script, facts, in_gnuplot, file);
-  static const std::regex data_file("\"([a-z_/]+[.](?:dat|csv))\"");
-  if (std::smatch found; plot.data.empty() && std::regex_search(plot.script, found, data_file))
-    plot.data_file = found[1];
+  const std::string file = source + ".gp", text = plot_file_text(file);
+  try
+  {
+    fill(text, file, facts, values, content, plot);
+  }
+  catch (const std::logic_error &trouble) // of a template that somebody has changed
+  {
+    plot.script = "exit error '" + boost::replace_all_copy(std::string(trouble.what()), "'", "''") + "'\n";
+  }
   return plot;
 }
 

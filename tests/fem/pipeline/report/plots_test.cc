@@ -314,6 +314,39 @@ TEST(Plots, TruncationThatChangesNothing)
   EXPECT_NE(words_of(plot, scratch).find("nothing to show"), std::string::npos);
 }
 
+/// How many points the plot's SVG shows.
+std::size_t n_points(const Plot &plot, const ScratchFolder &scratch)
+{
+  const std::string svg = test::read_text(scratch / ("figures/" + plot.name + ".svg"));
+  std::size_t n = 0;
+  for (auto place = svg.find("<use "); place != std::string::npos; place = svg.find("<use ", place + 1))
+    ++n;
+  return n;
+}
+
+TEST(Plots, APlotAfterOneOfACsvFileHasAllItsRows)
+{
+  const ScratchFolder scratch;
+  write_table("truncation.csv", truncations_of({ 0.02, 0 }), scratch);
+  const Plot spectrum = picture(load_document(lifted, {}, ring::OrbitSense::clockwise), "spectrum");
+  EXPECT_EQ(draw(spectrum, scratch), "");
+  const std::size_t n_alone = n_points(spectrum, scratch);
+  EXPECT_EQ(draw({ truncation_plot(), spectrum }, scratch), "");
+  EXPECT_EQ(n_points(spectrum, scratch), n_alone);
+}
+
+TEST(Plots, ATemplateThatAsksForWhatThereIsNotCostsItsOwnPictureAlone)
+{
+  const ScratchFolder scratch;
+  Document document = load_document(lifted, {}, ring::OrbitSense::clockwise);
+  const Plot spectrum = picture(document, "spectrum");
+  document.facts.erase("rim_load");
+  const std::string complaint = draw({ picture(document, "line_load"), spectrum }, scratch);
+  EXPECT_NE(complaint.find("asks for rim_load.side, which there is not"), std::string::npos) << complaint;
+  EXPECT_GT(n_points(spectrum, scratch), 0u);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "figures/line_load.svg"));
+}
+
 TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
@@ -328,6 +361,8 @@ TEST(Plots, SpinUp)
   EXPECT_NE(words.find("turns per second"), std::string::npos);
   EXPECT_NE(words.find("−3.5 rad/s"), std::string::npos) << words; // the terminal spin
   EXPECT_EQ(plot.caption.find("From rest."), 0u) << plot.caption;
+  document.facts["one_way"] = true;
+  EXPECT_EQ(picture(document, "spin_up").caption.find(".."), std::string::npos);
 }
 
 TEST(Plots, Phases)
