@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -35,39 +35,33 @@ void run(const RunOptions &run_options)
   const Depth depth = run_options.quick ? Depth::answer : Depth::full;
 
   // 1. What is asked for; everything that can be refused is refused here.
-  Stopwatch stopwatch;
-  ConsoleProgress progress(stopwatch);
-  const Study given = begin_study(options);
-  ResultsFolder folder(options.results_place());
-  note_load_source(given, progress);
-  stopwatch.finish("input");
+  StudyWork work(options, true);
 
   // 2. The load on the table, and what it does to the ring.
-  fem::ComplianceCache cache;
-  const Executor executor(cache, n_threads_of(options));
-  const auto [study, goal] = mesh_for_goal(given, executor, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
-  const SharedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, *load, executor, progress, depth);
+  const auto [study, goal] = mesh_for_goal(work.given, work.executor, work.progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
+  const SharedLoad load = find_load(study, foot, work.progress);
+  SpinStudy spin = study_spin(study, foot, *load, work.executor, work.progress, depth);
   const double last_spin = spin.all().last_spin().value();
-  stopwatch.finish("ring");
+  work.stopwatch.finish("ring");
   ContactReport report;
   const auto n_contacts = [&foot] { return foot ? foot->n_contacts() : 0; };
   const std::size_t n_for_spin = n_contacts();
-  executor.for_each(
+  work.executor.for_each(
     1, [&](std::size_t) { report = describe(study, foot, *load, last_spin); }, is_collective(study));
   spin.contacts.answer += n_contacts() - n_for_spin;
-  stopwatch.finish("report_of_contact");
+  work.stopwatch.finish("report_of_contact");
   const std::size_t n_before_bands = n_contacts();
   ErrorBands bands;
   if (depth == Depth::full)
   {
-    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor, progress);
+    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), work.executor,
+                           work.progress);
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.profile_scatter = profile_scatter(study, spin.all(), executor, progress);
+    spin.profile_scatter = profile_scatter(study, spin.all(), work.executor, work.progress);
     spin.contacts.bands = n_contacts() - n_before_bands;
-    stopwatch.finish("error_bands");
+    work.stopwatch.finish("error_bands");
   }
   if (report.coupling)
   {
@@ -78,7 +72,7 @@ void run(const RunOptions &run_options)
   // 3. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
   publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : own_fields(report),
-          folder, stopwatch);
+          work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -87,11 +81,10 @@ void add_run_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<RunOptions>();
   CLI::App *verb =
-    program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
+    add_verb(program, chosen, "run", "Compute a study: contact, torque, spin, and how large each effect is",
+             [options] { run(*options); });
   add_study_options(*verb, options->study);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
-  verb->footer(help_of("run"));
-  verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 
 } // namespace stemware::pipeline
