@@ -44,32 +44,40 @@ void run(const RunOptions &run_options)
   SpinStudy spin = study_spin(study, foot, *load, work.executor, work.progress, depth);
   const double last_spin = spin.all().last_spin().value();
   work.stopwatch.finish("ring");
-  ContactReport report;
   const auto n_contacts = [&foot] { return foot ? foot->n_contacts() : 0; };
   const std::size_t n_for_spin = n_contacts();
-  work.executor.for_each(
-    1, [&](std::size_t) { report = describe(study, foot, *load, last_spin); }, is_collective(study));
+  ContactReport report = describe(study, foot, *load, last_spin);
   spin.contacts.answer += n_contacts() - n_for_spin;
   work.stopwatch.finish("report_of_contact");
+
+  // 3. Fields, and meanwhile what the discretisation leaves open.
   const std::size_t n_before_bands = n_contacts();
   ErrorBands bands;
+  const std::shared_ptr<const ElasticFoot> of_fields = foot ? foot->twin() : nullptr;
+  const auto find = [&](std::size_t i)
+  {
+    if (i == 0 && report.foot)
+      add_fields(study, *of_fields, *report.foot);
+    if (i == 1)
+      bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), work.executor,
+                             work.progress);
+  };
+  work.executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
   if (depth == Depth::full)
   {
-    bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), work.executor,
-                           work.progress);
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
     spin.profile_scatter = profile_scatter(study, spin.all(), work.executor, work.progress);
     spin.contacts.bands = n_contacts() - n_before_bands;
-    work.stopwatch.finish("error_bands");
   }
+  work.stopwatch.finish("bands_and_fields");
   if (report.coupling)
   {
     report.coupling->interpolation_error = spin.curve_error;
     report.coupling->contacts = spin.contacts;
   }
 
-  // 3. The answer, and the results, all at once.
+  // 4. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
   publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : own_fields(report),
           work.folder, work.stopwatch);

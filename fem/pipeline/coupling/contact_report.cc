@@ -20,29 +20,38 @@ FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem:
   report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
-  // A foot that every rank has is written by the first.
-  if (is_first_rank() || foot.body().capabilities().is_collective)
-    report.fields = foot.body().fields(at_rest);
   if (is_first_rank())
     report.section = foot_section(study);
-  if (foot.body().capabilities().is_collective || !is_first_rank())
-    return report;
-  // Outside is away from the orbit's centre, which lies on the left of a counter-clockwise orbit.
-  constexpr double right_angle = 1.5707963267948966;
-  report.stressed_section = foot.body().section(at_rest, -study.motion.orbit.sense_sign() * right_angle);
-  if (at_end && at_end->slip.spin_per_speed != at_rest.slip.spin_per_speed)
+  if (at_end && at_end->slip.spin_per_speed != at_rest.slip.spin_per_speed && is_first_rank() &&
+      !foot.body().capabilities().is_collective)
   {
+    report.at_end = at_end;
     report.footprint_at_end = foot.body().pressure_map(*at_end);
-    for (fem::FieldFile file : foot.body().fields(*at_end))
-    {
-      file.name.insert(file.name.find('.'), "_at_terminal_spin");
-      report.fields.push_back(file);
-    }
   }
   return report;
 }
 
 } // namespace
+
+void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
+{
+  const bool is_collective = foot.body().capabilities().is_collective;
+  // A foot that every rank has is written by the first.
+  if (is_first_rank() || is_collective)
+    report.fields = foot.body().fields(report.at_rest);
+  if (is_collective || !is_first_rank())
+    return;
+  // Outside is away from the orbit's centre, which lies on the left of a counter-clockwise orbit.
+  constexpr double right_angle = 1.5707963267948966;
+  report.stressed_section =
+    foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * right_angle);
+  if (report.at_end)
+    for (fem::FieldFile file : foot.body().fields(*report.at_end))
+    {
+      file.name.insert(file.name.find('.'), "_at_terminal_spin");
+      report.fields.push_back(file);
+    }
+}
 
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double last_spin)

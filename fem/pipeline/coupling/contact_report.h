@@ -41,8 +41,9 @@ struct FootReport
   fem::FootDescription foot;
   std::string friction_coupling; ///< "elastic" or "none"
   fem::ContactState at_rest;
-  fem::PressureMap footprint; ///< at rest
   /// At the end of the spin-up; nothing where the load is the same at every spin, or of a collective foot.
+  std::optional<fem::ContactState> at_end = {};
+  fem::PressureMap footprint; ///< at rest
   std::optional<fem::PressureMap> footprint_at_end = {};
   /// At rest, along the line to the orbit's centre, x > 0 outside; empty where the foot cannot tell.
   std::vector<fem::StressedPatch> stressed_section = {};
@@ -83,10 +84,14 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Describes the load of @p study at rest and at @p last_spin, at which the spin-up ends [rad/s]. @p foot is
-/// study_foot(), @p load find_load() of it. May solve the contact there. Throws as the
-/// load.
+/// Describes the load of @p study at rest and at @p last_spin, at which the spin-up ends [rad/s], but for
+/// what add_fields() adds. @p foot is study_foot(), @p load find_load() of it. May solve the contact there.
+/// Throws as the load.
 ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
                        double last_spin);
+
+/// Adds fields and stressed section in both states of @p report. Another @p foot than that of describe(), a
+/// twin, may be asked for them while that one is at work.
+void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report);
 
 } // namespace stemware::pipeline
