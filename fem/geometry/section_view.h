@@ -15,6 +15,18 @@ namespace stemware::fem
 /// Corners (r, z) of a piece of a section [m], in turn.
 using SectionPolygon = std::vector<std::array<double, 2>>;
 
+/// Lengths of a foot, measured on the cells of its section [m].
+struct SectionLengths
+{
+  double outer_radius = 0;
+  double height = 0;      ///< of the stem's cut
+  double stem_radius = 0; ///< at the stem's cut
+  double thickness = 0;   ///< of the glass above some radius
+};
+
+/// The lengths of a section of one cell or more, its thickness above @p radius [m].
+SectionLengths lengths_of(const std::vector<SectionPolygon> &cells, double radius);
+
 /// A place of a loaded section: its coordinate across the axis and height, how far it goes [m], and the
 /// stress of von Mises [Pa].
 struct StressedPoint

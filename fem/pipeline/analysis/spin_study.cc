@@ -188,6 +188,14 @@ std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr
 
 } // namespace
 
+std::optional<double> TorqueCurve::spin_unit() const
+{
+  for (std::size_t i = 0; i < omega.size(); ++i)
+    if (std::abs(slip_ratio.at(i)) > 1e-6)
+      return omega[i] / slip_ratio[i];
+  return std::nullopt;
+}
+
 std::vector<double> shown_spins(const Study &study, const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;

@@ -24,6 +24,9 @@ struct TorqueCurve
   std::vector<double> sum;             ///< tau_z, lean and grip torque: I d omega / dt of all harmonics [N m]
   std::vector<unsigned int> harmonics; ///< of the truncations
   std::vector<std::vector<double>> truncations; ///< tau_z [N m], [truncation][spin]
+
+  /// v/R, beyond which part of the rim slides backwards [rad/s]; nothing where the curve does not tell.
+  std::optional<double> spin_unit() const;
 };
 
 /// omega(t) from rest while the hand's speed changes.

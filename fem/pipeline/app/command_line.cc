@@ -19,6 +19,15 @@ std::string help_of(const std::string &name)
   return text.substr(0, text.size() - 1); // the parser of the command line ends the line
 }
 
+CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
+                   const Verb &work)
+{
+  CLI::App *verb = program.add_subcommand(name, words);
+  verb->footer(help_of(name));
+  verb->callback([&chosen, work] { chosen = work; });
+  return verb;
+}
+
 void describe_program(CLI::App &program)
 {
   program.require_subcommand(1);

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
-#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/comparison_results.h"
 #include "fem/pipeline/report/publish.h"
@@ -33,22 +33,15 @@ void require_comparable(const Study &study)
 void compare(const StudyOptions &options)
 {
   // 1. What is asked for.
-  Stopwatch stopwatch;
-  ConsoleProgress progress(stopwatch);
-  const Study given = begin_study(options);
-  require_comparable(given);
-  ResultsFolder folder(options.results_place());
-  stopwatch.finish("input");
+  StudyWork work(options, false, require_comparable);
 
   // 2. Every moment balance on every load.
-  fem::ComplianceCache cache;
-  const Executor executor(cache, n_threads_of(options));
-  const Study study = mesh_for_goal(given, executor, progress).study;
+  const Study study = mesh_for_goal(work.given, work.executor, work.progress).study;
   const Comparison comparison =
-    compare_models(study, announced_foot(study, executor, progress), executor, progress);
+    compare_models(study, announced_foot(study, work.executor, work.progress), work.executor, work.progress);
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, tabulate(study, comparison), folder, stopwatch);
+  publish(options, study, tabulate(study, comparison), work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -56,11 +49,10 @@ void compare(const StudyOptions &options)
 void add_compare_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App *verb = program.add_subcommand(
-    "compare", "Moment balances, loads, harmonics side by side: what changes the spin");
+  CLI::App *verb = add_verb(program, chosen, "compare",
+                            "Moment balances, loads, harmonics side by side: what changes the spin",
+                            [options] { compare(*options); });
   add_study_options(*verb, *options);
-  verb->footer(help_of("compare"));
-  verb->callback([&chosen, options] { chosen = [options] { compare(*options); }; });
 }
 
 } // namespace stemware::pipeline

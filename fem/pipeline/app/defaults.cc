@@ -14,11 +14,9 @@ void add_defaults_verb(CLI::App &program, Verb &chosen)
 {
   const auto section = std::make_shared<std::string>();
   CLI::App *verb =
-    program.add_subcommand("defaults", "Print a study file with every entry, its meaning and its default");
+    add_verb(program, chosen, "defaults", "Print a study file with every entry, its meaning and its default",
+             [section] { console() << commented_defaults(*section) << std::flush; });
   verb->add_option("SECTION", *section, "Motion, Glass, Table, Contact or Load; default: all of them");
-  verb->footer(help_of("defaults"));
-  verb->callback([&chosen, section]
-                 { chosen = [section] { console() << commented_defaults(*section) << std::flush; }; });
 }
 
 } // namespace stemware::pipeline

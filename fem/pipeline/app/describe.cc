@@ -1,8 +1,10 @@
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/program.h"
+#include "fem/pipeline/support/shared_files.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/case_conv.hpp>
@@ -15,9 +17,13 @@
 namespace stemware::pipeline
 {
 
+/// The files of completions/.
+const CompiledTexts &compiled_completions();
+
 namespace
 {
 
+using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
 /// The verbs that --help lists.
@@ -35,48 +41,11 @@ std::string roff(std::string text)
   return "\\&" + text;
 }
 
-/// The text of --help under a heading of its own.
-std::string man_section(const std::string &heading, const CLI::App &app, const std::string &name)
+/// The text of --help for a section of the manual page.
+Json man_section(const std::string &heading, const CLI::App &app, const std::string &name)
 {
-  return ".SH " + heading + "\n.in 2n\n.nf\n" +
-         roff(app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal)) + "\n.fi\n.in\n";
-}
-
-/// The manual page: what --help says of the program and of every verb.
-std::string man_page(const CLI::App &program)
-{
-  std::string page =
-    ".TH STEMWARE 1 \"\" \"stemware " + program_version() +
-    "\" \"Stemware\"\n.SH NAME\nstemware \\- spin of a wine glass on its elastic foot\n.SH SYNOPSIS\n"
-    "\\fBstemware\\fR \\fIVERB\\fR [\\fIOPTIONS\\fR]\n" +
-    man_section("DESCRIPTION", program, "stemware");
-  for (const CLI::App *verb : shown_verbs(program))
-    page += man_section("STEMWARE " + boost::to_upper_copy(verb->get_name()), *verb,
-                        "stemware " + verb->get_name());
-  return page;
-}
-
-/// Words that may follow some options, which are named as "--one | --other".
-std::vector<std::pair<std::string, Words>> option_values()
-{
-  Study study;
-  Words entries;
-  for (const StudyEntry &entry : study_entries(study))
-    entries.push_back(entry.path());
-  return { { "--set | --vary | --random", entries },
-           { "--glass", names_of(glass_presets()) },
-           { "--table", names_of(table_presets()) },
-           { "--cookbook", cookbook_names() } };
-}
-
-/// Words that may follow some verbs, but for options and files.
-std::vector<std::pair<std::string, Words>> verb_values(const CLI::App &program)
-{
-  Study study;
-  Words verbs;
-  for (const CLI::App *verb : shown_verbs(program))
-    verbs.push_back(verb->get_name());
-  return { { "help", verbs }, { "defaults", sections_of(study_entries(study)) } };
+  return { { "heading", heading },
+           { "text", roff(app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal)) } };
 }
 
 /// Names of the options of @p app and what they mean, in one line each.
@@ -103,80 +72,56 @@ std::string shell_words(Words words)
   return boost::algorithm::join(words, " ");
 }
 
-std::string bash_completion(const CLI::App &program)
-{
-  std::string text = R"(# Completion of stemware for bash, written by `stemware describe bash`.
-_stemware()
-{
-  local word=${2//\\/} candidate
-  local -a candidates=()
-  case $3 in
-)";
-  for (const auto &[options, values] : option_values())
-    text += "  " + options + ")\n    compopt -o filenames\n    candidates=(" + shell_words(values) + ") ;;\n";
-  text += "  *)\n    case $COMP_CWORD:${COMP_WORDS[1]}:$word in\n    1:*) candidates=(";
-  for (const CLI::App *verb : shown_verbs(program))
-    text += shell_word(verb->get_name()) + " ";
-  text += "'--help' '--version') ;;\n";
-  for (const CLI::App *verb : shown_verbs(program))
-  {
-    Words names;
-    for (const auto &[name, description] : described_options(*verb))
-      names.push_back(name);
-    text += "    *:" + verb->get_name() + ":-*) candidates=(" + shell_words(names) + ") ;;\n";
-  }
-  for (const auto &[verb, values] : verb_values(program))
-    text += "    *:" + verb + ":*) candidates=(" + shell_words(values) + ") ;;\n";
-  return text + R"(    esac ;;
-  esac
-  # Of entries, Section/Entry, the section first.
-  for candidate in "${candidates[@]}"; do
-    [[ $candidate == "$word"* ]] || continue
-    [[ $word == */* || $candidate != */* ]] || candidate=${candidate%%/*}/
-    COMPREPLY+=("$candidate")
-  done
-  [[ ${COMPREPLY[*]} != */* ]] || compopt -o nospace
-}
-complete -o default -F _stemware stemware
-)";
-}
-
 /// A word and its meaning for zsh's _describe.
 std::string zsh_item(const std::string &word, const std::string &meaning)
 {
   return shell_word(boost::replace_all_copy(word, ":", "\\:") + ":" + meaning) + " ";
 }
 
-std::string zsh_completion(const CLI::App &program)
+/// Facts for the templates in completions/: words for bash, items for zsh, sections of the manual page.
+Json description_of(const CLI::App &program)
 {
-  std::string text = R"(#compdef stemware
-# Completion of stemware for zsh, written by `stemware describe zsh`.
-local -a verbs options
-case $words[CURRENT-1] in
-)";
-  for (const auto &[options, values] : option_values())
-    text += "(" + options + ")\n  compadd " + (options == "--set | --vary | --random" ? "-S = " : "") +
-            "-- " + shell_words(values) + "\n  return ;;\n";
-  text += "esac\nif ((CURRENT == 2)); then\n  verbs=(";
-  for (const CLI::App *verb : shown_verbs(program))
-    text += zsh_item(verb->get_name(), verb->get_description());
-  text += ")\n  _describe verb verbs\n  return\nfi\ncase $words[2] in\n";
-  for (const auto &[verb, values] : verb_values(program))
-    text += "(" + verb + ")\n  compadd -- " + shell_words(values) + "\n  return ;;\n";
+  Study study;
+  const std::vector<StudyEntry> all = study_entries(study);
+  Words entries, verb_names;
+  for (const StudyEntry &entry : all)
+    entries.push_back(entry.path());
+  Json verbs = Json::array(), sections = Json::array();
+  sections.push_back(man_section("DESCRIPTION", program, "stemware"));
   for (const CLI::App *verb : shown_verbs(program))
   {
-    text += "(" + verb->get_name() + ")\n  options=(";
-    for (const auto &[name, meaning] : described_options(*verb))
-      text += zsh_item(name, meaning);
-    text += ") ;;\n";
+    const std::string name = verb->get_name();
+    verb_names.push_back(name);
+    Words option_names;
+    std::string option_items;
+    for (const auto &[option, meaning] : described_options(*verb))
+    {
+      option_names.push_back(option);
+      option_items += zsh_item(option, meaning);
+    }
+    verbs.push_back({ { "name", name },
+                      { "word", shell_word(name) },
+                      { "item", zsh_item(name, verb->get_description()) },
+                      { "option_words", shell_words(option_names) },
+                      { "option_items", option_items } });
+    sections.push_back(man_section("STEMWARE " + boost::to_upper_copy(name), *verb, "stemware " + name));
   }
-  return text + R"(esac
-if [[ $PREFIX == -* ]]; then
-  _describe -o option options
-else
-  _files
-fi
-)";
+  // Options by their names, "--one | --other".
+  const auto after_options = [](const std::string &options, const Words &values, bool are_entries = false) {
+    return Json{ { "options", options }, { "values", shell_words(values) }, { "are_entries", are_entries } };
+  };
+  const auto after_verb = [](const std::string &verb, const Words &values) {
+    return Json{ { "verb", verb }, { "values", shell_words(values) } };
+  };
+  return { { "version", program_version() },
+           { "man_sections", sections },
+           { "verbs", verbs },
+           { "option_values", Json::array({ after_options("--set | --vary | --random", entries, true),
+                                            after_options("--glass", names_of(glass_presets())),
+                                            after_options("--table", names_of(table_presets())),
+                                            after_options("--cookbook", cookbook_names()) }) },
+           { "verb_values",
+             Json::array({ after_verb("help", verb_names), after_verb("defaults", sections_of(all)) }) } };
 }
 
 } // namespace
@@ -196,10 +141,8 @@ void add_describe_verb(CLI::App &program, Verb &chosen)
     {
       chosen = [&program, format]
       {
-        console() << (*format == "man"    ? man_page(program)
-                      : *format == "bash" ? bash_completion(program)
-                                          : zsh_completion(program))
-                  << std::flush;
+        const std::string &text = text_of(compiled_completions(), *format + ".txt");
+        console() << filled(text, description_of(program), nullptr, *format) << std::flush;
       };
     });
 }

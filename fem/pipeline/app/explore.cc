@@ -64,7 +64,8 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<ExploreOptions>();
   CLI::App *verb =
-    program.add_subcommand("explore", "Write a page that solves a study live, at every move of a slider");
+    add_verb(program, chosen, "explore", "Write a page that solves a study live, at every move of a slider",
+             [options] { explore(*options); });
   options->study.verb = verb->get_name();
   add_study_option(*verb, options->study);
   verb->add_option("--glass", options->glasses, "A glass to choose in the page; may be repeated")
@@ -81,8 +82,6 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
   verb->add_option("--output", options->file, "The page; default: explore.html")->type_name("FILE");
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
-  verb->footer(help_of("explore"));
-  verb->callback([&chosen, options] { chosen = [options] { explore(*options); }; });
 }
 
 } // namespace stemware::pipeline

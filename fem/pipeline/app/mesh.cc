@@ -150,7 +150,9 @@ void mesh(const MeshOptions &options)
 void add_mesh_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<MeshOptions>();
-  CLI::App *verb = program.add_subcommand("mesh", "Write the three-dimensional mesh of a foot, or check one");
+  CLI::App *verb =
+    add_verb(program, chosen, "mesh", "Write the three-dimensional mesh of a foot, or check one",
+             [options] { mesh(*options); });
   add_study_option(*verb, options->study, "whose mesh it is");
   verb->add_option("--check", options->check, "Looks at a mesh file instead")->type_name("FILE.msh");
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
@@ -160,8 +162,6 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
-  verb->footer(help_of("mesh"));
-  verb->callback([&chosen, options] { chosen = [options] { mesh(*options); }; });
 }
 
 } // namespace stemware::pipeline

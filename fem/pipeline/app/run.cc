@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -35,27 +35,20 @@ void run(const RunOptions &run_options)
   const Depth depth = run_options.quick ? Depth::answer : Depth::full;
 
   // 1. What is asked for; everything that can be refused is refused here.
-  Stopwatch stopwatch;
-  ConsoleProgress progress(stopwatch);
-  const Study given = begin_study(options);
-  ResultsFolder folder(options.results_place());
-  note_load_source(given, progress);
-  stopwatch.finish("input");
+  StudyWork work(options, true);
 
   // 2. The load on the table, and what it does to the ring.
-  fem::ComplianceCache cache;
-  const Executor executor(cache, n_threads_of(options));
-  const auto [study, goal] = mesh_for_goal(given, executor, progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
-  const SharedLoad load = find_load(study, foot, progress);
-  SpinStudy spin = study_spin(study, foot, *load, executor, progress, depth);
+  const auto [study, goal] = mesh_for_goal(work.given, work.executor, work.progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
+  const SharedLoad load = find_load(study, foot, work.progress);
+  SpinStudy spin = study_spin(study, foot, *load, work.executor, work.progress, depth);
   const double last_spin = spin.all().last_spin().value();
-  stopwatch.finish("ring");
+  work.stopwatch.finish("ring");
   const auto n_contacts = [&foot] { return foot ? foot->n_contacts() : 0; };
   const std::size_t n_for_spin = n_contacts();
   ContactReport report = describe(study, foot, *load, last_spin);
   spin.contacts.answer += n_contacts() - n_for_spin;
-  stopwatch.finish("report_of_contact");
+  work.stopwatch.finish("report_of_contact");
 
   // 3. Fields, and meanwhile what the discretisation leaves open.
   const std::size_t n_before_bands = n_contacts();
@@ -66,17 +59,18 @@ void run(const RunOptions &run_options)
     if (i == 0 && report.foot)
       add_fields(study, *of_fields, *report.foot);
     if (i == 1)
-      bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), executor, progress);
+      bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), work.executor,
+                             work.progress);
   };
-  executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
+  work.executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
   if (depth == Depth::full)
   {
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.profile_scatter = profile_scatter(study, spin.all(), executor, progress);
+    spin.profile_scatter = profile_scatter(study, spin.all(), work.executor, work.progress);
     spin.contacts.bands = n_contacts() - n_before_bands;
   }
-  stopwatch.finish("bands_and_fields");
+  work.stopwatch.finish("bands_and_fields");
   if (report.coupling)
   {
     report.coupling->interpolation_error = spin.curve_error;
@@ -86,7 +80,7 @@ void run(const RunOptions &run_options)
   // 4. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses.
   publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : own_fields(report),
-          folder, stopwatch);
+          work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -95,11 +89,10 @@ void add_run_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<RunOptions>();
   CLI::App *verb =
-    program.add_subcommand("run", "Compute a study: contact, torque, spin, and how large each effect is");
+    add_verb(program, chosen, "run", "Compute a study: contact, torque, spin, and how large each effect is",
+             [options] { run(*options); });
   add_study_options(*verb, options->study);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
-  verb->footer(help_of("run"));
-  verb->callback([&chosen, options] { chosen = [options] { run(*options); }; });
 }
 
 } // namespace stemware::pipeline

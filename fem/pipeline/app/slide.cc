@@ -85,7 +85,8 @@ void slide(const SlideOptions &options)
 void add_slide_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<SlideOptions>();
-  CLI::App *verb = program.add_subcommand("slide", "Push a glass, a ring or a disc, let it go, follow it");
+  CLI::App *verb = add_verb(program, chosen, "slide", "Push a glass, a ring or a disc, let it go, follow it",
+                            [options] { slide(*options); });
   add_study_options(*verb, *options);
   static const std::map<std::string, SlidingBodyKind> kinds = { { "glass", SlidingBodyKind::glass },
                                                                 { "ring", SlidingBodyKind::ring },
@@ -110,8 +111,6 @@ void add_slide_verb(CLI::App &program, Verb &chosen)
     ->type_name("\"20 rad/s\"");
   verb->add_option("--inner-radius", options->inner_radius, "Inner radius of an annulus")
     ->type_name("\"20 mm\"");
-  verb->footer(help_of("slide"));
-  verb->callback([&chosen, options] { chosen = [options] { slide(*options); }; });
 }
 
 } // namespace stemware::pipeline

@@ -217,7 +217,8 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App *verb =
-    program.add_subcommand("sweep", "Compute a study many times: entries over a range, or random samples");
+    add_verb(program, chosen, "sweep", "Compute a study many times: entries over a range, or random samples",
+             [options] { sweep(*options); });
   add_study_options(*verb, *options);
   SweepRequest &request = options->request;
   verb->add_option("--vary", request.varied, "Values of one entry: a range or a list; at most twice")
@@ -233,8 +234,6 @@ void add_sweep_verb(CLI::App &program, Verb &chosen)
                  "Refuses a sweep of more cases, before the work; default: 10000")
     ->type_name("N");
   verb->add_flag("--restart", options->restart, "Throws away the cases kept from an interrupted sweep");
-  verb->footer(help_of("sweep"));
-  verb->callback([&chosen, options] { chosen = [options] { sweep(*options); }; });
 }
 
 } // namespace stemware::pipeline

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/truncation.h"
-#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
+#include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/publish.h"
@@ -29,30 +29,23 @@ struct TruncateOptions : StudyOptions
 void truncate(const TruncateOptions &options)
 {
   // 1. What is asked for.
-  Stopwatch stopwatch;
-  ConsoleProgress progress(stopwatch);
-  const Study given = begin_study(options);
-  require_flat(given, options.verb);
-  ResultsFolder folder(options.results_place());
-  note_load_source(given, progress);
-  stopwatch.finish("input");
+  StudyWork work(options, true, [&](const Study &given) { require_flat(given, options.verb); });
 
   // 2. The load of all harmonics, and the glass on fewer and fewer of them.
-  fem::ComplianceCache cache;
-  const Executor executor(cache, n_threads_of(options));
-  const Study study = mesh_for_goal(given, executor, progress).study;
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
-  const SharedLoad load = find_load(study, foot, progress);
-  TruncationStudy result = study_truncations(study, foot, *load, options.omega, executor, progress);
-  stopwatch.finish("truncations");
+  const Study study = mesh_for_goal(work.given, work.executor, work.progress).study;
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
+  const SharedLoad load = find_load(study, foot, work.progress);
+  TruncationStudy result = study_truncations(study, foot, *load, options.omega, work.executor, work.progress);
+  work.stopwatch.finish("truncations");
   SpinRow &all = result.rows.back();
-  const ErrorBands bands = estimate_bands(study, foot, all, result.rows.front().omega_terminal(), executor);
+  const ErrorBands bands =
+    estimate_bands(study, foot, all, result.rows.front().omega_terminal(), work.executor);
   all.band = band_of(bands, "omega_terminal");
   add_bands(all.band, band_of(bands, "omega_first_harmonic"), result.budget);
-  stopwatch.finish("error_band");
+  work.stopwatch.finish("error_band");
 
   // 3. The answer, and the results, all at once.
-  publish(options, study, tabulate(study, load->report(), result, bands), folder, stopwatch);
+  publish(options, study, tabulate(study, load->report(), result, bands), work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -60,11 +53,10 @@ void truncate(const TruncateOptions &options)
 void add_truncate_verb(CLI::App &program, Verb &chosen)
 {
   const auto options = std::make_shared<TruncateOptions>();
-  CLI::App *verb = program.add_subcommand("truncate", "How many harmonics of the load matter");
+  CLI::App *verb = add_verb(program, chosen, "truncate", "How many harmonics of the load matter",
+                            [options] { truncate(*options); });
   add_study_options(*verb, *options);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
-  verb->footer(help_of("truncate"));
-  verb->callback([&chosen, options] { chosen = [options] { truncate(*options); }; });
 }
 
 } // namespace stemware::pipeline

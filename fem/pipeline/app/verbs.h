@@ -21,13 +21,19 @@ using Verb = std::function<void()>;
 /// The examples and explanations help/@p name.txt that end the help of a verb.
 std::string help_of(const std::string &name);
 
+/// Adds a verb, with the examples and explanations that end its help. When it is chosen, @p chosen becomes
+/// its
+/// @p work.
+CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
+                   const Verb &work);
+
 /// Adds to the program the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program);
 
 /// `stemware new`: a study file of a glass on a table to start from.
 void add_new_verb(CLI::App &program, Verb &chosen);
 
-/// `stemware run`: a study from its file to its results. When it is chosen, @p chosen becomes its work.
+/// `stemware run`: a study from its file to its results.
 void add_run_verb(CLI::App &program, Verb &chosen);
 
 /// `stemware truncate`: a study with fewer and fewer harmonics of its load.

@@ -3,15 +3,12 @@
 #include "fem/contact/foot.h"
 #include "fem/pipeline/document/table.h"
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
-
-struct Plot;
 
 /// Findings of a verb as programs read them. SI units, or those of the study.
 struct Findings
@@ -28,9 +25,9 @@ struct Document
   Findings findings; ///< for summary.json and --json
   /// Words, flags and derived numbers for sentences, and rows of tables; both see the findings too.
   nlohmann::ordered_json facts = nlohmann::ordered_json::object();
-  std::map<std::string, Table> tables = {};                ///< data files made of columns
-  std::map<std::string, std::string> texts = {};           ///< files that are no table
-  std::map<std::string, std::function<Plot()>> plots = {}; ///< pictures, made where they are shown
+  std::map<std::string, Table> tables = {};                 ///< data files made of columns
+  std::map<std::string, std::string> texts = {};            ///< files that are no table
+  std::map<std::string, nlohmann::ordered_json> plots = {}; ///< values of a picture's own, by its name
   std::vector<fem::FieldFile> fields = {};
   /// Quantities whose names depend on the study, as quantity_named() takes them.
   nlohmann::ordered_json quantities = nullptr;

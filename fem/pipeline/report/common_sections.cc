@@ -70,7 +70,7 @@ std::vector<fem::AzimuthLoad> drawn_pointwise(const LoadReport &load)
 }
 
 /// Bands of the amplitudes sqrt(a_n^2 + b_n^2) / a_0, n = 0 ... @p n_harmonics, as harmonic_rows() and
-/// spectrum_plot() take them: 0 beyond the harmonics that are followed; empty without bands.
+/// add_load_plots() take them: 0 beyond the harmonics that are followed; empty without bands.
 std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmonics)
 {
   if (bands.empty())
@@ -83,7 +83,7 @@ std::vector<double> spectrum_band(const ErrorBands &bands, unsigned int n_harmon
 }
 
 /// The first harmonics of a load over its mean, for people; those that are smaller than their error band
-/// @p band, by n as in spectrum_plot(), are left out.
+/// @p band, by n as in add_load_plots(), are left out.
 Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
 {
   constexpr double rounding = 1e-12;
@@ -133,26 +133,17 @@ void add_study(const Study &study, Document &document)
 
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {
-  const double rounding = rounding_of_spins(study);
   document.facts["chain"] = { { "rows", chain_rows(study, budget.rows) },
                               { "shown", shown_chain(study, budget.rows) },
                               { "steps", shown_chain(study, named_steps(budget.rows)) } };
-  document.plots["waterfall"] = [&budget, rounding] { return waterfall_plot(budget, rounding); };
-  document.plots["effects"] = [&budget, rounding] { return effects_plot(budget, rounding); };
-  document.plots["harmonic_torque"] = [&budget] { return harmonic_torque_plot(budget); };
+  add_budget_plots(budget, rounding_of_spins(study), document);
 }
 
 void add_load(const Study &study, const LoadReport &load, const std::vector<BandedQuantity> &bands,
               Document &document)
 {
-  const ring::OrbitSense sense = study.motion.orbit.orbit_sense;
   const std::vector<double> band = spectrum_band(bands, load.rings.n_harmonics());
-  const std::vector<fem::AzimuthLoad> pointwise = drawn_pointwise(load);
-  document.plots["load"] = [=, &load] { return load_plot(load.rings, pointwise, sense); };
-  document.plots["line_load"] = [=, &load] { return line_load_plot(load.rings, sense); };
-  document.plots["higher_harmonics"] = [=, &load]
-  { return higher_harmonics_plot(load.rings, !pointwise.empty()); };
-  document.plots["spectrum"] = [=, &load] { return spectrum_plot(load.rings, band); };
+  add_load_plots(load.rings, drawn_pointwise(load), band, study.motion.orbit.orbit_sense, document);
   document.facts["load_harmonics"] = harmonic_rows(load.rings, band);
   document.facts["mean_load"] = load.rings.a(0);
   document.tables["load"] = load_table(load.rings);
@@ -170,12 +161,6 @@ void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
   document.facts["bands"] = band_rows(listed);
   document.facts["band_parts"] = parts;
   document.facts["has_band_parts"] = !parts.empty() && parts[0].size() > 1;
-}
-
-void say_one_way(Document &document)
-{
-  for (auto &each : document.plots)
-    each.second = [plot = each.second] { return one_way(plot()); };
 }
 
 Json load_summary(const LoadReport &load)

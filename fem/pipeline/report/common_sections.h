@@ -27,9 +27,6 @@ void add_chain(const Study &study, const Budget &budget, Document &document);
 /// Adds the tables for the template "error_bands".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 
-/// Says in all plots that @p document has so far that the load of rest is kept at every spin.
-void say_one_way(Document &document);
-
 /// "load" and "load_at_terminal" of summary.json: a_n and b_n of each ring beside its radius and of their
 /// sum.
 nlohmann::ordered_json load_summary(const LoadReport &load);

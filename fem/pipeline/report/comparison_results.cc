@@ -211,8 +211,7 @@ Results tabulate(const Study &study, const Comparison &comparison)
              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
            document);
   add_chain(study, budget, document);
-  document.plots["comparison"] = [&] { return comparison_plot(comparison); };
-  document.plots["harmonic_effect"] = [&] { return harmonic_effect_plot(comparison); };
+  add_comparison_plots(comparison, document);
   const Closure own = study.motion.closure;
   document.facts["overview"] = overview_rows(comparison);
   document.facts["console_overview"] = console_overview(comparison, own);

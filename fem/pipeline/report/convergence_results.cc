@@ -146,8 +146,10 @@ ErrorCurve slope_triangle(const ErrorCurve &errors, double order)
   return { { fine, low }, { coarse, high }, { coarse, low }, { fine, low } };
 }
 
-/// The errors of the drawn quantities by level; nothing where all levels agree.
-std::optional<Plot> axis_plot(const AxisResult &result, const std::vector<BandedQuantity> &quantities)
+/// Adds the errors of the drawn quantities by level; returns whether there are some, and not all levels
+/// agree.
+bool add_axis_plot(const AxisResult &result, const std::vector<BandedQuantity> &quantities,
+                   Document &document)
 {
   const std::string label =
     is_of_halvings(result.axis) ? "size of the cells over that without halvings, h / h_0" : result.axis.size;
@@ -173,20 +175,16 @@ std::optional<Plot> axis_plot(const AxisResult &result, const std::vector<Banded
                           slope_triangle(curve, *order)) };
   }
   if (titles.empty())
-    return std::nullopt;
+    return false;
   blocks.insert(blocks.end(), slope.begin(), slope.end());
   const bool is_logarithmic = result.axis.decay == Decay::algebraic || result.axis.sizes_double;
-  Plot plot = plot_from("convergence",
-                        { { "x_label", label },
-                          { "is_logarithmic", is_logarithmic },
-                          { "size", sizes },
-                          { "curve", titles },
-                          { "triangle", triangle } },
-                        data_tables(blocks));
-  plot.name = "converge_" + result.axis.key;
-  if (!triangle.empty())
-    plot.caption += " The triangle has the slope of the first quantity's observed order.";
-  return plot;
+  const std::string &key = result.axis.key;
+  document.texts["plot_of_" + key] = data_tables(blocks);
+  document.plots["converge_" + key] = {
+    { "axis", key },     { "x_label", label },     { "is_logarithmic", is_logarithmic }, { "size", sizes },
+    { "curve", titles }, { "triangle", triangle }, { "has_triangle", !triangle.empty() }
+  };
+  return true;
 }
 
 /// Error bands of the terminal spin, axis by axis, with observed orders and costs.
@@ -284,16 +282,13 @@ Results tabulate(const Study &study, const RefinementResult &result)
   {
     const std::string &key = axis.axis.key;
     const Json effectivities = effectivity_rows(axis, result.quantities);
-    const std::optional<Plot> plot = axis_plot(axis, result.quantities);
     document.facts["axes"].push_back({ { "key", key },
                                        { "name", axis.axis.name },
-                                       { "has_curves", plot.has_value() },
+                                       { "has_curves", add_axis_plot(axis, result.quantities, document) },
                                        { "has_effectivities", !effectivities.empty() } });
     document.facts["levels"][key] = level_rows(axis, result.quantities);
     document.facts["effectivities"][key] = effectivities;
     document.tables["data_" + key] = axis_data(axis, result.quantities);
-    if (plot)
-      document.plots["converge_" + key] = [plot] { return *plot; };
   }
   document.facts["spin_bands"] = axis_rows(result);
   document.facts["main_bands"] = band_rows(main_quantities(result.quantities));

@@ -3,10 +3,10 @@
 #include "fem/pipeline/report/filled_text.h"
 
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -25,11 +25,32 @@ std::pair<std::string, std::string> parted(const std::string &text, char mark)
            boost::trim_copy(text.substr(std::min(place + 1, text.size()))) };
 }
 
+/// "NAME: KEY KEY | TITLE": the table NAME of the @p document, or rows of its @p facts.
+Table table_from(const Document &document, const Json &facts, const std::string &what)
+{
+  const auto [columns, title] = parted(what, '|');
+  const auto [path, keys] = parted(columns, ':');
+  if (const auto table = document.tables.find(path); table != document.tables.end())
+    return table->second;
+  const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
+  if (!facts.contains(place))
+    throw std::logic_error("A template shows " + path + ", which the document does not have.");
+  return table_of(facts[place], keys, path.substr(0, path.find('.')), title, document.quantities);
+}
+
+/// A text of the @p document, or what table_from() makes of it.
+Content content_of(const Document &document, const Json &facts, const std::string &what)
+{
+  if (const auto text = document.texts.find(what); text != document.texts.end())
+    return text->second;
+  return table_from(document, facts, what);
+}
+
 /// The results as they grow, line by line of a filled template.
 class Reading
 {
 public:
-  Reading(const Document &document, const Json &facts)
+  Reading(const Document &document, Json &facts)
       : document(document)
       , facts(facts)
   {
@@ -51,6 +72,19 @@ public:
       obey(parted(line.substr(1), ' '));
     else
       add_text(line);
+  }
+
+  /// Notes where the columns of a file of the results stand, before pictures ask for them.
+  void note_columns(const std::string &command)
+  {
+    const auto [file, name] = parted(parted(command, '|').first, '=');
+    const auto end = file.find(".csv");
+    if (end == std::string::npos || name.empty())
+      return;
+    const Table table = table_from(document, facts, name);
+    Json &columns = facts["columns"][file.substr(0, end)];
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      columns.emplace(table.columns[c].quantity.key, c + 1); // of a list the first one
   }
 
   Results results;
@@ -85,9 +119,9 @@ private:
     else if (word == "inputs" || word == "answer")
       in_inputs = word == "inputs";
     else if (word == "table")
-      add_table(table_from(rest));
+      add_table(table_from(document, facts, rest));
     else if (word == "list")
-      add_table(table_of(as_list(table_from(rest)), "", "", parted(rest, '|').second));
+      add_table(table_of(as_list(table_from(document, facts, rest)), "", "", parted(rest, '|').second));
     else if (word == "words")
       add_table(table_of(Json::array(), parted(rest, '|').first, "", parted(rest, '|').second));
     else if (word == "row")
@@ -114,11 +148,10 @@ private:
 
   void add_plot(const std::string &what)
   {
-    const auto [name, label] = parted(what, '|');
-    const auto made = document.plots.find(name);
-    Plot plot = made == document.plots.end() ? plot_from(name) : made->second();
-    if (!label.empty())
-      plot.label = label;
+    const auto [names, label] = parted(what, '|');
+    const auto [name, source] = parted(names, '=');
+    Plot plot = picture_of(document, facts, name, source.empty() ? name : source);
+    plot.label = label;
     section().plots.push_back(plot);
   }
 
@@ -151,43 +184,41 @@ private:
     const auto [names, words] = parted(what, '|');
     const auto [file, content] = parted(names, '=');
     results.files.push_back({ file, words });
-    if (const auto text = document.texts.find(content); text != document.texts.end())
-      results.files.back().content = text->second;
-    else if (!content.empty())
-      results.files.back().content = table_from(content);
+    if (!content.empty())
+      results.files.back().content = content_of(document, facts, content);
     if (!words.empty())
       section().files.push_back({ file, words });
   }
 
-  /// "NAME: KEY KEY | TITLE".
-  Table table_from(const std::string &what) const
-  {
-    const auto [columns, title] = parted(what, '|');
-    const auto [path, keys] = parted(columns, ':');
-    if (const auto table = document.tables.find(path); table != document.tables.end())
-      return table->second;
-    const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
-    if (!facts.contains(place))
-      throw std::logic_error("A template shows " + path + ", which the document does not have.");
-    return table_of(facts[place], keys, path.substr(0, path.find('.')), title, document.quantities);
-  }
-
   const Document &document;
-  const Json &facts;
+  Json &facts;
   bool in_inputs = false;
   bool on_console = false;
 };
 
 } // namespace
 
+Plot picture_of(const Document &document, const Json &facts, const std::string &name,
+                const std::string &source)
+{
+  const auto values = document.plots.find(name);
+  return plot_from(name, source, facts, values == document.plots.end() ? Json::object() : values->second,
+                   [&](const std::string &what) { return content_of(document, facts, what); });
+}
+
 Results shown(const Document &document, const std::string &name)
 {
   Json facts = document.findings.summary;
   facts.update(document.facts);
-  std::istringstream lines(filled_text(name + ".txt", facts));
+  std::vector<std::string> lines;
+  boost::split(lines, filled_text(name + ".txt", facts), [](char c) { return c == '\n'; });
   Reading reading(document, facts);
-  for (std::string line; std::getline(lines, line);)
-    if (boost::trim(line); !line.empty())
+  const std::string file = "@file ";
+  for (std::string &line : lines)
+    if (boost::trim(line); line.rfind(file, 0) == 0)
+      reading.note_columns(line.substr(file.size()));
+  for (const std::string &line : lines)
+    if (!line.empty())
       reading.add(line);
   Results results = reading.results;
   results.console.erase(std::remove_if(results.console.begin(), results.console.end(),

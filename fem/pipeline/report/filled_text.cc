@@ -29,8 +29,9 @@ using kainjow::mustache::data;
 class Facts : public kainjow::mustache::basic_context<std::string>
 {
 public:
-  explicit Facts(const Json &facts)
-      : inside({ &facts })
+  Facts(const Json &facts, ShownFact shown)
+      : shown(shown)
+      , inside({ &facts })
   {
   }
 
@@ -90,6 +91,8 @@ private:
       for (const data &element : made.back().list_value())
         values[&element] = &value[i++];
     }
+    else if (shown != nullptr && !value.is_object())
+      made.emplace_back(shown(value));
     else if (value.is_null() || value == Json(false) || value == Json(""))
       made.emplace_back(data::type::bool_false);
     else if (value.is_boolean())
@@ -104,6 +107,7 @@ private:
     return &made.back();
   }
 
+  ShownFact shown;
   std::vector<const Json *> inside; ///< the facts, and the sections that the text is in at the moment
   mutable std::deque<data> made;    ///< whose addresses mustache keeps
   mutable std::map<const data *, const Json *> values; ///< what they stand for
@@ -113,17 +117,22 @@ private:
 
 std::string filled_text(const std::string &name, const Json &facts)
 {
-  kainjow::mustache::mustache page(text_of(compiled_pages(), name));
+  return filled(text_of(compiled_pages(), name), facts, nullptr, name);
+}
+
+std::string filled(const std::string &text, const Json &facts, ShownFact shown, const std::string &name)
+{
+  kainjow::mustache::mustache page(text);
   const bool is_drawing = name.find(".svg") != std::string::npos;
   page.set_custom_escape([=](const std::string &text) // renderers escape what is no drawing
                          { return is_drawing ? html_text(text) : text; });
   if (!page.is_valid())
     throw std::logic_error("The template " + name + " is not valid: " + page.error_message());
-  Facts context(facts);
-  const std::string text = page.render(context);
+  Facts context(facts, shown);
+  const std::string result = page.render(context);
   if (!page.is_valid())
     throw std::logic_error("The template " + name + " cannot be filled: " + page.error_message());
-  return text;
+  return result;
 }
 
 } // namespace stemware::pipeline

@@ -18,4 +18,12 @@ namespace stemware::pipeline
 /// number silently. A key below null is as null.
 std::string filled_text(const std::string &name, const nlohmann::ordered_json &facts);
 
+/// How a text shows a number, a word, a flag or what does not exist.
+using ShownFact = std::string (*)(const nlohmann::ordered_json &);
+
+/// A @p text as filled_text() fills a template; with @p shown, all its values are shown as that says. @p name
+/// of the text for messages.
+std::string filled(const std::string &text, const nlohmann::ordered_json &facts, ShownFact shown,
+                   const std::string &name);
+
 } // namespace stemware::pipeline

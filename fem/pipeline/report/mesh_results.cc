@@ -1,7 +1,6 @@
 #include "fem/pipeline/report/mesh_results.h"
 
 #include "fem/pipeline/report/document.h"
-#include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
@@ -116,15 +115,9 @@ Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
   document.facts = { { "inner_radius", check.inner_radius },
                      { "outer_radius", check.outer_radius },
                      { "has_section", !pictures.section.empty() } };
-  document.plots["section"] = [&]
-  {
-    const double middle = (check.inner_radius + check.outer_radius) / 2;
-    Plot plot = section_plot(pictures.section, measured(pictures.section, middle));
-    plot.caption += " R is the middle radius of the contact zone.";
-    return plot;
-  };
-  document.plots["contact_zone"] = [&] { return contact_zone_plot(pictures.contact_faces); };
-  document.plots["quality"] = [&] { return quality_plot(pictures.scaled_jacobians); };
+  if (!pictures.section.empty())
+    add_section_plot(pictures.section, (check.inner_radius + check.outer_radius) / 2, 0, true, document);
+  add_mesh_plots(pictures.contact_faces, pictures.scaled_jacobians, document);
   document.facts["lines"] = lines_of(findings);
   return shown(document, "mesh");
 }

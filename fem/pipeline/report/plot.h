@@ -1,9 +1,11 @@
 #pragma once
 
+#include "fem/pipeline/document/table.h"
+
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,22 +22,32 @@ struct Plot
   std::string data_file = ""; ///< without one: the file of the results that the picture is drawn from
   std::string drawing = "";   ///< the SVG itself; empty: the script makes it
   std::string label = "";     ///< what is to be seen, for those who do not see it; empty: the caption says it
-
-  /// This picture under another name than that of its template, and with a caption of its own.
-  Plot as(const std::string &name, const std::string &caption) const;
 };
 
-/// A value in a template: a truth (1 or 0), a number, a text, or a list of numbers or texts. A list x comes
-/// with its length n_x.
-using PlotValue = std::variant<bool, double, std::string, std::vector<double>, std::vector<std::string>>;
+/// Data that a template may ask for by name: a table, or a text that is written as it stands.
+using Content = std::variant<std::monostate, Table, std::string>;
 
-/// Values in a template, by the name of gnuplot's variable.
-using PlotValues = std::vector<std::pair<std::string, PlotValue>>;
-
-/// The picture of the template plots/<name>.gp: that of the folder share/stemware that comes with the
-/// program, or else the one that is compiled in. Its first comment is the caption. Texts show the characters
-/// that they have, with the subscripts of with_subscripts().
-Plot plot_from(const std::string &name, const PlotValues &values = {}, const std::string &data = "");
+/// The picture @p name of the template plots/@p source.gp: that of the folder share/stemware that comes with
+/// the program, or else the one that is compiled in. A template is gnuplot's, and may have
+///
+///   # words               at its beginning: the caption
+///   #@data WHAT | TITLE   a @p content, as "@file FILE = WHAT" of a report names it, the title that of rows
+///                         of the document; it goes to figures/<name>.dat, the next one behind it as another
+///                         index. Columns of words become gnuplot's arrays, by their keys.
+///   #@one_way             what is shown depends on the spin: where the fact one_way is true, picture and
+///                         caption say so
+///   {{fact}}              in the caption as in all texts of a report (filled_text()), elsewhere as gnuplot
+///                         writes it: with all digits, a truth as 1 or 0, NaN for what does not exist, words
+///                         in quotes
+///
+/// Facts are @p facts, with the picture's own @p values before them, and "plot", its name. The @p values
+/// stand before the script, too, as variables of gnuplot; a list x comes with its length n_x. Words show the
+/// characters that they have, with the subscripts of with_subscripts(). A template that asks for something
+/// which there is not makes a plot that gnuplot refuses with a sentence about it; std::logic_error is thrown
+/// where there is no template.
+Plot plot_from(const std::string &name, const std::string &source, nlohmann::ordered_json facts,
+               const nlohmann::ordered_json &values,
+               const std::function<Content(const std::string &)> &content);
 
 /// The drawing of the template templates/<name>.svg, filled with @p facts as filled_text() does. Its first
 /// title is what is to be seen, in numbers, its first desc the caption.

@@ -17,7 +17,7 @@ struct ResultFile
   std::string name; ///< relative to the results folder; .csv decides for CSV, anything else for a data table
   std::string description; ///< in the report's list of files; empty: not listed there
   /// A table, a text as it stands, or nothing for a file that is written elsewhere.
-  std::variant<std::monostate, Table, std::string> content = {};
+  Content content = {};
 };
 
 /// A part of what the console shows: a text, whose long lines are wrapped, and a table.

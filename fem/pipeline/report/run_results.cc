@@ -5,7 +5,6 @@
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
-#include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/run_facts.h"
@@ -295,67 +294,32 @@ void add_foot(const Study &study, const FootReport &foot, Document &document)
   document.tables["footprint"] = footprint_table(foot.footprint);
   if (foot.footprint_at_end)
     document.tables["footprint_at_end"] = footprint_table(*foot.footprint_at_end);
-  const double radius = study.glass.profile.contact_radius;
-  double largest = fem::largest_pressure(foot.footprint);
-  if (foot.footprint_at_end)
-    largest = std::max(largest, fem::largest_pressure(*foot.footprint_at_end)); // one scale for both
-  document.plots["footprint"] = [&foot, radius, largest]
-  {
-    Plot plot = footprint_plot(foot.footprint, radius, largest);
-    return plot.as(plot.name, "At rest. " + plot.caption);
-  };
-  document.plots["footprint_at_end"] = [&foot, radius, largest]
-  {
-    Plot plot = footprint_plot(foot.footprint_at_end.value(), radius, largest);
-    return plot.as("footprint_at_end", "At the terminal spin. " + plot.caption);
-  };
-  document.plots["section_stress"] = [&foot] { return section_stress_plot(foot.stressed_section); };
-  if (foot.section.empty())
-    return;
-  FootLengths lengths = measured(foot.section, radius);
-  if (study.contact.mesh_file.empty())
-    lengths.crown_radius = study.glass.profile.crown_radius;
-  const fem::ContactWidth band = fem::loaded_band(foot.footprint);
-  lengths.load_inner_radius = band.inner;
-  lengths.load_outer_radius = band.outer;
-  document.plots["section"] = [&foot, lengths] { return section_plot(foot.section, lengths); };
-  document.plots["rim"] = [lengths] { return rim_plot(lengths); };
-  document.plots["foot_from_above"] = [&foot, &study, lengths]
-  { return view_from_above_plot(foot.footprint, lengths, study.motion.orbit); };
-  if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
-  {
-    document.plots["rim_circle"] = [&] { return rim_circle_plot(*circle); };
-    document.plots["rim_residuals"] = [&] { return rim_residual_plot(*circle); };
-  }
+  add_foot_plots(study, foot, document);
 }
 
 /// omega(t) as the report draws it.
-Plot spin_up_of(const Study &study, const SpinStudy &spin)
+void add_spin_up(const Study &study, const SpinStudy &spin, Document &document)
 {
   const SpinUpCurves &curves = spin.spin_up;
   std::vector<SpinCurve> spin_ups = { { "all harmonics", curves.adaptive, 1 } };
   if (!curves.first_harmonic.empty())
     spin_ups.push_back({ "first harmonic", curves.first_harmonic, 2 });
   spin_ups.push_back({ "the paper's model", curves.paper, static_cast<unsigned int>(spin_ups.size()) + 1 });
-  return spin_up_plot(curves.time, spin_ups, spin.all(), measured_spins(study));
+  add_spin_up_plot(curves.time, spin_ups, spin.all(), measured_spins(study),
+                   "Spin-up of the glass from rest.", document);
 }
 
 void add_spin(const Study &study, const ContactReport &report, const SpinStudy &spin, Document &document)
 {
-  auto &plots = document.plots;
-  plots["slip"] = [&]
-  {
-    std::vector<SlidingState> states = { { "at rest", report.load.rings, 0 } };
-    if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
-      states.push_back({ "at the terminal spin", report.load_at_end.rings, *omega });
-    return slip_plot(study.motion.orbit, study.glass.profile.contact_radius, states);
-  };
-  plots["torque"] = [&] { return torque_plot(spin.torque, spin.rows); };
-  plots["phases"] = [&] { return phase_plot(spin.phases.value()); };
-  plots["spin_up"] = [&] { return spin_up_of(study, spin); };
-  plots["driven_spin_up"] = [] { return plot_from("driven_spin_up"); };
-  plots["orbit_speed"] = [] { return plot_from("orbit_speed"); };
-  plots["truncation"] = [&] { return truncation_plot(table_of(document.findings.summary["truncation"])); };
+  std::vector<SlidingState> states = { { "at rest", report.load.rings, 0 } };
+  if (const auto omega = spin.all().omega_terminal(); omega && is_spin(study, *omega))
+    states.push_back({ "at the terminal spin", report.load_at_end.rings, *omega });
+  add_slip_plot(study.motion.orbit, study.glass.profile.contact_radius, states, document);
+  add_torque_plot(spin.torque, spin.rows, document);
+  add_spin_up(study, spin, document);
+  document.plots["phases"] = { { "marked",
+                                 spin.phases && spin.phases->n_glass_phases > 1 ? "glass" : "table" } };
+  document.plots["truncation"] = { { "bound_scale", nullptr }, { "rounding", 1e-12 } };
   auto &tables = document.tables;
   tables["torque"] = torque_table(spin.torque);
   tables["spin_up"] = spin_up_table(spin.spin_up);
@@ -406,8 +370,6 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   add_spin(study, report, spin, document);
   if (!spin.is_quick())
     add_budget(study, spin, document);
-  if (is_one_way(study))
-    say_one_way(document);
   add_load(study, report.load, bands, document);
   if (report.foot)
     add_foot(study, *report.foot, document);

@@ -134,9 +134,8 @@ Json sliding_facts(const SlideStudy &slide)
   return facts;
 }
 
-} // namespace
-
-Plot path_plot(const SlideStudy &slide)
+/// Values of "path": the body's outline and a mark on it at equal distances.
+Json path_values(const SlideStudy &slide)
 {
   constexpr unsigned int n_outlines = 6;
   std::vector<double> x, y, yaw;
@@ -156,17 +155,19 @@ Plot path_plot(const SlideStudy &slide)
   const double diameter = 2 * slide.inertia.outer_radius;
   const double height =
     std::clamp(160 + 420 * (*highest - *lowest + diameter) / (*last - *first + diameter), 240., 540.);
-  return plot_from("path", { { "height", height },
-                             { "radius", slide.inertia.outer_radius },
-                             { "x_at", x },
-                             { "y_at", y },
-                             { "yaw_at", yaw } });
+  return { { "height", height },
+           { "radius", slide.inertia.outer_radius },
+           { "x_at", x },
+           { "y_at", y },
+           { "yaw_at", yaw } };
 }
+
+} // namespace
 
 Results tabulate(const Study &study, const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state;
-  const double eps = slide.final_slip_ratio, radius = slide.inertia.outer_radius;
+  const double eps = slide.final_slip_ratio;
   const bool is_glass = slide.question.body == SlidingBodyKind::glass;
   Document document = { findings_of(slide) };
   document.facts = { { "turns", std::abs(stop.yaw) / turn },
@@ -187,9 +188,7 @@ Results tabulate(const Study &study, const SlideStudy &slide)
   add_head(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
   document.tables["path"] = path_table(slide);
-  document.plots["path"] = [&] { return path_plot(slide); };
-  document.plots["speeds"] = [=] { return plot_from("speeds", { { "radius", radius } }); };
-  document.plots["slip_ratio"] = [=] { return plot_from("slip_ratio", { { "at_stop", eps } }); };
+  document.plots["path"] = path_values(slide);
   add_study(study, document);
   return shown(document, "slide");
 }

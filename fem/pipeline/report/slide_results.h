@@ -9,7 +9,4 @@ namespace stemware::pipeline
 /// The results of `slide`: where the body went, how it turned, and where its energy went.
 Results tabulate(const Study &study, const SlideStudy &slide);
 
-/// The path seen from above, in mm, with the body's outline and a mark on it at equal distances.
-Plot path_plot(const SlideStudy &slide);
-
 } // namespace stemware::pipeline

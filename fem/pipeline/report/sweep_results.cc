@@ -309,7 +309,6 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
       { "share_error", has_shares ? Json(1 / std::sqrt(static_cast<double>(n))) : Json(nullptr) },
       { "samples_of_shares", least_samples_of_shares },
       { "has_bands", std::any_of(main.begin(), main.end(), has_band) },
-      { "pictures", Json::array() },
       { "sensitivities", Json::array() } });
   add_head(plan.base, extreme_glasses(plan, findings), document, {}, swept);
   Json varied = Json::array();
@@ -317,13 +316,7 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
     varied.push_back({ { "entry", path.substr(path.find('/') + 1) }, { "words", words } });
   document.facts["varied"] = varied;
   document.facts["has_orbits"] = !document.facts["orbits"]["glasses"].empty();
-  for (const Plot &plot : plan.is_random() ? sample_plots(plan, cases, findings) : grid_plots(plan, cases))
-  {
-    document.plots[plot.name] = [plot] { return plot; };
-    document.facts["pictures"].push_back(plot.name);
-  }
-  if (is_one_way(plan.base))
-    say_one_way(document);
+  add_sweep_plots(plan, cases, findings, document);
   for (const char *quantity : { "terminal spin", "harmonic effect" })
     if (const QuantityFindings *about = findings.about(quantity);
         plan.is_random() && about != nullptr && about->sensitivity)

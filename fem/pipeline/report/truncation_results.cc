@@ -90,7 +90,15 @@ Json torque_quantities(const std::vector<double> &spins)
 
 // ---- report
 
-/// Spin-ups with 1, 2, 3 and all harmonics, in the colours of torque_plot(), and the paper's.
+/// Title in keys of a load truncated after @p n of @p n_all harmonics.
+std::string truncation_title(unsigned int n, unsigned int n_all)
+{
+  if (n == 1)
+    return "first harmonic";
+  return (n == n_all ? "all, n ≤ " : "n ≤ ") + std::to_string(n);
+}
+
+/// Spin-ups with 1, 2, 3 and all harmonics, in the colours of add_torque_plot(), and the paper's.
 std::vector<SpinCurve> shown_spin_ups(const TruncationStudy &study)
 {
   const unsigned int n_all = study.all().harmonics;
@@ -153,17 +161,13 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
                                         { "the first alone", truncations.rows.front().omega_terminal() } };
   add_head(study, glasses, document, load.rings);
   add_chain(study, budget, document);
-  document.plots["truncation"] = [&]
-  { return truncation_plot(truncations, table_of(spin_rows(truncations.rows), data_keys)); };
-  document.plots["torque"] = [&] { return torque_plot(truncations.torque, truncations.rows); };
-  document.plots["spin_up"] = [&]
-  {
-    return spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(), {},
-                        "Spin-up from rest, n harmonics kept, beside the paper's result.");
-  };
-  document.plots["deviation"] = [&] { return deviation_plot(truncations.rows); };
-  if (is_one_way(study))
-    say_one_way(document);
+  document.plots["terminal_spin"] = { { "bound_scale", std::abs(truncations.torque_slope *
+                                                                truncations.all().omega_terminal().value()) },
+                                      { "rounding", 1e-13 } };
+  add_torque_plot(truncations.torque, truncations.rows, document);
+  add_spin_up_plot(truncations.time, shown_spin_ups(truncations), truncations.all(), {},
+                   "Spin-up from rest, n harmonics kept, beside the paper's result.", document);
+  add_deviation_plot(truncations.rows, document);
   add_load(study, load, bands, document);
   document.facts["truncation_keys"] = data_keys;
   document.facts["truncations"] = { { "rows", spin_rows(truncations.rows) },

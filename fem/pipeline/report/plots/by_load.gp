@@ -1,9 +1,11 @@
+# {{caption}}
+#@data {{plot}}
 load "figures/style.gnuplot"
 
-# 1: place from below, then the value under each moment balance
+# The value under each moment balance
 least = 1e300; most = -1e300
 do for [i=1:n_curve] {
-  eval find_extent(sprintf("column(%d)", i + 1))
+  eval find_extent(sprintf("column(%d)", i))
   least = low < least ? low : least; most = larger(high, most)
 }
 set xlabel x_label
@@ -13,4 +15,4 @@ set yrange [0.5:n_row + 0.5]
 set ytics (); set for [i=1:n_row] ytics add (row[i] n_row + 1 - i)
 set grid x y
 eval set_few_tics("x", least, most)
-plot for [i=1:n_curve] data using (column(i + 1)):1 with points lt i title curve[i]
+plot for [i=1:n_curve] data using (column(i)):(n_row - $0) with points lt i title curve[i]

@@ -1,4 +1,5 @@
 # The faces of the contact zone, seen from above.
+#@data contact_zone
 height = 540
 load "figures/style.gnuplot"
 

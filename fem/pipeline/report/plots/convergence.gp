@@ -1,4 +1,6 @@
-# Relative distance from the limit; bars reach up to the error band.
+# Relative distance from the limit; bars reach up to the error band.{{#has_triangle}} The triangle has the slope of the first
+# quantity's observed order.{{/has_triangle}}
+#@data plot_of_{{axis}}
 load "figures/style.gnuplot"
 
 # A block for each curve: 1: size, 2: error, 3: half-width of its band; then the triangle. A bar that points downwards is a
@@ -11,4 +13,4 @@ set xtics () format "%g"; set for [i=1:n_size] xtics add (sprintf("%g", size[i])
 set autoscale xfix; set offsets graph 0.05, graph 0.05
 plot for [i=1:n_curve] data index i - 1 using 1:2:2:3 with yerrorbars lt i dt 1 lw 1 ps 0 notitle, \
      for [i=1:n_curve] data index i - 1 using 1:2 with linespoints lt i title curve[i], \
-     for [i=1:n_triangle] data index n_curve using 1:2 with lines lt 8 title triangle[i]
+     for [i=1:n_triangle] data index n_curve using 1:2 with lines lt 8 title n_triangle > 0 ? triangle[i] : ""

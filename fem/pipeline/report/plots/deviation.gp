@@ -1,4 +1,5 @@
 # How far ω(t) of fewer harmonics is from that of all.
+#@one_way
 load "figures/style.gnuplot"
 eval from_csv
 

@@ -1,4 +1,5 @@
 # The spin under the hand's own speed, beside that at constant speed.
+#@one_way
 load "figures/style.gnuplot"
 eval from_csv
 set xlabel "t (s)"

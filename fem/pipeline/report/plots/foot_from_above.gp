@@ -1,3 +1,6 @@
+# Where the foot presses on the table before it spins, seen from above, through the glass. Distances from the rim, the thin
+# circle, are drawn {{magnification:g}} times larger; v is the direction of travel.
+colour_label = "pressure (" . unit . ")"
 height = 430
 load "figures/style.gnuplot"
 

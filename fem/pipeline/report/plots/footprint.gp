@@ -1,4 +1,9 @@
-# Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.
+# {{state}}. Pressure of the foot on the table, unrolled: along the rim and across it, R the contact radius.{{#measures}}
+# Largest pressure {{most:.3g}} {{unit}} at θ = {{azimuth:.0f}}°, mean {{mean:.3g}} {{unit}}; the contact is
+# {{#narrowest}}{{narrowest:.3g}} µm to {{/narrowest}}{{widest:.3g}} µm wide{{^has_edge}}, where 99 % of the load
+# lie{{/has_edge}}.{{/measures}}
+#@data pressure_{{plot}}
+colour_label = "pressure (" . unit . ")"
 load "figures/style.gnuplot"
 
 # 1: azimuth (degrees), 2: distance from the rim (µm), 3: pressure

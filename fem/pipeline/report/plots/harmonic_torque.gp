@@ -1,5 +1,7 @@
 # Above: torque of friction against the spin, of all harmonics of the load and of the first alone. Below: their difference
 # Δτ_z, what the harmonics beyond the first add.
+#@data harmonic_torque
+#@one_way
 height = 430
 load "figures/style.gnuplot"
 

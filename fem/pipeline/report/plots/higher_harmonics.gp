@@ -1,4 +1,6 @@
 # What the harmonics beyond the first add to the load, relative to its mean a_0; n harmonics kept.
+n_all = {{rim_load.n_all}}; is_pointwise = {{rim_load.is_pointwise}}
+a_1 = {{rim_load.a_1}}; b_1 = {{rim_load.b_1}}
 load "figures/style.gnuplot"
 
 data = "figures/load.dat"

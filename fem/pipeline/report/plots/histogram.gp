@@ -1,7 +1,9 @@
+# Distribution of the samples: {{what}}
+#@data sweep_{{samples}}
+#@one_way
 load "figures/style.gnuplot"
 
 # Samples: 1: an entry, 2: the quantity; about the square root of their number of intervals
-data = "figures/" . name[1:strstrt(name, "_histogram")] . "samples.dat"
 eval find_extent("$2")
 n_bins = larger(5, n_found > 3600 ? 60 : ceil(sqrt(n_found)))
 bin_width = (high - low) / n_bins

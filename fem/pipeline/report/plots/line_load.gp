@@ -1,4 +1,5 @@
 # The load per length of the rim, λ(θ)/R: what a strip of the table feels before the glass spins.
+side = {{rim_load.side}}; mean = {{rim_load.mean}}; n_all = {{rim_load.n_all}}
 load "figures/style.gnuplot"
 
 data = "figures/load.dat"

@@ -1,5 +1,8 @@
 # Load round the rim, seen from above and drawn outwards from the rim, the mean load as half a radius; v is the direction of
 # travel, n the harmonics kept. A curve inside the rim would pull on the table.
+#@data round_the_rim
+side = {{rim_load.side}}; turn = {{rim_load.turn}}; mean = {{rim_load.mean}}
+n_all = {{rim_load.n_all}}; is_pointwise = {{rim_load.is_pointwise}}
 height = 440
 load "figures/style.gnuplot"
 

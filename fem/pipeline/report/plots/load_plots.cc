@@ -1,3 +1,4 @@
+#include "fem/pipeline/analysis/rim_slip.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 
@@ -14,141 +15,99 @@ namespace
 
 constexpr double whole_turn = boost::math::double_constants::two_pi;
 
-/// Azimuths at which series are drawn.
-std::vector<double> azimuths()
+/// Two blocks: the load over its mean after 1, 2, 3 and all harmonics, and as it is to be drawn, which is
+/// closed after a whole turn.
+std::string round_the_rim(const ring::RingStack &load, std::vector<fem::AzimuthLoad> pointwise)
 {
   constexpr unsigned int n_intervals = 360;
   std::vector<double> theta;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     theta.push_back(whole_turn * i / n_intervals);
-  return theta;
+  Table truncations = { "Load over its mean, by the harmonics that are kept",
+                        { numbers("theta", "rad", theta) } };
+  for (const unsigned int order : { 1u, 2u, 3u, load.n_harmonics() })
+  {
+    const ring::RingStack kept = load.truncated(std::min(order, load.n_harmonics()));
+    truncations.columns.push_back(numbers("n up to " + std::to_string(kept.n_harmonics()), "1", theta,
+                                          [&](double angle) { return kept(angle) / load.a(0); }));
+  }
+  const bool is_pointwise = !pointwise.empty();
+  if (is_pointwise)
+    pointwise.push_back({ pointwise.front().azimuth + whole_turn, pointwise.front().density });
+  for (std::size_t i = 0; !is_pointwise && i < theta.size(); ++i)
+    pointwise.push_back({ theta[i], load(theta[i]) });
+  const auto over_mean = [&](const fem::AzimuthLoad &place) { return place.density / load.a(0); };
+  return data_tables({ truncations,
+                       { is_pointwise ? "As it was solved" : "All harmonics",
+                         { numbers("theta", "rad", pointwise, &fem::AzimuthLoad::azimuth),
+                           numbers("lambda / a_0", "1", pointwise, over_mean) } } });
 }
 
-std::vector<double> series(const ring::RingStack &load)
+/// A harmonic of a load.
+struct Harmonic
 {
-  std::vector<double> values;
-  for (const double theta : azimuths())
-    values.push_back(load(theta));
-  return values;
-}
+  unsigned int n;
+  double amplitude; ///< over the mean
+  double band;      ///< half-width of its error, 0: not known
+  bool is_resolved;
+};
 
 } // namespace
 
-Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
-               ring::OrbitSense sense)
+void add_load_plots(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+                    const std::vector<double> &band, ring::OrbitSense sense, Document &document)
 {
-  const auto over_mean = [&](std::vector<double> values)
+  document.texts["round_the_rim"] = round_the_rim(load, pointwise);
+  const double turn = std::abs(load.b(1)) > 1e-9 * load.a(0) ? std::copysign(1., load.b(1)) : 0;
+  document.facts["rim_load"] = { { "side", sense == ring::OrbitSense::counterclockwise ? 1 : -1 },
+                                 { "turn", turn },
+                                 { "mean", load.a(0) / load.radius() },
+                                 { "n_all", load.n_harmonics() },
+                                 { "is_pointwise", !pointwise.empty() },
+                                 { "a_1", load.a(1) / load.a(0) },
+                                 { "b_1", load.b(1) / load.a(0) } };
+
+  // Harmonics without a band of their own are judged by the last one that has some.
+  const auto last_banded = std::find_if(band.rbegin(), band.rend(), [](double width) { return width > 0; });
+  std::vector<Harmonic> harmonics;
+  for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
   {
-    for (double &value : values)
-      value /= load.a(0);
-    return values;
-  };
-  Table truncations = { "Load over its mean, by the harmonics that are kept",
-                        { numbers("theta", "rad", azimuths()) } };
-  for (const unsigned int order : { 1u, 2u, 3u, load.n_harmonics() })
-  {
-    const unsigned int n = std::min(order, load.n_harmonics());
-    truncations.columns.push_back(
-      numbers("n up to " + std::to_string(n), "1", over_mean(series(load.truncated(n)))));
+    const double amplitude = std::hypot(load.a(n), load.b(n)) / load.a(0),
+                 own = band.empty() ? 0 : band.at(n);
+    const double judge = own > 0 || last_banded == band.rend() ? own : *last_banded;
+    harmonics.push_back({ n, amplitude, own, amplitude > judge });
   }
-  std::vector<double> theta, whole;
-  for (const fem::AzimuthLoad &place : pointwise)
-  {
-    theta.push_back(place.azimuth);
-    whole.push_back(place.density);
-  }
-  const bool is_pointwise = !pointwise.empty();
-  if (is_pointwise) // closed after a whole turn
-  {
-    theta.push_back(theta.front() + whole_turn);
-    whole.push_back(whole.front());
-  }
-  const Table all = { is_pointwise ? "As it was solved" : "All harmonics",
-                      { numbers("theta", "rad", is_pointwise ? theta : azimuths()),
-                        numbers("lambda / a_0", "1", over_mean(is_pointwise ? whole : series(load))) } };
-  return plot_from("load",
-                   { { "side", sense == ring::OrbitSense::counterclockwise ? 1. : -1. },
-                     { "turn", std::abs(load.b(1)) > 1e-9 * load.a(0) ? std::copysign(1., load.b(1)) : 0. },
-                     { "mean", load.a(0) / load.radius() },
-                     { "n_all", double(load.n_harmonics()) },
-                     { "is_pointwise", is_pointwise } },
-                   data_tables({ truncations, all }));
+  document.tables["spectrum"] = { "Harmonics of the load",
+                                  { numbers("n", "1", harmonics, &Harmonic::n),
+                                    numbers("amplitude over the mean", "1", harmonics, &Harmonic::amplitude),
+                                    numbers("half-width of its error band, 0: none", "1", harmonics,
+                                            &Harmonic::band),
+                                    numbers("resolved", "1", harmonics, &Harmonic::is_resolved) } };
+  const bool has_hollow =
+    std::any_of(harmonics.begin(), harmonics.end(),
+                [](const Harmonic &each) { return !each.is_resolved && each.amplitude > 1e-12; });
+  document.plots["spectrum"] = { { "has_hollow", has_hollow } };
 }
 
-Plot slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states)
+void add_slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states,
+                   Document &document)
 {
-  constexpr unsigned int n_places = 24;
   std::vector<std::string> titles;
   std::vector<Table> blocks;
   for (const SlidingState &state : states)
   {
+    const std::vector<RimSlip> places = rim_slip(motion, radius, state.load, state.omega);
     titles.push_back(state.title);
-    const double mean = motion.friction_at_rest() * state.load.a(0);
-    std::vector<std::vector<double>> rows;
-    for (unsigned int i = 0; i < n_places; ++i)
-    {
-      const double theta = whole_turn * i / n_places;
-      const double slip_x = motion.orbit_speed - state.omega * radius * std::sin(theta),
-                   slip_y = state.omega * radius * std::cos(theta), slip = std::hypot(slip_x, slip_y);
-      const double share =
-        slip > 0 ? -motion.friction_at(slip) * std::max(0., state.load(theta)) / (mean * slip) : 0;
-      const double torque = share * (slip_y * std::cos(theta) - slip_x * std::sin(theta));
-      rows.push_back({ theta, slip_x / motion.orbit_speed, slip_y / motion.orbit_speed, share * slip_x,
-                       share * slip_y, torque < 0 ? -1. : 1. });
-    }
-    blocks.push_back(number_rows(state.title,
-                                 { { "theta", "rad" },
-                                   { "slip along v, over v", "1" },
-                                   { "slip to the left, over v", "1" },
-                                   { "friction along v, over that of the mean load", "1" },
-                                   { "friction to the left", "1" },
-                                   { "-1: it turns the glass clockwise", "1" } },
-                                 rows));
+    blocks.push_back(
+      { state.title,
+        { numbers("theta", "rad", places, &RimSlip::azimuth),
+          numbers("slip along v, over v", "1", places, &RimSlip::slip_x),
+          numbers("slip to the left, over v", "1", places, &RimSlip::slip_y),
+          numbers("friction along v, over that of the mean load", "1", places, &RimSlip::friction_x),
+          numbers("friction to the left", "1", places, &RimSlip::friction_y) } });
   }
-  return plot_from("slip", { { "title", titles } }, data_tables(blocks));
-}
-
-Plot line_load_plot(const ring::RingStack &load, ring::OrbitSense sense)
-{
-  return plot_from("line_load", { { "side", sense == ring::OrbitSense::counterclockwise ? 1. : -1. },
-                                  { "mean", load.a(0) / load.radius() },
-                                  { "n_all", double(load.n_harmonics()) } });
-}
-
-Plot higher_harmonics_plot(const ring::RingStack &load, bool is_pointwise)
-{
-  return plot_from("higher_harmonics", { { "n_all", double(load.n_harmonics()) },
-                                         { "is_pointwise", is_pointwise },
-                                         { "a_1", load.a(1) / load.a(0) },
-                                         { "b_1", load.b(1) / load.a(0) } });
-}
-
-Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band)
-{
-  // Harmonics without a band of their own are judged by the last one that has some.
-  const auto last_banded = std::find_if(band.rbegin(), band.rend(), [](double width) { return width > 0; });
-  const double last_band = last_banded == band.rend() ? 0 : *last_banded;
-  std::vector<std::vector<double>> rows;
-  bool has_hollow = false;
-  for (unsigned int n = 1; n <= load.n_harmonics(); ++n)
-  {
-    const double amplitude = std::hypot(load.a(n), load.b(n)) / load.a(0);
-    const double own = band.empty() ? 0 : band.at(n);
-    const bool is_resolved = amplitude > (own > 0 ? own : last_band);
-    has_hollow = has_hollow || (!is_resolved && amplitude > 1e-12);
-    rows.push_back({ double(n), amplitude, own, double(is_resolved) });
-  }
-  Plot plot = plot_from("spectrum", {},
-                        data_table(number_rows("Harmonics of the load",
-                                               { { "n", "1" },
-                                                 { "amplitude over the mean", "1" },
-                                                 { "half-width of its error band, 0: none", "1" },
-                                                 { "resolved", "1" } },
-                                               rows)));
-  if (has_hollow)
-    plot.caption +=
-      " Hollow: smaller than the error band, or than the last band that is known; not resolved.";
-  return plot;
+  document.texts["slip"] = data_tables(blocks);
+  document.plots["slip"] = { { "title", titles } };
 }
 
 } // namespace stemware::pipeline

@@ -1,4 +1,5 @@
 # The speed of the hand.
+#@one_way
 load "figures/style.gnuplot"
 eval from_csv
 set xlabel "t (s)"

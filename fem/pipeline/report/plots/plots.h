@@ -1,43 +1,32 @@
 #pragma once
 
 #include "fem/contact/azimuthal_density.h"
-#include "fem/pipeline/analysis/budget.h"
+#include "fem/geometry/mesh_quality.h"
+#include "fem/geometry/section_view.h"
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/sweep/sweep_findings.h"
-#include "fem/pipeline/analysis/truncation.h"
-#include "fem/pipeline/report/plot.h"
-#include "fem/pipeline/report/render/table.h"
+#include "fem/pipeline/coupling/contact_report.h"
+#include "fem/pipeline/document/document.h"
 #include "fem/pipeline/study/data_files.h"
-#include "ring_model/load/ring_stack.h"
-#include "ring_model/motion.h"
 
 #include <string>
 #include <vector>
 
-/// The plots of the reports. Some are drawn from the results' own files: torque.csv, truncation.csv ...
+/// Data of the templates in this folder that no table of a report has: each function adds to a document the
+/// tables, texts and values that some of them ask for.
 namespace stemware::pipeline
 {
 
-/// Title in keys of a load truncated after @p n of @p n_all harmonics.
-std::string truncation_title(unsigned int n, unsigned int n_all);
+/// "waterfall", "effects" and "harmonic_torque". Numbers below @p rounding [rad/s] are 0.
+void add_budget_plots(const Budget &budget, double rounding, Document &document);
 
-/// From the paper's terminal spin to the study's: a bar for each named difference, faster and slower in
-/// different colours, its size beside it; the rows of the harmonics make one bar. Error bands as whiskers.
-/// Numbers below @p rounding [rad/s] are 0.
-Plot waterfall_plot(const Budget &budget, double rounding);
-
-/// Sizes of all differences on a logarithmic scale: the steps of the chain, and below them what leaving out
-/// one thing changes, beside the error band of the last row. What is smaller than @p rounding [rad/s] is 0,
-/// and not drawn. The budget must have a row.
-Plot effects_plot(const Budget &budget, double rounding);
-
-/// tau_z(omega) of all harmonics and of the first alone, and below it what the harmonics beyond the first
-/// add.
-Plot harmonic_torque_plot(const Budget &budget);
-
-/// @p plot with a remark in it and at the end of its caption: the load is the one of rest at every spin.
-Plot one_way(Plot plot);
+/// "load", "line_load", "higher_harmonics" and "spectrum". Where @p pointwise (sorted by azimuth) is given,
+/// it is drawn instead of all harmonics, and tells which arc carries load; else that is where the series is
+/// positive. @p band: half-widths of the errors of sqrt(a_n^2 + b_n^2) / a_0 by n, 0 where they are not
+/// known, or empty.
+void add_load_plots(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+                    const std::vector<double> &band, ring::OrbitSense sense, Document &document);
 
 /// A state of the ring whose friction is to be shown.
 struct SlidingState
@@ -47,31 +36,12 @@ struct SlidingState
   double omega = 0; ///< [rad/s]
 };
 
-/// How the rim slips in each state and the friction on it, seen from above; @p radius of the rim [m].
-Plot slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states);
+/// "slip": how the rim of this @p radius [m] slips in each state, and the friction on it.
+void add_slip_plot(const ring::Motion &motion, double radius, const std::vector<SlidingState> &states,
+                   Document &document);
 
-/// lambda(theta) drawn outwards from the rim as seen from above, its truncations after 1, 2 and 3 harmonics,
-/// and the arc of the rim that carries load. Where @p pointwise (sorted by azimuth) is given, it is drawn
-/// instead of all harmonics, and tells which arc carries load; else that is where the series is positive. An
-/// arrow points to the orbit's centre, whose side @p sense tells.
-Plot load_plot(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
-               ring::OrbitSense sense);
-
-/// The load of load_plot() over the azimuth, in N/m, beside its first harmonic and its mean. The place of the
-/// orbit's centre is marked.
-Plot line_load_plot(const ring::RingStack &load, ring::OrbitSense sense);
-
-/// The load of load_plot() less its mean and first harmonic, over a_0; @p is_pointwise: whether the load is
-/// drawn as it was solved.
-Plot higher_harmonics_plot(const ring::RingStack &load, bool is_pointwise);
-
-/// sqrt(a_n^2 + b_n^2) / a_0 on a logarithmic scale; @p band half-widths of their errors by n, 0 where they
-/// are not known, or empty. Harmonics smaller than their band, or than the last known one, are hollow.
-Plot spectrum_plot(const ring::RingStack &load, const std::vector<double> &band = {});
-
-/// tau_z(omega) of all harmonics and of truncations, with the terminal spins of @p rows, the last of which
-/// has all harmonics; from torque.csv, torque_table() of @p curve.
-Plot torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows);
+/// "torque": the terminal spins of @p rows, the last of which has all harmonics, and those up to 3.
+void add_torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, Document &document);
 
 /// omega(t) of one model of a glass [rad/s].
 struct SpinCurve
@@ -81,47 +51,40 @@ struct SpinCurve
   unsigned int line_type; ///< of figures/style.gnuplot
 };
 
-/// omega(t) of several models of one glass, over the time [s], in rad/s and in turns per second, the last one
-/// the paper's; the terminal spin and the time constant of @p all harmonics are marked where they exist, and
-/// so are the points that were @p measured.
-Plot spin_up_plot(const std::vector<double> &time, const std::vector<SpinCurve> &curves, const SpinRow &all,
-                  const std::vector<MeasuredSpin> &measured = {},
-                  const std::string &caption = "Spin-up of the glass from rest.");
+/// "spin_up": several models of one glass over the time [s], the last one the paper's; the terminal spin and
+/// the time constant of @p all harmonics, the points that were @p measured. The caption begins with @p
+/// opening.
+void add_spin_up_plot(const std::vector<double> &time, const std::vector<SpinCurve> &curves,
+                      const SpinRow &all, const std::vector<MeasuredSpin> &measured,
+                      const std::string &opening, Document &document);
 
-/// tau_z by the place of the mark of the glass, or of the table where the rim is flat, at rest and at the
-/// mean spin in the long run; from phases.csv.
-Plot phase_plot(const PhaseStudy &phases);
-
-/// How fast the terminal spin approaches that of all harmonics, where it changes by more than @p rounding of
-/// itself; from truncation.csv, which holds @p truncations.
-Plot truncation_plot(const Table &truncations, double rounding = 1e-12);
-
-/// truncation_plot() beside the a-priori bound on the torque as a bound on the spin, to first order.
-Plot truncation_plot(const TruncationStudy &study, const Table &truncations);
-
-/// How far omega(t) of each truncation is from that of all harmonics, the last of @p rows; from spin_up.csv.
-Plot deviation_plot(const std::vector<SpinRow> &rows);
+/// "deviation" of the spin-ups of rows with fewer harmonics from the last one's.
+void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document);
 
 /// A load of `compare` by the name that it is shown with, which says what is one-way.
 std::string name_of_load(const std::string &load);
 
-/// Terminal spins as points, a line of its own for each load, the first on top.
-Plot comparison_plot(const Comparison &comparison);
+/// "terminal_spins" and "harmonic_effects": a line for each load, a column for each moment balance.
+void add_comparison_plots(const Comparison &comparison, Document &document);
 
-/// Change of the terminal spins by the harmonics beyond the first [rad/s], ordered as in comparison_plot().
-Plot harmonic_effect_plot(const Comparison &comparison);
+/// "footprint", "footprint_at_end", "section_stress", "foot_from_above", and those of add_section_plot(),
+/// "rim", "rim_circle" and "rim_residuals", as far as the report has something for them.
+void add_foot_plots(const Study &study, const FootReport &foot, Document &document);
 
-/// An entry without its section, and with its unit.
-std::string name_of(const SweptEntry &entry);
-std::string label_of(const SweptEntry &entry);
+/// "section": the cells of a foot and its lengths; @p contact_radius [m] that of the study, or @p of_mesh the
+/// middle of a contact zone; @p crown_radius [m] 0: flat, or not known. There must be a cell.
+void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double contact_radius,
+                      double crown_radius, bool of_mesh, Document &document);
 
-/// The plots of a grid: curves over one entry of numbers, one family of curves for each word or each of a
-/// few values of the other, or maps over both. Nothing where both entries are words.
-std::vector<Plot> grid_plots(const SweepPlan &plan, const FinishedCases &cases);
+/// "contact_zone" and "quality": faces, and how many cells have which scaled Jacobian.
+void add_mesh_plots(const std::vector<fem::Quadrilateral> &faces, const std::vector<double> &jacobians,
+                    Document &document);
 
-/// The plots of random samples: how the terminal spin and the harmonic effect are distributed, and which
-/// entries they depend on.
-std::vector<Plot> sample_plots(const SweepPlan &plan, const FinishedCases &cases,
-                               const SweepFindings &findings);
+/// The fact "pictures", each with "name", "source" and "words", and what they show. Of a grid: curves over
+/// one entry of numbers, one family of curves for each word or each of a few values of the other, whose names
+/// are the fact "legend", or maps over both; nothing where both entries are words. Of random samples: how the
+/// terminal spin and the harmonic effect are distributed, and which entries they depend on.
+void add_sweep_plots(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings,
+                     Document &document);
 
 } // namespace stemware::pipeline

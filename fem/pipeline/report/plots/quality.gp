@@ -1,4 +1,5 @@
 # Scaled Jacobians of the cells: 1 is a brick, below 0.1 stresses nearby are poor.
+#@data quality
 height = 300
 load "figures/style.gnuplot"
 

@@ -1,4 +1,4 @@
-# The cells at the rim with the rounding of its crown, above the table.
+# The cells at the rim{{#crown}} with the rounding of its crown{{/crown}}, above the table.
 height = 297
 load "figures/style.gnuplot"
 

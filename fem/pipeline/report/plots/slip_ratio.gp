@@ -1,4 +1,5 @@
 # The slip ratio on the way to the stop.
+at_stop = {{slide.final_slip_ratio}}
 load "figures/style.gnuplot"
 eval from_csv
 set xlabel "t (s)"

@@ -1,8 +1,9 @@
-# Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.
+# Harmonics of the load relative to its mean a_0. What is below 10⁻¹² is rounding and not shown.{{#has_hollow}} Hollow:
+# smaller than the error band, or than the last band that is known; not resolved.{{/has_hollow}}
+#@data spectrum
 load "figures/style.gnuplot"
 
 # 1: n, 2: amplitude over the mean, 3: half-width of its error band, 4: 1 where it is resolved
-eval find_count("$2 > 1e-12 && $4 == 0"); has_hollow = n_found > 0
 eval find_extent("$2 > 1e-12 ? $1 : NaN"); last = n_found > 0 ? larger(1, high) : 1
 eval find_extent("$2 > 1e-12 ? $2 : NaN")
 set xlabel "harmonic n"; set xrange [0.5:last + 0.5]

@@ -1,4 +1,5 @@
 # Speed v of the centre and ωR of the rim: both end at the same instant unless one of them ends first.
+radius = {{slide.body.outer_radius}}
 load "figures/style.gnuplot"
 eval from_csv
 set xlabel "t (s)"

@@ -1,3 +1,7 @@
+# {{opening}}{{#has_measured}} Points: measured, Motion/Measured spin file.{{/has_measured}}{{#has_time_constant}} Dotted:
+# the time constant with which the terminal spin is approached.{{/has_time_constant}}
+#@data spin_up_curves
+#@one_way
 load "figures/style.gnuplot"
 
 # 1: time, then the spin of each curve
@@ -34,7 +38,7 @@ if (has_end) {
       font ",12" textcolor lt line_type[n_curve]
   }
 }
-if (has_end && time_constant > 0 && time_constant < high) {
+if (has_time_constant) {
   set arrow from time_constant, graph 0 to time_constant, graph 1 nohead back lw 1 dt 3 lc rgb "#555555"
   set label sprintf("%.3g s", time_constant) at time_constant, graph (terminal < 0 ? 0.95 : 0.06) offset 0.5,0 left \
     font ",12" textcolor rgb "#555555"

@@ -1,6 +1,7 @@
 # What all figures have in common; each of them loads this file when it has set width and height.
 # format = "pdf" draws the PDF instead of the SVG.
 reset
+unset datafile columnheaders # which reset leaves as the picture before had them
 if (!exists("format")) format = "svg"
 set encoding utf8
 if (format eq "pdf") {
@@ -87,6 +88,15 @@ set_rows = 'set ytics () scale 0 font ",14"; set for [i=1:n_row] ytics add (row[
   'set rmargin at screen 0.80; set tmargin 5; set bmargin 4; ' . \
   'set label 90 "rad/s" at screen 0.97, graph 1 right offset 0,0.6 font ",12" textcolor rgb "#555555"; ' . \
   'unset border; set border 1; set grid x noytics; set key at screen 0.02, screen 0.985 left top vertical maxrows 3 samplen 1.6'
+
+# A column as list[1], list[2] ... A row of data in which an expression meets a NaN has no value at all; lists do not mind.
+find_list(list, what) = sprintf('array %s[n_row + 1]; stats data using (%s[int($0) + 1] = %s, 0) nooutput', list, list, what)
+is_number(x) = x == x
+
+# A number with a true minus, a dash where there is none, 0 where it is rounding.
+true_minus(text) = strstrt(text, "-") == 0 ? text : \
+  text[1:strstrt(text, "-") - 1] . "−" . true_minus(text[strstrt(text, "-") + 1:strlen(text)])
+number_text(format, x, rounding) = !is_number(x) ? "–" : abs(x) < rounding ? "0" : true_minus(sprintf(format, x))
 
 # Instead of a plot without a single point.
 plot_nothing = 'unset logscale; unset tics; set xrange [0:1]; set yrange [0:1]; ' . \

@@ -1,5 +1,6 @@
 # Friction's torque against the spin, n harmonics kept; points: the terminal spins, where friction's, the lean and the
-# fingers' torque add up to zero.
+# fingers' torque add up to zero.{{#spin_unit}} Beyond ω = ±v/R = ±{{spin_unit:.3g}} rad/s part of the rim slides backwards.{{/spin_unit}}
+#@one_way
 load "figures/style.gnuplot"
 eval from_csv
 

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -222,6 +223,7 @@ TEST(FirstHarmonicReport, TemplatesOfTheSharedFolderComeBeforeThoseThatAreCompil
   fs::create_directories(scratch / "share/stemware/plots");
   scratch.write("share/stemware/plots/torque.gp",
                 "# My torque.\nload \"figures/style.gnuplot\"\neval from_csv\nset ylabel \"mine\"\n"
+                "set xlabel sprintf(\"N %.2f\", {{load.normal_force}})\n"
                 "plot \"spin_up.csv\" using 1:2 with lines title kept(n_all)\n");
   std::vector<std::string> command = lifted_run(scratch);
   command.insert(command.begin(), (scratch / "bin/stemware").string());
@@ -231,7 +233,10 @@ TEST(FirstHarmonicReport, TemplatesOfTheSharedFolderComeBeforeThoseThatAreCompil
   EXPECT_EQ(ended.err, "");
   const std::string figure =
     between(read_text(scratch / "results/report.html"), "<figure id=\"torque\">", "</figure>");
-  for (const char *own : { "My torque.", ">mine</", "href=\"spin_up.csv\">data</a>" })
+  const double force = read_summary(scratch / "results")["load"]["normal_force"];
+  for (const std::string &own :
+       { std::string("My torque."), std::string(">mine</"), std::string("href=\"spin_up.csv\">data</a>"),
+         fmt::format(FMT_STRING(">N {:.2f}</"), force) })
     EXPECT_NE(figure.find(own), std::string::npos) << own << '\n' << figure;
   EXPECT_TRUE(fs::exists(scratch / "results/figures/spin_up.svg")); // which has no template there
 }

@@ -5,6 +5,7 @@
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/report/drawn_plots.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
 
 #include <gtest/gtest.h>
@@ -112,20 +113,23 @@ TEST(BudgetByHand, NothingIsRelatedToAGlassThatDoesNotSpin)
   EXPECT_FALSE(rows[2]["relative_difference"].is_null());
 }
 
-/// What gnuplot complains about; the words of the picture go to @p words.
-std::string draw(const Plot &plot, std::string &words)
+/// A plot of a budget, as it was drawn.
+struct DrawnPlot
 {
-  const ScratchFolder scratch;
-  testing::internal::CaptureStderr();
-  write_report({ "A plot", "", { { "The plot", "", { plot } } } }, scratch.path());
-  bool inside = true;
-  for (const char character : read_text(scratch / ("figures/" + plot.name + ".svg")))
-    if (character == '<' || character == '>')
-      inside = character == '>';
-    else if (inside)
-      words += character;
-  return testing::internal::GetCapturedStderr();
-}
+  DrawnPlot(const Budget &budget, const std::string &name, double rounding = 1e-9, bool one_way = false)
+  {
+    Document document;
+    document.facts["one_way"] = one_way;
+    add_budget_plots(budget, rounding, document);
+    plot = test::picture(document, name);
+    const ScratchFolder scratch;
+    complaint = test::draw(plot, scratch);
+    words = test::words_of(plot, scratch);
+  }
+
+  Plot plot;
+  std::string complaint, words;
+};
 
 /// Whether each of the names is a word of the picture, and none of the others.
 void expect_words(const std::string &words, const std::vector<std::string> &names,
@@ -139,20 +143,17 @@ void expect_words(const std::string &words, const std::vector<std::string> &name
 
 TEST(BudgetPlots, Waterfall)
 {
-  std::string words;
-  const Plot plot = waterfall_plot(made_budget(), 1e-9);
-  EXPECT_EQ(draw(plot, words), "");
-  expect_words(words,
+  const DrawnPlot drawn(made_budget(), "waterfall");
+  EXPECT_EQ(drawn.complaint, "");
+  expect_words(drawn.words,
                { "the paper's model", "moment balance (formal)", "grip", "where the foot touches", "tilt",
                  "harmonics", "this study", "terminal spin (rad/s)", "error band", "faster, formally" },
                { "slower" });
-  EXPECT_EQ(data_lines(plot.data), R"(# From the paper's model to this study's
-place from below (1): 7 | 6 | 5 | 4 | 3 | 2 | 1
-omega before (rad/s): nan | -1.0101234567 | -1.0601234567 | -1.1101234567 | nan | nan | nan
-omega (rad/s): -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | nan | -1.2601234567 | -1.2601234567
-half-width of its error band, 0: none (rad/s): 0.0010201234567 | 0.0010701234567 | 0.0011201234567 | 0.0011701234567 | 0 | 0.0012701234567 | 0.0012701234567
-1: faster, 2: slower, 3, 4: the same, formally (1): 0 | 3 | 1 | 1 | 0 | 0 | 0
-line to the next row (1): -1 | -1 | -1 | 0 | 0 | -1 | 0
+  EXPECT_EQ(data_lines(drawn.plot.data), R"(# From the paper's model to this study's
+terminal omega (rad/s): -1.0101234567 | -1.0601234567 | -1.1101234567 | -1.1601234567 | nan | -1.2601234567 | -1.2601234567
+difference of terminal omega (rad/s): nan | -0.050000000000000044 | -0.050000000000000044 | -0.050000000000000044 | nan | nan | nan
+half-width of the error band of terminal omega (rad/s): 0.0010201234567 | 0.0010701234567 | 0.0011201234567 | 0.0011701234567 | nan | 0.0012701234567 | 0.0012701234567
+1 if the load is negative somewhere (1): 0 | 1 | 0 | 0 | 0 | 0 | 0
 )");
 }
 
@@ -164,34 +165,54 @@ TEST(BudgetPlots, WaterfallOfHarmonicsIsOneBarFromTheFirstToAll)
                   { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
                   { { 4 }, "harmonics", 2, -3.2, 0.2 },
                   { { 5 }, "harmonics", {}, -3.25, -0.05, 0.01 } };
-  const Plot plot = waterfall_plot(budget, 1e-9);
-  std::string words;
-  EXPECT_EQ(draw(plot, words), "");
-  expect_words(words, { "+0.15", "−0.5", "+0.1", "−3.25" }, { "+0.2", "formal" });
+  const DrawnPlot drawn(budget, "waterfall");
+  EXPECT_EQ(drawn.complaint, "");
+  expect_words(drawn.words, { "+0.15", "−0.5", "+0.1", "−3.25" }, { "+0.2", "formal" });
 }
 
 TEST(BudgetPlots, WaterfallOfAGlassThatDoesNotSpin)
 {
   Budget budget;
   budget.rows = { { { 1 }, "paper", 1, 0. }, { { 2 }, "moment balance", 1, 0., 0. } };
-  std::string words;
-  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
-  EXPECT_EQ(draw(effects_plot(budget, 1e-8), words), "");
+  EXPECT_EQ(DrawnPlot(budget, "waterfall").complaint, "");
+  EXPECT_EQ(DrawnPlot(budget, "effects", 1e-8).complaint, "");
   budget.rows = { { { 1 }, "paper", 1 } };
-  EXPECT_EQ(draw(waterfall_plot(budget, 1e-9), words), "");
+  EXPECT_EQ(DrawnPlot(budget, "waterfall").complaint, "");
 }
 
 TEST(BudgetPlots, Effects)
 {
-  std::string words;
-  const Plot plot = effects_plot(made_budget(), 1e-9);
-  EXPECT_EQ(draw(plot, words), "");
-  expect_words(words, { "moment balance", "without tilt", "without elasticity of the foot",
-                        "without compliance of the interface", "not defined", "steps of the model",
-                        "one thing left out", "error band" });
+  const DrawnPlot drawn(made_budget(), "effects");
+  EXPECT_EQ(drawn.complaint, "");
+  expect_words(drawn.words, { "moment balance", "without tilt", "without elasticity of the foot",
+                              "without compliance of the interface", "not defined", "steps of the model",
+                              "one thing left out", "error band" });
+  // What is rounding is 0, and no point.
   Budget budget = made_budget();
-  budget.without[0].difference = 1e-12;
-  EXPECT_EQ(effects_plot(budget, 1e-9).data.find("1e-12"), std::string::npos);
+  for (WithoutRow &row : budget.without)
+    row.difference = 1e-12;
+  expect_words(DrawnPlot(budget, "effects").words, {}, { "one thing left out" });
+}
+
+TEST(BudgetPlots, HarmonicTorque)
+{
+  Budget budget;
+  budget.omega = { 0, -1, -2 };
+  budget.torque_all = { -4e-3, -2e-3, std::nan("") };
+  budget.torque_first = { -4e-3, -1.99e-3, -1e-3 };
+  const DrawnPlot drawn(budget, "harmonic_torque");
+  EXPECT_EQ(drawn.complaint, "");
+  expect_words(drawn.words, { "(mN m)", "(µN m)", "all harmonics", "first harmonic" });
+  budget.torque_all = budget.torque_first;
+  EXPECT_EQ(DrawnPlot(budget, "harmonic_torque").complaint, "");
+}
+
+TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
+{
+  const DrawnPlot drawn(made_budget(), "waterfall", 1e-9, true);
+  EXPECT_EQ(drawn.complaint, "");
+  expect_words(drawn.words, { "one-way" });
+  EXPECT_NE(drawn.plot.caption.find("One-way"), std::string::npos);
 }
 
 TEST(BudgetPlots, TheBandsAreThoseOfTheRows)
@@ -203,28 +224,6 @@ TEST(BudgetPlots, TheBandsAreThoseOfTheRows)
   by_hand.spin.budget.rows.back().band = 0.0123;
   const Results with = tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
   EXPECT_EQ(with.findings.summary["budget"].back()["band"], 0.0123);
-}
-
-TEST(BudgetPlots, HarmonicTorque)
-{
-  Budget budget;
-  budget.omega = { 0, -1, -2 };
-  budget.torque_all = { -4e-3, -2e-3, std::nan("") };
-  budget.torque_first = { -4e-3, -1.99e-3, -1e-3 };
-  std::string words;
-  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
-  expect_words(words, { "(mN m)", "(µN m)", "all harmonics", "first harmonic" });
-  budget.torque_all = budget.torque_first;
-  EXPECT_EQ(draw(harmonic_torque_plot(budget), words), "");
-}
-
-TEST(BudgetPlots, OneWayIsSaidInThePictureAndBelowIt)
-{
-  const Plot plot = one_way(waterfall_plot(made_budget(), 1e-9));
-  std::string words;
-  EXPECT_EQ(draw(plot, words), "");
-  expect_words(words, { "one-way" });
-  EXPECT_NE(plot.caption.find("One-way"), std::string::npos);
 }
 
 TEST(BudgetByHand, NamedStepsCountAllHarmonicsFromTheFirst)

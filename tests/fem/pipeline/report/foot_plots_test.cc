@@ -1,7 +1,7 @@
 // The pictures of the foot: what they are drawn from, and that gnuplot draws them without a complaint.
-#include "fem/pipeline/report/plots/foot_plots.h"
-#include "fem/pipeline/report/render/report.h"
-#include "tests/fem/pipeline/program_runner.h"
+#include "fem/contact/footprint.h"
+#include "fem/pipeline/report/plots/plots.h"
+#include "tests/fem/pipeline/report/drawn_plots.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@ namespace stemware::pipeline
 namespace
 {
 
+using test::draw;
+using test::picture;
 using test::ScratchFolder;
 
 /// A plate of 2 mm to r = 34 mm under a stem of 5 mm to z = 12 mm, in four cells.
@@ -38,12 +40,20 @@ fem::PressureMap half_loaded(bool is_grid)
   return map;
 }
 
-/// What gnuplot and the report complain about.
-std::string complaint(const std::vector<Plot> &plots, const ScratchFolder &scratch)
+/// The plots of a foot of 30 mm with a crown of 2.5 mm, or of one from a mesh, whose crown is not known.
+Document foot_document(bool is_grid, const ring::Motion &motion = {}, const std::string &mesh_file = "")
 {
-  testing::internal::CaptureStderr();
-  write_report({ "Plots", "", { { "The plots", "", plots } } }, scratch.path());
-  return testing::internal::GetCapturedStderr();
+  Study study;
+  study.glass.profile.contact_radius = 0.030;
+  study.glass.profile.crown_radius = 0.0025;
+  study.contact.mesh_file = mesh_file;
+  study.motion.orbit = motion;
+  FootReport foot;
+  foot.footprint = half_loaded(is_grid);
+  foot.section = plate;
+  Document document;
+  add_foot_plots(study, foot, document);
+  return document;
 }
 
 bool svg_says(const Plot &plot, const ScratchFolder &scratch, const std::string &words)
@@ -53,10 +63,10 @@ bool svg_says(const Plot &plot, const ScratchFolder &scratch, const std::string 
 
 TEST(FootPlots, LengthsAreThoseOfTheSection)
 {
-  const FootLengths lengths = measured(plate, 0.030);
+  const fem::SectionLengths lengths = fem::lengths_of(plate, 0.030);
   EXPECT_EQ(lengths.outer_radius, 0.034);
   EXPECT_EQ(lengths.height, 0.012);
-  EXPECT_NEAR(lengths.thickness_at_rim, 0.002, 1e-15);
+  EXPECT_NEAR(lengths.thickness, 0.002, 1e-15);
   EXPECT_EQ(lengths.stem_radius, 0.005);
   const fem::ContactWidth band = fem::loaded_band(half_loaded(true));
   EXPECT_NEAR(band.inner, 0.02985, 1e-15); // half-way to the point without pressure
@@ -66,10 +76,8 @@ TEST(FootPlots, LengthsAreThoseOfTheSection)
 TEST(FootPlots, SectionShowsItsLengths)
 {
   const ScratchFolder scratch;
-  FootLengths lengths = measured(plate, 0.030);
-  lengths.crown_radius = 0.0025;
-  const Plot plot = section_plot(plate, lengths);
-  EXPECT_EQ(complaint({ plot }, scratch), "");
+  const Plot plot = picture(foot_document(true), "section");
+  EXPECT_EQ(draw(plot, scratch), "");
   for (const char *words : { "R = 30 mm", "foot 34 mm", "12 mm", "2 mm", "crown 2.5 mm", "cut, held" })
     EXPECT_TRUE(svg_says(plot, scratch, words)) << words;
   const auto columns = test::read_columns(scratch / "figures/section.dat");
@@ -80,22 +88,19 @@ TEST(FootPlots, SectionShowsItsLengths)
 TEST(FootPlots, RimIsLiftedByItsCrown)
 {
   const ScratchFolder scratch;
-  FootLengths lengths = measured(plate, 0.030);
-  lengths.crown_radius = 0.0025;
-  lengths.load_inner_radius = 0.0299;
-  lengths.load_outer_radius = 0.0301;
-  const Plot plot = rim_plot(lengths);
-  EXPECT_EQ(complaint({ section_plot(plate, lengths), plot }, scratch), "");
-  EXPECT_TRUE(svg_says(plot, scratch, "under load 0.2 mm"));
+  const Document document = foot_document(true);
+  const Plot plot = picture(document, "rim");
+  EXPECT_EQ(draw({ picture(document, "section"), plot }, scratch), "");
+  EXPECT_TRUE(svg_says(plot, scratch, "under load 0.3 mm"));
   // The cells of the section, lifted by the crown in gnuplot; without one they stay where they are.
   EXPECT_EQ(plot.data_file, "figures/section.dat");
   EXPECT_NE(plot.script.find("crown = 2.5\n"), std::string::npos);
   EXPECT_NE(plot.caption.find("crown"), std::string::npos);
   const std::string lifted = test::read_text(scratch / "figures/rim.svg");
-  lengths.crown_radius = 0;
-  EXPECT_EQ(complaint({ section_plot(plate, lengths), rim_plot(lengths) }, scratch), "");
+  const Document flat = foot_document(true, {}, "foot.msh");
+  EXPECT_EQ(draw({ picture(flat, "section"), picture(flat, "rim") }, scratch), "");
   EXPECT_NE(test::read_text(scratch / "figures/rim.svg"), lifted);
-  EXPECT_EQ(rim_plot(lengths).caption.find("crown"), std::string::npos);
+  EXPECT_EQ(picture(flat, "rim").caption.find("crown"), std::string::npos);
 }
 
 TEST(FootPlots, FromAboveTheOrbitsCentreIsAboveWhereTheOrbitIsCounterClockwise)
@@ -104,8 +109,9 @@ TEST(FootPlots, FromAboveTheOrbitsCentreIsAboveWhereTheOrbitIsCounterClockwise)
   ring::Motion motion;
   for (const bool is_grid : { true, false })
   {
-    const Plot plot = view_from_above_plot(half_loaded(is_grid), measured(plate, 0.030), motion);
-    EXPECT_EQ(complaint({ footprint_plot(half_loaded(is_grid), 0.030), plot }, scratch), "");
+    const Document document = foot_document(is_grid, motion);
+    const Plot plot = picture(document, "foot_from_above");
+    EXPECT_EQ(draw({ picture(document, "footprint"), plot }, scratch), "");
     EXPECT_TRUE(svg_says(plot, scratch, "150 mm from here"));
     const int enlarged = is_grid ? 20 : 35; // a grid is drawn to where its pressure ends
     EXPECT_NE(plot.caption.find(std::to_string(enlarged) + " times larger"), std::string::npos)
@@ -126,8 +132,8 @@ TEST(FootPlots, FromAboveTheOrbitsCentreIsAboveWhereTheOrbitIsCounterClockwise)
   // Seen from above, as in the picture of the load, the left of the motion lies upwards.
   const auto height_of_text = [&]
   {
-    const Plot plot = view_from_above_plot(half_loaded(true), measured(plate, 0.030), motion);
-    EXPECT_EQ(complaint({ footprint_plot(half_loaded(true), 0.030), plot }, scratch), "");
+    const Document document = foot_document(true, motion);
+    EXPECT_EQ(draw({ picture(document, "footprint"), picture(document, "foot_from_above") }, scratch), "");
     const std::string svg = test::read_text(scratch / "figures/foot_from_above.svg");
     const auto place = svg.rfind("translate(", svg.find("150 mm from here"));
     return std::stod(svg.substr(svg.find(',', place) + 1)); // from above

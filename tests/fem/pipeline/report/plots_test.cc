@@ -1,11 +1,9 @@
 // Every kind of plot, drawn by gnuplot without a complaint, with its numbers in a file of the results.
-#include "fem/pipeline/report/plots/foot_plots.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/render/report.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/support/text_file.h"
-#include "tests/fem/pipeline/program_runner.h"
+#include "tests/fem/pipeline/report/drawn_plots.h"
 
 #include <gtest/gtest.h>
 
@@ -19,25 +17,23 @@ namespace stemware::pipeline
 namespace
 {
 
-using test::read_text;
+using test::draw;
+using test::picture;
 using test::ScratchFolder;
+using test::words_of;
 
 const double full_turn = 2 * std::acos(-1.);
 
 /// A load that has left the table over a third of the rim.
 const ring::RingStack lifted({ 1, 0, -0.4, 0, 0.05 }, { 0, -1.3, 0, 0.1, 0 }, 0.03);
 
-/// Draws plots, of which one may draw another's data, and says what went wrong.
-std::string draw(const std::vector<Plot> &plots, const ScratchFolder &scratch)
+/// The plots of a load at rest.
+Document load_document(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
+                       ring::OrbitSense sense, const std::vector<double> &band = {})
 {
-  testing::internal::CaptureStderr();
-  write_report({ "Plots", "", { { "The plots", "", plots } } }, scratch.path());
-  return testing::internal::GetCapturedStderr();
-}
-
-std::string draw(const Plot &plot, const ScratchFolder &scratch)
-{
-  return draw(std::vector<Plot>{ plot }, scratch);
+  Document document;
+  add_load_plots(load, pointwise, band, sense, document);
+  return document;
 }
 
 /// A table of the results from which plots are drawn.
@@ -56,20 +52,6 @@ std::vector<std::vector<double>> block_of(const Plot &plot, std::size_t index, c
   return test::read_columns(scratch / "block.dat");
 }
 
-/// What the text of the plot's SVG says, markup left out.
-std::string words_of(const Plot &plot, const ScratchFolder &scratch)
-{
-  const std::string svg = read_text(scratch / ("figures/" + plot.name + ".svg"));
-  std::string words;
-  bool inside = true;
-  for (const char character : svg)
-    if (character == '<' || character == '>')
-      inside = character == '>';
-    else if (inside)
-      words += character;
-  return words;
-}
-
 std::vector<std::vector<double>> data_of(const Plot &plot, const ScratchFolder &scratch)
 {
   return test::read_columns(scratch / ("figures/" + plot.name + ".dat"));
@@ -79,7 +61,7 @@ TEST(Plots, Load)
 {
   const ScratchFolder scratch;
   const std::vector<fem::AzimuthLoad> pointwise = { { 0, 1 }, { 1.5, 0 }, { 3, 1 }, { 4.5, 2 } };
-  const Plot plot = load_plot(lifted, pointwise, ring::OrbitSense::counterclockwise);
+  const Plot plot = picture(load_document(lifted, pointwise, ring::OrbitSense::counterclockwise), "load");
   EXPECT_EQ(draw(plot, scratch), "");
   const std::string words = words_of(plot, scratch);
   for (const char *name :
@@ -98,7 +80,7 @@ TEST(Plots, Load)
   EXPECT_NEAR(solved[0].back(), full_turn, 1e-12);
 
   // Without lift-off the series is drawn.
-  const Plot all = load_plot(lifted, {}, ring::OrbitSense::clockwise);
+  const Plot all = picture(load_document(lifted, {}, ring::OrbitSense::clockwise), "load");
   EXPECT_EQ(draw(all, scratch), "");
   EXPECT_NE(words_of(all, scratch).find("all, n ≤ 4"), std::string::npos);
   EXPECT_NE(all.script.find("side = -1."), std::string::npos);
@@ -108,20 +90,21 @@ TEST(Plots, Load)
 TEST(Plots, LoadOfOneHarmonicWithoutSamples)
 {
   const ScratchFolder scratch;
-  const Plot plot = load_plot(lifted.truncated(1), {}, ring::OrbitSense::clockwise);
+  const Document document = load_document(lifted.truncated(1), {}, ring::OrbitSense::clockwise);
+  const Plot plot = picture(document, "load");
   EXPECT_EQ(draw(plot, scratch), "");
   const auto columns = block_of(plot, 1, scratch);
   EXPECT_LT(columns[1][90], 0); // formally: not under load
   EXPECT_GT(columns[1][270], 0);
   EXPECT_NE(words_of(plot, scratch).find("first harmonic"), std::string::npos);
-  EXPECT_EQ(draw({ plot, line_load_plot(lifted.truncated(1), ring::OrbitSense::clockwise) }, scratch), "");
+  EXPECT_EQ(draw({ plot, picture(document, "line_load") }, scratch), "");
 }
 
 TEST(Plots, LineLoad)
 {
   const ScratchFolder scratch;
-  const Plot load = load_plot(lifted, {}, ring::OrbitSense::counterclockwise),
-             plot = line_load_plot(lifted, ring::OrbitSense::counterclockwise);
+  const Document document = load_document(lifted, {}, ring::OrbitSense::counterclockwise);
+  const Plot load = picture(document, "load"), plot = picture(document, "line_load");
   EXPECT_EQ(draw({ load, plot }, scratch), "");
   EXPECT_EQ(plot.data_file, "figures/load.dat");
   // N/m: N/rad over the ring's radius.
@@ -133,7 +116,7 @@ TEST(Plots, LineLoad)
   // The orbit's centre lies to the left of v: at 90 degrees, which is to the left of 270 degrees in the
   // picture.
   EXPECT_LT(words.find("orbit's centre"), words.find("outside"));
-  const Plot clockwise = line_load_plot(lifted, ring::OrbitSense::clockwise);
+  const Plot clockwise = picture(load_document(lifted, {}, ring::OrbitSense::clockwise), "line_load");
   EXPECT_EQ(draw({ load, clockwise }, scratch), "");
   const std::string other_words = words_of(clockwise, scratch);
   EXPECT_GT(other_words.find("orbit's centre"), other_words.find("outside"));
@@ -144,8 +127,8 @@ TEST(Plots, TruncationsAreDrawnWhereTheyCanBeSeen)
   // The third harmonic is 0.5 % of the mean, and a quarter of what is beyond the first.
   const ring::RingStack load({ 1, 0, 0.02, 0.005 }, { 0, 0.5, 0, 0 }, 0.03);
   const ScratchFolder scratch;
-  const Plot round = load_plot(load, {}, ring::OrbitSense::clockwise),
-             higher = higher_harmonics_plot(load, false);
+  const Document document = load_document(load, {}, ring::OrbitSense::clockwise);
+  const Plot round = picture(document, "load"), higher = picture(document, "higher_harmonics");
   EXPECT_EQ(draw({ round, higher }, scratch), "");
   EXPECT_EQ(words_of(round, scratch).find("n ≤ 2"), std::string::npos);
   EXPECT_NE(words_of(higher, scratch).find("n ≤ 2"), std::string::npos);
@@ -154,16 +137,16 @@ TEST(Plots, TruncationsAreDrawnWhereTheyCanBeSeen)
 TEST(Plots, HigherHarmonics)
 {
   const ScratchFolder scratch;
-  const Plot load = load_plot(lifted, {}, ring::OrbitSense::clockwise),
-             plot = higher_harmonics_plot(lifted, false);
+  const Document document = load_document(lifted, {}, ring::OrbitSense::clockwise);
+  const Plot load = picture(document, "load"), plot = picture(document, "higher_harmonics");
   EXPECT_EQ(draw({ load, plot }, scratch), "");
   const std::string words = words_of(plot, scratch);
   for (const char *name : { "n ≤ 2", "n ≤ 3", "all, n ≤ 4" })
     EXPECT_NE(words.find(name), std::string::npos) << name;
-  EXPECT_NE(plot.script.find("a_1 = 0.\nb_1 = -1.3\n"), std::string::npos); // what the first one takes away
+  EXPECT_NE(plot.script.find("a_1 = 0.; b_1 = -1.3\n"), std::string::npos); // what the first one takes away
   // As it was solved.
-  const Plot solved = load_plot(lifted, { { 0, 1.25 }, { 1.5, 0 } }, ring::OrbitSense::clockwise),
-             higher = higher_harmonics_plot(lifted, true);
+  const Document as_solved = load_document(lifted, { { 0, 1.25 }, { 1.5, 0 } }, ring::OrbitSense::clockwise);
+  const Plot solved = picture(as_solved, "load"), higher = picture(as_solved, "higher_harmonics");
   EXPECT_EQ(draw({ solved, higher }, scratch), "");
   EXPECT_EQ(words_of(higher, scratch).find("all, n"), std::string::npos);
 }
@@ -171,7 +154,9 @@ TEST(Plots, HigherHarmonics)
 TEST(Plots, Spectrum)
 {
   const ScratchFolder scratch;
-  const Plot plot = spectrum_plot(lifted, { 0, 0.01, 0.01, 0.01, 0.01 });
+  const auto spectrum = [](const ring::RingStack &load, const std::vector<double> &band)
+  { return picture(load_document(load, {}, ring::OrbitSense::clockwise, band), "spectrum"); };
+  const Plot plot = spectrum(lifted, { 0, 0.01, 0.01, 0.01, 0.01 });
   EXPECT_EQ(draw(plot, scratch), "");
   const auto columns = data_of(plot, scratch);
   ASSERT_EQ(columns.size(), 4u);
@@ -180,13 +165,25 @@ TEST(Plots, Spectrum)
   EXPECT_EQ(words_of(plot, scratch).find("resolved"), std::string::npos);
   // n = 3, of amplitude 0.1, is smaller than its band; n = 4 has none, and is smaller than that of n = 3:
   // both are hollow.
-  const Plot hollow = spectrum_plot(lifted, { 0, 0.01, 0.01, 0.2, 0 });
+  const Plot hollow = spectrum(lifted, { 0, 0.01, 0.01, 0.2, 0 });
   EXPECT_EQ(draw(hollow, scratch), "");
   EXPECT_EQ(data_of(hollow, scratch)[0], (std::vector<double>{ 1, 2, 3, 4 }));
   EXPECT_EQ(data_of(hollow, scratch)[3], (std::vector<double>{ 1, 1, 0, 0 }));
   EXPECT_NE(words_of(hollow, scratch).find("not resolved"), std::string::npos);
   EXPECT_NE(hollow.caption.find("Hollow"), std::string::npos);
-  EXPECT_EQ(draw(spectrum_plot(ring::RingStack({ 1, 0 }, { 0, 0 }, 1)), scratch), "");
+  EXPECT_EQ(draw(spectrum(ring::RingStack({ 1, 0 }, { 0, 0 }, 1), {}), scratch), "");
+}
+
+/// The picture of the pressure of a foot of 30 mm.
+Plot footprint_plot(const fem::PressureMap &footprint)
+{
+  Study study;
+  study.glass.profile.contact_radius = 0.03;
+  FootReport foot;
+  foot.footprint = footprint;
+  Document document;
+  add_foot_plots(study, foot, document);
+  return picture(document, "footprint");
 }
 
 TEST(Plots, Footprint)
@@ -197,7 +194,7 @@ TEST(Plots, Footprint)
   footprint.is_grid = true;
   for (const double azimuth : { 0., full_turn / 4 })
     footprint.cuts.push_back({ { 0.0299, azimuth, 0 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 3e3 } });
-  const Plot plot = footprint_plot(footprint, 0.03);
+  const Plot plot = footprint_plot(footprint);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("pressure (kPa)"), std::string::npos);
   // The first cut comes again after a whole turn; each has 24 places up to the edges of its pressure, here
@@ -218,7 +215,7 @@ TEST(Plots, Footprint)
 
   footprint.is_grid = false;
   footprint.cuts[0][1].pressure = 4e6;
-  const Plot points = footprint_plot(footprint, 0.03);
+  const Plot points = footprint_plot(footprint);
   EXPECT_EQ(draw(points, scratch), "");
   EXPECT_NE(words_of(points, scratch).find("pressure (MPa)"), std::string::npos);
   EXPECT_EQ(data_of(points, scratch)[0].size(), 4u);
@@ -231,13 +228,13 @@ TEST(Plots, FootprintWithoutAnEdgeOrALoad)
   footprint.has_edge = false;
   for (const double azimuth : { 0., full_turn / 4 })
     footprint.cuts.push_back({ { 0.0299, azimuth, 1e3 }, { 0.03, azimuth, 2e3 }, { 0.0301, azimuth, 1e3 } });
-  EXPECT_NE(footprint_plot(footprint, 0.03).caption.find(" µm wide, where 99 % of the load lie."),
+  EXPECT_NE(footprint_plot(footprint).caption.find(" µm wide, where 99 % of the load lie."),
             std::string::npos);
   // The first cut without a load: its places have no pressure.
   footprint.has_edge = true;
   for (fem::PressurePoint &point : footprint.cuts[0])
     point.pressure = 0;
-  const Plot plot = footprint_plot(footprint, 0.03);
+  const Plot plot = footprint_plot(footprint);
   EXPECT_NE(plot.caption.find("the contact is 0 µm to 200 µm wide."), std::string::npos) << plot.caption;
   for (const std::string &text : { plot.caption, plot.script })
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
@@ -247,7 +244,7 @@ TEST(Plots, FootprintWithoutAnEdgeOrALoad)
   // No load at all: no mean.
   for (fem::PressurePoint &point : footprint.cuts[1])
     point.pressure = 0;
-  EXPECT_NE(footprint_plot(footprint, 0.03).caption.find("mean – kPa"), std::string::npos);
+  EXPECT_NE(footprint_plot(footprint).caption.find("mean – kPa"), std::string::npos);
 }
 
 /// Rows with terminal spins, the last of which has all harmonics.
@@ -273,6 +270,15 @@ Table truncations_of(const std::vector<double> &changes)
              { { "relative_change" }, { changes.begin(), changes.end() } } } };
 }
 
+/// The picture of the columns of truncations_of().
+Plot truncation_plot()
+{
+  Document document;
+  document.plots["truncation"] = { { "bound_scale", nullptr }, { "rounding", 1e-12 } };
+  document.facts["columns"]["truncation"] = { { "relative_change", 2 }, { "bound", 3 } };
+  return picture(document, "truncation");
+}
+
 TEST(Plots, TorqueAndTruncation)
 {
   const ScratchFolder scratch;
@@ -283,7 +289,9 @@ TEST(Plots, TorqueAndTruncation)
   curve.harmonics = { 1 };
   curve.truncations = { { 3e-3, -4e-3 } };
   curve.lean_torque = curve.grip_torque = curve.sum = { 0, 0 };
-  const Plot torque = torque_plot(curve, two_rows());
+  Document document;
+  add_torque_plot(curve, two_rows(), document);
+  const Plot torque = picture(document, "torque");
   write_table("torque.csv", torque_table(curve), scratch);
   EXPECT_EQ(draw(torque, scratch), "");
   EXPECT_EQ(torque.data_file, "torque.csv");
@@ -294,31 +302,69 @@ TEST(Plots, TorqueAndTruncation)
   EXPECT_NE(torque.caption.find("±v/R = ±5 rad/s"), std::string::npos) << torque.caption;
   const Table truncations = truncations_of({ 0.02, 0 });
   write_table("truncation.csv", truncations, scratch);
-  EXPECT_EQ(draw(truncation_plot(truncations), scratch), "");
-  EXPECT_NE(words_of(truncation_plot(truncations), scratch).find("terminal spin, relative change"),
-            std::string::npos);
+  const Plot truncation = truncation_plot();
+  EXPECT_EQ(draw(truncation, scratch), "");
+  EXPECT_NE(words_of(truncation, scratch).find("terminal spin, relative change"), std::string::npos);
 }
 
 TEST(Plots, TruncationThatChangesNothing)
 {
   const ScratchFolder scratch;
   write_table("truncation.csv", truncations_of({ 0 }), scratch);
-  const Plot plot = truncation_plot(truncations_of({ 0 }));
+  const Plot plot = truncation_plot();
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("nothing to show"), std::string::npos);
+}
+
+/// How many points the plot's SVG shows.
+std::size_t n_points(const Plot &plot, const ScratchFolder &scratch)
+{
+  const std::string svg = test::read_text(scratch / ("figures/" + plot.name + ".svg"));
+  std::size_t n = 0;
+  for (auto place = svg.find("<use "); place != std::string::npos; place = svg.find("<use ", place + 1))
+    ++n;
+  return n;
+}
+
+TEST(Plots, APlotAfterOneOfACsvFileHasAllItsRows)
+{
+  const ScratchFolder scratch;
+  write_table("truncation.csv", truncations_of({ 0.02, 0 }), scratch);
+  const Plot spectrum = picture(load_document(lifted, {}, ring::OrbitSense::clockwise), "spectrum");
+  EXPECT_EQ(draw(spectrum, scratch), "");
+  const std::size_t n_alone = n_points(spectrum, scratch);
+  EXPECT_EQ(draw({ truncation_plot(), spectrum }, scratch), "");
+  EXPECT_EQ(n_points(spectrum, scratch), n_alone);
+}
+
+TEST(Plots, ATemplateThatAsksForWhatThereIsNotCostsItsOwnPictureAlone)
+{
+  const ScratchFolder scratch;
+  Document document = load_document(lifted, {}, ring::OrbitSense::clockwise);
+  const Plot spectrum = picture(document, "spectrum");
+  document.facts.erase("rim_load");
+  const std::string complaint = draw({ picture(document, "line_load"), spectrum }, scratch);
+  EXPECT_NE(complaint.find("asks for rim_load.side, which there is not"), std::string::npos) << complaint;
+  EXPECT_GT(n_points(spectrum, scratch), 0u);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "figures/line_load.svg"));
 }
 
 TEST(Plots, SpinUp)
 {
   const ScratchFolder scratch;
-  const Plot plot = spin_up_plot(
-    { 0, 1, 2 }, { { "elastic foot", { 0, -1, -1.5 }, 1 }, { "the paper", { 0, -0.9, -1.4 }, 2 } },
-    two_rows().back());
+  Document document;
+  add_spin_up_plot({ 0, 1, 2 },
+                   { { "elastic foot", { 0, -1, -1.5 }, 1 }, { "the paper", { 0, -0.9, -1.4 }, 2 } },
+                   two_rows().back(), {}, "From rest.", document);
+  const Plot plot = picture(document, "spin_up");
   EXPECT_EQ(draw(plot, scratch), "");
   const std::string words = words_of(plot, scratch);
   EXPECT_NE(words.find("the paper"), std::string::npos);
   EXPECT_NE(words.find("turns per second"), std::string::npos);
   EXPECT_NE(words.find("−3.5 rad/s"), std::string::npos) << words; // the terminal spin
+  EXPECT_EQ(plot.caption.find("From rest."), 0u) << plot.caption;
+  document.facts["one_way"] = true;
+  EXPECT_EQ(picture(document, "spin_up").caption.find(".."), std::string::npos);
 }
 
 TEST(Plots, Phases)
@@ -329,12 +375,12 @@ TEST(Plots, Phases)
   phases.phases = { { 0, 0 }, { 0, full_turn / 4 } };
   phases.torque_at_rest = { -1e-3, -2e-3 };
   phases.torque_at_terminal = { 1e-3, -1e-3 };
-  const Plot plot = phase_plot(phases);
+  Document document;
+  document.plots["phases"] = { { "marked", "table" } };
+  const Plot plot = picture(document, "phases");
   write_table("phases.csv", phase_table(phases), scratch);
   EXPECT_EQ(draw(plot, scratch), "");
   EXPECT_NE(words_of(plot, scratch).find("at the mean spin"), std::string::npos);
-  EXPECT_NE(plot.script.find("of_glass = 0\n"),
-            std::string::npos); // the glass is flat: by the mark of the table
   EXPECT_NE(plot.caption.find("mark of the table"), std::string::npos);
 }
 
@@ -357,7 +403,12 @@ std::vector<Plot> plots_of_grid(const std::vector<std::string> &varied,
     else
       result.values[quantity_index("terminal spin")] = value;
   }
-  return grid_plots(plan, cases);
+  Document document;
+  add_sweep_plots(plan, cases, find_out(plan, cases), document);
+  std::vector<Plot> plots;
+  for (const auto &drawn : document.facts["pictures"])
+    plots.push_back(picture(document, drawn["name"], drawn["source"]));
+  return plots;
 }
 
 TEST(Plots, Map)
@@ -366,16 +417,18 @@ TEST(Plots, Map)
   const std::vector<std::string> varied = { "Load/Moment ratio=0.2:0.9:8",
                                             "Motion/Orbit speed=0.1:0.8:8:log" };
   const auto is_failed = [](double x, double y) { return x == 0.4 && y > 0.7; };
-  const std::vector<Plot> plots =
+  std::vector<Plot> plots =
     plots_of_grid(varied, [&](double x, double y) { return is_failed(x, y) ? std::nan("") : 10 * x + y; });
   ASSERT_EQ(plots.size(), 1u);
+  plots[0].script += "set print \"figures/bounds.dat\"\nprint x_bound(0), x_bound(1), y_bound(1)\n";
   EXPECT_EQ(draw(plots, scratch), "");
-  const auto columns = data_of(plots[0], scratch);
-  ASSERT_EQ(columns.size(), 7u);
+  const auto columns = data_of(plots[0], scratch),
+             bounds = test::read_columns(scratch / "figures/bounds.dat");
+  ASSERT_EQ(columns.size(), 3u);
   EXPECT_EQ(columns[2].size(), 64u);
-  EXPECT_NEAR(columns[3][0], 0.15, 1e-9); // cells meet half-way
-  EXPECT_NEAR(columns[4][0], 0.25, 1e-9);
-  EXPECT_NEAR(columns[6][0], std::sqrt(columns[1][0] * columns[1][8]), 1e-9);
+  EXPECT_NEAR(bounds[0][0], 0.15, 1e-9); // cells meet half-way
+  EXPECT_NEAR(bounds[1][0], 0.25, 1e-9);
+  EXPECT_NEAR(bounds[2][0], std::sqrt(columns[1][0] * columns[1][8]), 1e-9);
   EXPECT_EQ(std::count_if(columns[2].begin(), columns[2].end(), [](double x) { return std::isnan(x); }), 1);
   // Differences of the size of rounding are no colours and no contours to choose.
   EXPECT_EQ(draw(plots_of_grid(varied, [](double x, double) { return 1 + 1e-8 * x; }), scratch), "");

@@ -79,8 +79,8 @@ TEST(ProfileResults, PointsAndCircleAreDrawn)
   EXPECT_EQ(plot_of(results, "rim_residuals").data_file, "figures/rim_circle.dat");
   const fem::RimCircle &fitted = *run.study.glass.rim_circle;
   ASSERT_EQ(fitted.points.size(), 7u);
-  EXPECT_NE(circle.find("29.5"), std::string::npos) << circle;
-  EXPECT_NE(circle.find("30.2"), std::string::npos) << circle;
+  EXPECT_NE(circle.find("0.0295"), std::string::npos) << circle;
+  EXPECT_NE(circle.find("0.0302"), std::string::npos) << circle;
   const std::string foot = report_lines(results, "The section and the rim", true);
   EXPECT_NE(foot.find("points of the land | 7"), std::string::npos) << foot;
 }

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "fem/pipeline/document/table.h"

@@ -1,0 +1,43 @@
+// Slip and friction round the rim, as a picture shows them.
+#include "fem/pipeline/analysis/rim_slip.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+/// As much load as sin theta adds to the mean; it would pull at 270 degrees.
+const ring::RingStack load({ 1, 0 }, { 0, 1.5 }, 0.03);
+
+TEST(RimSlip, AtRestFrictionIsAgainstTheMotionAndAsLargeAsTheLoad)
+{
+  ring::Motion motion;
+  const std::vector<RimSlip> places = rim_slip(motion, 0.03, load, 0);
+  ASSERT_EQ(places.size(), 24u);
+  for (const RimSlip &place : places)
+  {
+    EXPECT_EQ(place.slip_x, 1);
+    EXPECT_EQ(place.slip_y, 0);
+    EXPECT_NEAR(place.friction_x, -std::max(0., 1 + 1.5 * std::sin(place.azimuth)), 1e-12);
+    EXPECT_EQ(place.friction_y, 0);
+  }
+  EXPECT_EQ(places[18].friction_x, 0); // where the series is negative
+}
+
+TEST(RimSlip, ATurningRimCarriesItsPlacesAlong)
+{
+  ring::Motion motion;
+  const double radius = 0.03, omega = motion.orbit_speed / radius; // the slip ratio is 1
+  const std::vector<RimSlip> places = rim_slip(motion, radius, load, omega);
+  EXPECT_NEAR(places[6].slip_x, 0, 1e-12); // on the left it stands still
+  EXPECT_NEAR(places[0].slip_x, 1, 1e-12);
+  EXPECT_NEAR(places[0].slip_y, 1, 1e-12);
+  EXPECT_NEAR(places[0].friction_y, -std::sqrt(0.5), 1e-12);
+}
+
+} // namespace
+} // namespace stemware::pipeline
