@@ -5,6 +5,11 @@ foreach(linker IN ITEMS mold gold)
   check_linker_flag(CXX -fuse-ld=${linker} STEMWARE_HAS_${linker})
   if(STEMWARE_HAS_${linker})
     target_link_options(stemware_dealii INTERFACE -fuse-ld=${linker})
+    # Where thread-local data of a few bytes come last, Debian 12's mold makes a program whose pages the loader cannot
+    # protect after relocation; it then does not start.
+    if(linker STREQUAL mold)
+      target_link_options(stemware_dealii INTERFACE LINKER:-z,norelro)
+    endif()
     break()
   endif()
 endforeach()
