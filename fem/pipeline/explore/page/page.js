@@ -376,9 +376,10 @@ function draw_pressure() {
     pressure.cuts.flatMap(([radii, values], j) => radii.map((r, i) => [pressure.azimuth[j], r, values[i]])));
 }
 function draw_side() {
-  const t = T(), W = 380, H = 300, ground = 262, mm = v => 1e3 * v, scale = 1.5, middle = 190;
+  const t = T(), W = 380, H = 300, ground = 262, mm = v => 1e3 * v, middle = 190;
   const R = mm(value_of('Glass/Contact radius')), z = mm(value_of('Motion/Centre of mass height')), hand = z + mm(value_of('Motion/Force offset')), mass = value_of('Motion/Mass'), N = mass * 9.81;
-  const X = x => middle + scale * x, Y = y => ground - scale * y, foot = mm(value_of('Glass/Foot radius')) || R + 4, top = Math.max(z * 1.9, 110), bowl = foot * 0.95;
+  const foot = mm(value_of('Glass/Foot radius')) || R + 4, top = Math.max(z * 1.9, 110), bowl = foot * 0.95, scale = Math.min(1.5, (ground - 24) / top);
+  const X = x => middle + scale * x, Y = y => ground - scale * y;
   const end = answer && answer.all ? answer.all.at_end || answer.all.at_rest : null;
   const said = [[t.mass_centre, z, 'mm']];
   const arrow = (x, y, dx, dy, colour, text, anchor = 'start') => { const n = Math.hypot(dx, dy) || 1, u = dx / n, v = dy / n, ex = x + dx, ey = y + dy; return n < 2 ? '' : `<path d="M${x.toFixed(1)} ${y.toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}M${(ex - 7 * u + 4 * v).toFixed(1)} ${(ey - 7 * v - 4 * u).toFixed(1)}L${ex.toFixed(1)} ${ey.toFixed(1)}L${(ex - 7 * u - 4 * v).toFixed(1)} ${(ey - 7 * v + 4 * u).toFixed(1)}" fill="none" stroke="${colour}" stroke-width="2"/><text x="${(ex + (anchor === 'end' ? -6 : 6)).toFixed(1)}" y="${(ey + 4).toFixed(1)}" text-anchor="${anchor}">${escaped(text)}</text>`; };
