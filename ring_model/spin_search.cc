@@ -264,7 +264,7 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
 
   const double at_rest = counted(0.);
   if (std::abs(at_rest) <= std::max(search.grip_torque, search.torque_noise))
-    return { 0., search.grip_torque > 0., n_evaluations };
+    return { 0., search.grip_torque > 0., n_evaluations, 0. };
   const double direction = at_rest > 0. ? 1. : -1.;
   const std::function<double(double)> push = [&](double spin)
   { return direction * counted(direction * spin) - search.grip_torque; };
@@ -272,29 +272,34 @@ SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &sear
   const double first = expected > 0. ? expected : 0.25 * search.spin_scale;
   OutwardSearch outward(push, std::abs(at_rest) - search.grip_torque, direction, search);
   const double spin = outward.zero(first);
-  return { direction * spin, false, n_evaluations };
+  return { direction * spin, false, n_evaluations, direction * spin };
 }
 
 std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,
                                                 const SpinSearch &search)
 {
   constexpr unsigned int most_steps = 8;
+  constexpr double nearly = 1e-7;    // of the spin: a load there is that at the zero
+  constexpr double of_another = 0.1; // error of a slope that is another torque's, of itself
   const double grip = std::copysign(search.grip_torque, known.omega);
-  const double allowed = search.tolerance * std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
-  double spin = known.omega, slope = known.slope;
+  const double scale = std::max(std::abs(known.omega), 1e-3 * search.spin_scale);
+  double spin = known.omega, slope = known.slope, slope_error = of_another;
   double value = torque(spin) - grip;
   for (unsigned int n = 1; n <= most_steps; ++n)
   {
-    if (std::abs(value) <= std::abs(slope) * allowed)
-      return SpinZero{ spin, false, n };
-    const double next = spin - value / slope;
+    const double step = -value / slope, next = spin + step;
+    if (std::abs(step) <= nearly * scale && slope_error * std::abs(step) <= search.tolerance * scale)
+      return SpinZero{ next, false, n, spin };
     if (!(std::abs(next - known.omega) <= 0.1 * search.spin_scale))
       return std::nullopt;
     const double next_value = torque(next) - grip;
-    const double secant = (next_value - value) / (next - spin);
+    const double secant = (next_value - value) / step;
     // Differences that rounding makes say nothing about the slope.
-    if (std::abs(next - spin) > 1e-6 * search.spin_scale)
+    if (std::abs(step) > 1e-6 * search.spin_scale)
+    {
       slope = secant;
+      slope_error = std::clamp(10 * std::abs(step) / search.spin_scale, 1e-3, of_another);
+    }
     if (!(slope < 0))
       return std::nullopt;
     spin = next;

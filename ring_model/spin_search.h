@@ -30,6 +30,7 @@ struct SpinZero
   double omega;               ///< [rad/s]
   bool held;                  ///< |tau_z(0)| <= tau_g, tau_g > 0: the fingers keep the glass at rest
   unsigned int n_evaluations; ///< of the torque
+  double asked;               ///< where the torque was asked for, at the zero or within 1e-7 of it [rad/s]
 };
 
 /**
@@ -60,10 +61,10 @@ struct KnownZero
 };
 
 /**
- * find_terminal_spin() next to the zero of another torque that differs little, by the secant method: two to
- * four evaluations. The zero found is the one that the search from rest would find as long as the torques
- * differ too little for others to appear. Nothing where the method leaves the neighbourhood (a tenth of
- * spin_scale) or does not end in eight steps.
+ * find_terminal_spin() next to the zero of another torque that differs little, by the secant method: one to
+ * four evaluations. A last step that is known to the tolerance is not evaluated. The zero found is the one
+ * that the search from rest would find as long as the torques differ too little for others to appear. Nothing
+ * where the method leaves the neighbourhood (a tenth of spin_scale) or does not end in eight steps.
  * @throws what @p torque throws.
  */
 std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,

@@ -26,11 +26,13 @@ class FailurePrinter : public testing::EmptyTestEventListener
 int main(int argc, char **argv)
 {
   // A process that mpirun did not start needs no daemon of Open MPI beside it, nor the ssh that the daemon
-  // asks for, nor a folder in /tmp that has the same name for all such processes.
+  // asks for, nor a folder in /tmp that has the same name for all such processes, nor a network.
   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
   {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    ::setenv("OMPI_MCA_pml", "ob1", 0);
+    ::setenv("OMPI_MCA_btl", "self", 0);
   }
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   testing::InitGoogleTest(&argc, argv);

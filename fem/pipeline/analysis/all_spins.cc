@@ -116,6 +116,43 @@ int n_balances(ScannedTorque &torque, double step, int stride, int n_most)
   return n_found; // the load tips or has no balance there: nothing lies beyond
 }
 
+/// How far from rest spins are looked for: so many steps, tried several at once.
+struct Reach
+{
+  double step; ///< [rad/s]
+  int n_steps, stride;
+};
+
+/// Whether friction brakes at @p omega and beyond by much more than the lean of the glass could drive it.
+/// Where all of the rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes each place of
+/// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load.
+bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &motion)
+{
+  constexpr double much = 10;
+  const LeaningLoad at_spin = load.at(omega);
+  double radius = at_spin.radius();
+  for (const auto &ring : at_spin.rings())
+    radius = std::min(radius, ring.radius);
+  const double eps = std::abs(omega) * radius / motion.orbit_speed;
+  if (!motion.has_constant_friction() || eps <= 1)
+    return false;
+  const double least_torque =
+    std::sqrt(1 - 1 / (eps * eps)) * motion.friction_at_rest() * motion.normal_force() * radius;
+  return much * std::abs(at_spin.lean_torque()) < least_torque;
+}
+
+/// To where friction brakes, or the load has no balance, whatever its distribution; else to 1.5 v / R.
+Reach reach_of(ScannedTorque &torque, const BalancedLoad &load, const ring::Motion &motion)
+{
+  const double unit = load.spin_scale(motion);
+  const Reach near = { 1.05 * unit / 4, 4, 2 }, far = { unit / 4, 6, 3 };
+  for (const double direction : { -1., 1. })
+    if (n_balances(torque, direction * near.step, near.stride, near.n_steps) == near.n_steps &&
+        !brakes_beyond(direction * near.n_steps * near.step, load, motion))
+      return far;
+  return near;
+}
+
 } // namespace
 
 std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
@@ -123,15 +160,18 @@ std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, con
 {
   if (load.phases())
     return {};
-  constexpr int steps_to_end = 6, stride = 3, finest_steps = 8; // 1.5 v / R, 3 v / 4 R, v / 32 R
-  const double unit = load.spin_scale(motion), step = unit / 4;
-  ScannedTorque torque(load, motion, grip_torque, step / finest_steps);
-  const int first = -n_balances(torque, -step, stride, steps_to_end),
-            last = n_balances(torque, step, stride, steps_to_end);
+  constexpr int finest_steps = 8;
+  const double unit = load.spin_scale(motion);
+  ScannedTorque torque(load, motion, grip_torque, unit / 4 / finest_steps);
+  const auto [step, n_steps, stride] = reach_of(torque, load, motion);
+  const int first = -n_balances(torque, -step, stride, n_steps),
+            last = n_balances(torque, step, stride, n_steps);
   if (first == last)
     return {};
-  for (int n = first; n < last; n += stride)
-    torque.survey(n * step, std::min(n + stride, last) * step);
+  if (first < 0)
+    torque.survey(first * step, 0);
+  if (last > 0)
+    torque.survey(0, last * step);
   std::vector<ring::TerminalSpin> spins =
     ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
                              last * step, static_cast<unsigned int>(finest_steps * (last - first)));

@@ -138,8 +138,16 @@ std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<Ela
   return judge_chain(study, models, answers);
 }
 
-Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                   const std::vector<LoadedRow> &by_harmonics, const Executor &executor, Progress &progress)
+std::vector<Variant> budget_variants(const Study &study, const SpinRow &all)
+{
+  std::vector<Variant> variants = model_chain(study);
+  for (const Variant &variant : variants_without(study, all.ripple > 0))
+    variants.push_back(variant);
+  return variants;
+}
+
+Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                   const std::vector<LoadedRow> &answers, const Executor &executor)
 {
   const SpinRow &all = by_harmonics.back().row;
   const std::optional<double> terminal = all.omega_terminal();
@@ -148,13 +156,11 @@ Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
   if (terminal)
     budget.shown_spins = { 0, *terminal / 2, *terminal };
 
-  const std::vector<Variant> models = model_chain(study), without = variants_without(study, all.ripple > 0);
-  std::vector<Variant> variants = models;
-  variants.insert(variants.end(), without.begin(), without.end());
-  std::vector<LoadedRow> chain = solve_rows(variants, foot, near_to(all), executor, progress, "budget");
-  for (std::size_t i = 0; i < without.size(); ++i)
-    budget.without.push_back(judge_without(without[i], chain[models.size() + i].row, all));
+  const std::vector<Variant> models = model_chain(study), variants = budget_variants(study, all);
+  for (std::size_t i = models.size(); i < variants.size(); ++i)
+    budget.without.push_back(judge_without(variants[i], answers[i].row, all));
 
+  std::vector<LoadedRow> chain = answers;
   chain.resize(models.size());
   chain.insert(chain.end(), by_harmonics.begin(), by_harmonics.end());
   std::vector<SpinRow> rows(chain.size());

@@ -94,10 +94,13 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                    const std::vector<SpinRow> &by_harmonics, const Executor &executor);
 
-/// The budget from rows that are already known: @p foot is study_foot(), @p by_harmonics rows_by_harmonics()
-/// of it. A row that fails says why and does not stop the others.
-Budget find_budget(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                   const std::vector<LoadedRow> &by_harmonics, const Executor &executor,
-                   Progress &progress = silent_progress());
+/// What find_budget() asks for the answers to: the models of the chain in front of the study's own rows, and
+/// the study without one effect at a time; @p all is the answer of all harmonics.
+std::vector<Variant> budget_variants(const Study &study, const SpinRow &all);
+
+/// The budget from what is known: @p by_harmonics are rows_by_harmonics(), @p models the answers to
+/// budget_variants(). Torques are asked of their loads. A row that failed says why.
+Budget find_budget(const Study &study, const std::vector<LoadedRow> &by_harmonics,
+                   const std::vector<LoadedRow> &models, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -122,7 +122,7 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   row.ripple = found.ripple;
   row.spin_uncertainty = found.uncertainty;
   row.zero_of_mean_torque = found.zero_of_mean_torque;
-  row.at_terminal = ring_state(load, question, omega);
+  row.at_terminal = ring_state(load, question, found.asked);
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
   if (!question.times.empty())
     for (const ring::YawSample &sample :
@@ -192,7 +192,10 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   LongRunSpin result;
   if (with_slope || load.phases())
+  {
     result.spin = ring::terminal_spin(torque, motion.yaw_inertia, search);
+    result.asked = result.spin.omega;
+  }
   else
   {
     std::optional<ring::SpinZero> nearby;
@@ -200,6 +203,7 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
       nearby = ring::find_terminal_spin_near(*near, torque, search);
     const ring::SpinZero zero = nearby ? *nearby : ring::find_terminal_spin(torque, search);
     result.spin = { zero.omega, nan, nan, true, zero.held };
+    result.asked = zero.asked;
   }
   result.zero_of_mean_torque = result.spin.omega;
   if (!load.phases())
@@ -212,7 +216,7 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
-  result.spin.omega = mean.mean;
+  result.spin.omega = result.asked = mean.mean;
   result.ripple = mean.ripple;
   // The mean's own error, and that between phases as far as ripple makes the glass stay longer at some.
   const double turning = std::abs(mean.mean - motion.orbit_rate());

@@ -163,27 +163,24 @@ std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const Bala
   return spins;
 }
 
-/// The study on one ring.
-std::optional<SpinRow> row_on_one_ring(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                       const SpinRow &all, const Executor &executor)
+/// The study on one ring of its foot; nothing where it has no other.
+std::optional<Variant> variant_on_one_ring(const Study &study)
 {
   if (!study.load.is_from_contact() || study.contact.rings == 1)
     return std::nullopt;
   Variant one_ring = { "one_ring", "one ring", study };
   one_ring.study.contact.rings = 1;
-  // A foot that takes all ranks together is costly, and its contact of rest does not depend on the rings.
-  one_ring.on_same_foot = is_collective(study);
-  const std::shared_ptr<ElasticFoot> its_foot = one_ring.on_same_foot ? foot->twin() : foot;
-  if (one_ring.on_same_foot)
-    its_foot->forget_rings();
-  SpinQuestion question;
-  question.near = known_zero(all);
-  SpinRow row = solve_rows({ one_ring }, its_foot, question, executor).front().row;
-  row.harmonics = all.harmonics;
-  row.all_harmonics = true;
-  if (row.terminal && all.relative_change)
-    row.relative_change = row.terminal->omega / all.terminal->omega - 1;
-  return row;
+  one_ring.on_same_foot = one_ring.on_other_rings = true; // the contact of rest does not depend on the rings
+  return one_ring;
+}
+
+SpinRow related_to_all(SpinRow one_ring, const SpinRow &all)
+{
+  one_ring.harmonics = all.harmonics;
+  one_ring.all_harmonics = true;
+  if (one_ring.terminal && all.relative_change)
+    one_ring.relative_change = one_ring.terminal->omega / all.terminal->omega - 1;
+  return one_ring;
 }
 
 } // namespace
@@ -315,26 +312,48 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   { return load.statistics() ? load.statistics()->n_contact_solutions : 0; };
   const std::size_t for_load = solved_for_load();
   result.contacts.answer = newly_solved();
+  const std::optional<Variant> one_ring = variant_on_one_ring(study);
+  RowsBeside models = { [&](const SpinRow &all)
+                        {
+                          std::vector<Variant> variants = budget_variants(study, all);
+                          if (one_ring)
+                            variants.push_back(*one_ring);
+                          return variants;
+                        } };
   std::vector<LoadedRow> solved =
-    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth);
+    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth,
+                      depth == Depth::full ? &models : nullptr);
   const std::size_t of_answer = solved_for_load() - for_load;
   result.contacts.answer += of_answer;
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
     result.phases = study_phases(*load.phases(), result.all(), study.motion.orbit);
-  if (depth == Depth::full)
-    result.one_ring = row_on_one_ring(study, foot, result.all(), executor);
+  if (one_ring && depth == Depth::full)
+  {
+    result.one_ring = related_to_all(models.answers.back().row, result.all());
+    models.answers.pop_back();
+  }
   result.contacts.budget = newly_solved() - of_answer;
 
   const std::vector<double> shown = shown_spins(study, solved);
-  interpolate_loads(shown.front(), shown.back(), 1, executor, solved);
-  if (const auto statistics = solved.back().load->statistics())
+  const auto interpolate = [&](unsigned int n_most)
+  { interpolate_loads(shown.front(), shown.back(), n_most, executor, solved); };
+  interpolate(0); // the first harmonic's curve is told by how it differs from that of all
+  const SharedLoad all = solved.back().load;
+  if (const auto statistics = all->statistics())
     result.curve_error = statistics->interpolation_error;
-  result.terminal_spins = terminal_spins_of(study, *solved.back().load, result.all());
+  const auto curves_and_scan = [&](std::size_t i)
+  {
+    if (i == 0)
+      result.terminal_spins = terminal_spins_of(study, *all, result.all());
+    else
+      interpolate(1);
+  };
+  executor.for_each(2, curves_and_scan, is_collective(study));
   result.contacts.curves = newly_solved();
   if (depth == Depth::full)
-    result.budget = find_budget(study, foot, solved, executor, progress);
+    result.budget = find_budget(study, solved, models.answers, executor);
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));

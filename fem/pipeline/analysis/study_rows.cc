@@ -46,11 +46,13 @@ bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Moti
                    negligible * std::abs(zero->slope * zero->omega);
 }
 
-/// The load of @p variant on its @p foot.
-SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+/// The load of @p variant on its @p foot, whose terminal spin is believed to be @p near another.
+SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
+                   const std::optional<ring::KnownZero> &near)
 {
   if (!variant.rigid_ring)
-    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics);
+    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics,
+                     near ? std::optional(near->omega) : std::nullopt);
   const ring::Motion &motion = variant.study.motion.orbit;
   const ring::Closure closure = variant.study.motion.closure;
   const ring::RingStack at_rest =
@@ -58,10 +60,31 @@ SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &f
   return balance(variant.rigid_ring, motion, closure, report_of(at_rest), variant.n_harmonics);
 }
 
-/// The load interpolated in the spin; nothing where it has no balance somewhere.
-SharedLoad interpolated(const BalancedLoad &load, double lower, double upper, double coarsest = 1e-5)
+/// The load of @p answer interpolated in the spin from @p lower to @p upper, or to where its glass falls
+/// over; where there is no balance all the way, from rest to its terminal spin; exact where that fails too.
+/// @p like is BalancedLoad::interpolated()'s.
+SharedLoad interpolated(const LoadedRow &answer, double lower, double upper,
+                        const BalancedLoad *like = nullptr)
 {
-  return if_balanced([&] { return load.interpolated(lower, upper, coarsest); }).value_or(nullptr);
+  const auto between = [&](double one, double other, double coarsest = 1e-5)
+  {
+    return if_balanced(
+             [&] {
+               return answer.load->interpolated(std::min(one, other), std::max(one, other), coarsest, like);
+             })
+      .value_or(nullptr);
+  };
+  SharedLoad curve;
+  if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
+    curve = between(0, fall->omega, 1e-3);
+  else
+  {
+    const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
+    curve = between(lower, upper);
+    if (!curve)
+      curve = between(std::min(0., terminal - margin), std::max(0., terminal + margin));
+  }
+  return curve ? curve : answer.load;
 }
 
 } // namespace
@@ -120,7 +143,9 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
 {
   const auto row_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
-    const SharedLoad load = load_of(variant, its_foot);
+    if (variant.on_other_rings)
+      its_foot->forget_rings();
+    const SharedLoad load = load_of(variant, its_foot, asked.near);
     return LoadedRow{ attempt_spin_row(*load, spin_question(variant.study, asked)), load };
   };
   std::vector<LoadedRow> rows;
@@ -146,7 +171,8 @@ std::optional<ring::KnownZero> known_zero(const SpinRow &row)
 
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
-                                         const Executor &executor, Progress &progress, Depth depth)
+                                         const Executor &executor, Progress &progress, Depth depth,
+                                         RowsBeside *beside)
 {
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
   question.with_slope = true;
@@ -165,8 +191,15 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   // be known.
   if (!sharing.empty() && study.load.is_in_balance())
     if_balanced([&] { return load.at(*whole.row.omega_terminal() / 2); });
+  const std::size_t n_cut = cut.size();
+  if (beside)
+    for (const Variant &variant : beside->variants(whole.row))
+      cut.push_back(variant);
   if (!cut.empty())
-    rows = solve_rows(cut, foot, question, executor, progress, "rows by harmonics");
+    rows = solve_rows(cut, foot, question, executor, progress, "models");
+  if (beside)
+    beside->answers.assign(rows.begin() + static_cast<std::ptrdiff_t>(n_cut), rows.end());
+  rows.resize(n_cut);
   rows.insert(rows.end(), sharing.begin(), sharing.end());
   rows.push_back(whole);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -186,25 +219,15 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
 void interpolate_loads(double lower, double upper, unsigned int n_most, const Executor &executor,
                        std::vector<LoadedRow> &rows)
 {
+  LoadedRow &all = rows.back();
+  if (all.load)
+    all.load = interpolated(all, lower, upper);
   const auto interpolate = [&](std::size_t i)
   {
-    LoadedRow &answer = rows[i];
-    if (!answer.load || (answer.row.harmonics > n_most && i + 1 < rows.size()))
-      return;
-    SharedLoad curve;
-    if (const std::optional<Fall> &fall = answer.row.fall) // steep where the balance ends
-      curve = interpolated(*answer.load, std::min(0., fall->omega), std::max(0., fall->omega), 1e-3);
-    else
-    {
-      const double terminal = answer.row.omega_terminal().value_or(0), margin = 0.02 * std::abs(terminal);
-      curve = interpolated(*answer.load, lower, upper);
-      if (!curve)
-        curve = interpolated(*answer.load, std::min(0., terminal - margin), std::max(0., terminal + margin));
-    }
-    if (curve)
-      answer.load = curve;
+    if (rows[i].load && rows[i].row.harmonics <= n_most)
+      rows[i].load = interpolated(rows[i], lower, upper, all.load.get());
   };
-  executor.for_each(rows.size(), interpolate);
+  executor.for_each(rows.size() - 1, interpolate);
 }
 
 } // namespace stemware::pipeline

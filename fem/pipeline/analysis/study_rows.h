@@ -4,6 +4,7 @@
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/variants/solve.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,16 +58,24 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
 /// or one without a slope.
 std::optional<ring::KnownZero> known_zero(const SpinRow &row);
 
+/// Variants that are solved beside the rows by harmonics, so that no thread waits for the slowest row: what
+/// to solve, once the answer of all harmonics is known, and the answers, in the same order.
+struct RowsBeside
+{
+  std::function<std::vector<Variant>(const SpinRow &all)> variants;
+  std::vector<LoadedRow> answers = {};
+};
+
 /// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last, the answer of
 /// @p load, find_load() of @p foot; the others each in a balance of its own where loads are two-way, else of
 /// that load cut off; related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
 /// of its balances takes minutes; so has any study of which the answer alone is asked. Throws as @p load and
 /// spin_row() where all harmonics have no answer; where the glass falls over on the way, the last row has a
-/// SpinRow::fall and nothing is related to it.
+/// SpinRow::fall and nothing is related to it. What is asked for @p beside them is asked the same question.
 std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                          const BalancedLoad &load, SpinQuestion question,
                                          const Executor &executor, Progress &progress = silent_progress(),
-                                         Depth depth = Depth::full);
+                                         Depth depth = Depth::full, RowsBeside *beside = nullptr);
 
 /// Interpolates the loads of the last one of @p rows, and of those in front of it with up to @p n_most
 /// harmonics, in the spin, for curves of thousands of values: from @p lower to @p upper [rad/s], or, where

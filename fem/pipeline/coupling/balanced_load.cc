@@ -42,6 +42,7 @@ public:
   InterpolatedLoad(SharedLoad whole, const LoadCurve &samples, double lower, double upper)
       : ChangedLoad(std::move(whole))
       , inside(samples.interpolate())
+      , is_one_polynomial(samples.n_pieces() == 1)
       , error(samples.error())
       , lower(lower)
       , upper(upper)
@@ -60,9 +61,15 @@ public:
       statistics->interpolation_error = error;
     return statistics;
   }
+  /// The load between @p begin and @p end where one polynomial gives it; else nothing.
+  LoadFunction polynomial_on(double begin, double end) const
+  {
+    return is_one_polynomial && lower <= begin && end <= upper ? inside : LoadFunction();
+  }
 
 private:
   const LoadFunction inside;
+  const bool is_one_polynomial;
   const double error, lower, upper;
 };
 
@@ -110,12 +117,16 @@ SharedLoad BalancedLoad::truncated(unsigned int n_harmonics) const
   return std::make_shared<TruncatedLoad>(shared_from_this(), n_harmonics);
 }
 
-SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest) const
+SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest,
+                                      const BalancedLoad *like) const
 {
   if (!is_costly() || !(lower < upper))
     return shared_from_this();
-  const CurveSource source = { [this](double omega) { return at(omega); },
-                               [this](double omega) { return clearance(omega); }, known_spins() };
+  CurveSource source = { [this](double omega) { return at(omega); },
+                         [this](double omega) { return clearance(omega); }, known_spins() };
+  const auto *other = dynamic_cast<const InterpolatedLoad *>(like);
+  if (other && other->report().rings.radii() == report().rings.radii())
+    source.reference = other->polynomial_on(lower, upper);
   CurveTolerance tolerance;
   tolerance.coarsest = std::max(coarsest, tolerance.coarsest);
   const LoadCurve curve = sample_load_curve(source, lower, upper, tolerance);

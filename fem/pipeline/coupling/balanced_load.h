@@ -64,8 +64,10 @@ public:
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
   /// would be a balance of its own: interpolated between exact ones (sample_load_curve()) to 1e-6 of a_0
   /// where few of them suffice, else to 1e-5, or to @p coarsest if that is more, else exact; outside exact.
-  /// The error is in its statistics(). A load that is not costly stays as it is.
-  SharedLoad interpolated(double lower, double upper, double coarsest = 1e-5) const;
+  /// The error is in its statistics(). A load that is not costly stays as it is. Where @p like, another
+  /// interpolated load on the same rings, has no kink, the difference to it is interpolated.
+  SharedLoad interpolated(double lower, double upper, double coarsest = 1e-5,
+                          const BalancedLoad *like = nullptr) const;
 
   /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
   double spin_scale(const ring::Motion &motion) const { return motion.orbit_speed / report().rings.radius(); }

@@ -93,25 +93,44 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
   return std::nullopt;
 }
 
+std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const Found *> &own,
+                                                       const ring::Slip &slip) const
+{
+  const double spin = slip.spin_per_speed;
+  std::vector<const Found *> similar, similar_at_marks;
+  for (const Found &one : of_similar)
+  {
+    similar.push_back(&one);
+    if (same_marks(one.slip, slip))
+      similar_at_marks.push_back(&one);
+  }
+  const auto distance = [spin](const std::vector<const Found *> &points)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Found *one : points)
+      least = std::min(least, std::abs(one->slip.spin_per_speed - spin));
+    return least;
+  };
+  // An own contact is better known than one of another foot that is a tenth of the spin nearer.
+  const bool own_are_far = distance(similar_at_marks) + 0.1 * std::abs(spin) < distance(own);
+  const std::optional<fem::ContactStart> start = own_are_far ? std::nullopt : between(own, spin, 2);
+  return start ? start : between(own_are_far ? similar_at_marks : similar, spin, 1);
+}
+
 fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                                      const fem::ContactState *before) const
 {
   fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
   const unsigned int zone = guess.before ? guess.before->zone : 0;
   const Eigen::Vector4d asked = numbers_of(demand);
-  std::vector<const Found *> known, same_demand, similar;
+  std::vector<const Found *> known, same_demand;
   for (const Found &one : recent)
     if (same_marks(one.slip, slip) && one.zone == zone)
       known.push_back(&one);
   for (const Found *one : known)
-    if (one->demand == asked)
+    if (one->demand == asked || one->slip.spin_per_speed == 0)
       same_demand.push_back(one);
-  guess.expected = between(same_demand, slip.spin_per_speed, 2);
-  for (const Found &one : of_similar)
-    if (zone == 0)
-      similar.push_back(&one);
-  if (!guess.expected)
-    guess.expected = between(similar, slip.spin_per_speed, 1);
+  guess.expected = zone == 0 ? expected(same_demand, slip) : between(same_demand, slip.spin_per_speed, 2);
   if (guess.expected || known.empty())
     return guess;
   const double radius = last->load.mean_radius;

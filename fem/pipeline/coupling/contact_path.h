@@ -15,8 +15,9 @@ class ContactPath
 public:
   /// Where the contact under @p demand at @p slip is to be looked for: near @p before, or near the last one
   /// where that is nothing. What is expected is the polynomial in the spin through the nearest contacts under
-  /// the same demand; where fewer than two are near enough, that of the similar foot; without one, the
-  /// nearest contact. Only contacts with the same marks count.
+  /// the same demand or at rest; where fewer than two are near enough, or those of the similar foot are much
+  /// nearer, that of the similar foot; without one, the nearest contact. Only contacts with the same marks
+  /// count.
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
@@ -42,6 +43,10 @@ private:
   /// The polynomial through those of @p points that are nearest to @p spin, at least @p n_least of them.
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
+
+  /// What @p own contacts and those of the similar foot let expect at @p slip.
+  std::optional<fem::ContactStart> expected(const std::vector<const Found *> &own,
+                                            const ring::Slip &slip) const;
 
   std::optional<fem::ContactState> last;
   std::vector<Found> recent;     ///< oldest first

@@ -5,9 +5,10 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <memory>
 
 // Boost 1.74 has vector_barycentric_rational in boost::math, 1.83 in here.
 namespace boost::math::interpolators
@@ -22,52 +23,15 @@ namespace
 
 using boost::math::double_constants::pi;
 
-/// The polynomial through all samples, whose places are those of a piece's coordinate.
-LoadFunction polynomial(const std::map<double, LeaningLoad> &samples)
+/// Adds @p factor times the coefficients of @p load to @p row, which has those up to @p n_harmonics.
+void add(double factor, const LeaningLoad &load, unsigned int n_harmonics, std::vector<double> &row)
 {
-  const std::size_t n_rings = samples.begin()->second.rings().size();
-  unsigned int n_harmonics = 0;
-  for (const auto &[place, load] : samples)
-    n_harmonics = std::max(n_harmonics, load.n_harmonics());
-  std::vector<double> x;
-  std::vector<std::vector<double>> rows;
-  for (const auto &[place, load] : samples)
-  {
-    x.push_back(place);
-    rows.push_back(load.coefficients(n_harmonics));
-  }
-  const std::size_t width = rows.front().size();
-  const std::size_t order = x.size() - 1;
-  using namespace boost::math;
-  using namespace boost::math::interpolators;
-  const vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>> curve(
-    std::move(x), std::move(rows), order);
-  return [curve, width, n_rings](double place)
-  {
-    std::vector<double> row(width);
-    curve(row, place);
-    return LeaningLoad::from_coefficients(row, n_rings);
-  };
+  const std::vector<double> other = load.truncated(n_harmonics).coefficients(n_harmonics);
+  for (std::size_t i = 0; i < row.size(); ++i)
+    row[i] += factor * other[i];
 }
 
-/// Chebyshev nodes of [0, 1], ends included; every second one makes a coarser set.
-std::vector<double> chebyshev_nodes(unsigned int n_intervals)
-{
-  std::vector<double> nodes = { 0 };
-  for (unsigned int i = 1; i < n_intervals; ++i)
-    nodes.push_back((1 - std::cos(pi * i / n_intervals)) / 2);
-  nodes.push_back(1);
-  return nodes;
-}
-
-/// How much of its largest value the error of the polynomial through chebyshev_nodes() shows at @p t.
-double visibility(double t, unsigned int n_intervals)
-{
-  const double angle = std::acos(std::clamp(1 - 2 * t, -1., 1.));
-  return std::abs(std::sin(angle) * std::sin(n_intervals * angle));
-}
-
-constexpr unsigned int few_intervals = 8, many_intervals = 16;
+constexpr std::size_t most_nodes = 17; ///< of a piece
 
 } // namespace
 
@@ -113,7 +77,44 @@ LoadFunction LoadCurve::interpolate() const
     auto part = pieces.begin();
     while (part + 1 != pieces.end() && x > part->piece.end())
       ++part;
-    return part->load(part->piece.coordinate(x));
+    return part->load(x);
+  };
+}
+
+double LoadCurve::Interpolated::error() const
+{
+  constexpr std::size_t least_nodes = 4; // of which two have told
+  return nodes.size() < least_nodes ? std::numeric_limits<double>::infinity() : estimate;
+}
+
+void LoadCurve::Interpolated::interpolate()
+{
+  unsigned int n_harmonics = 0;
+  for (const auto &[node, load] : nodes)
+    n_harmonics = std::max(n_harmonics, load.n_harmonics());
+  std::vector<double> x;
+  std::vector<std::vector<double>> rows;
+  for (const auto &[node, load] : nodes)
+  {
+    x.push_back(node);
+    rows.push_back(load.coefficients(n_harmonics));
+    if (reference)
+      add(-1, reference(piece.place(node)), n_harmonics, rows.back());
+  }
+  const std::size_t width = rows.front().size(), order = x.size() - 1;
+  const std::size_t n_rings = nodes.begin()->second.rings().size();
+  using namespace boost::math;
+  using namespace boost::math::interpolators;
+  const auto curve = std::make_shared<
+    const vector_barycentric_rational<std::vector<double>, std::vector<std::vector<double>>>>(
+    std::move(x), std::move(rows), order);
+  load = [=, piece = piece, reference = reference](double place)
+  {
+    std::vector<double> row(width);
+    (*curve)(row, piece.coordinate(place));
+    if (reference)
+      add(1, reference(place), n_harmonics, row);
+    return LeaningLoad::from_coefficients(row, n_rings);
   };
 }
 
@@ -121,7 +122,7 @@ double LoadCurve::error() const
 {
   double largest = 0;
   for (const Interpolated &part : pieces)
-    largest = std::max(largest, part.error);
+    largest = std::max(largest, part.error());
   return largest;
 }
 
@@ -142,30 +143,29 @@ public:
     ends.insert(ends.begin(), lower);
     ends.push_back(upper);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-      curve.pieces.push_back(
-        interpolated({ ends[i], ends[i + 1], i > 0, i + 2 < ends.size() }, few_intervals));
+      curve.pieces.push_back(through_ends({ ends[i], ends[i + 1], i > 0, i + 2 < ends.size() }));
   }
 
   LoadCurve refined(const CurveTolerance &tolerance)
   {
     const auto worse = [](const LoadCurve::Interpolated &one, const LoadCurve::Interpolated &other)
-    { return one.error < other.error; };
+    { return one.error() < other.error(); };
     for (;;)
     {
       const auto worst = std::max_element(curve.pieces.begin(), curve.pieces.end(), worse);
       const double allowed = n_new < tolerance.usual_samples       ? tolerance.wanted
                              : n_new < 2 * tolerance.usual_samples ? tolerance.enough
                                                                    : tolerance.coarsest;
-      if (worst->error <= allowed || n_new >= tolerance.most_samples)
+      if (worst->error() <= allowed || n_new >= tolerance.most_samples)
         break;
-      if (worst->n_intervals == few_intervals)
+      if (worst->nodes.size() < most_nodes)
       {
-        *worst = interpolated(worst->piece, many_intervals);
+        add_node(*worst);
         continue;
       }
       const auto [left, right] = worst->piece.halves();
-      *worst = interpolated(right, few_intervals);
-      curve.pieces.insert(worst, interpolated(left, few_intervals));
+      *worst = through_ends(right);
+      curve.pieces.insert(worst, through_ends(left));
     }
     curve.n_sampled = n_new;
     return curve;
@@ -212,36 +212,56 @@ private:
     }
   }
 
-  LoadCurve::Interpolated interpolated(const LoadCurve::Piece &piece, unsigned int n_intervals)
+  LoadCurve::Interpolated through_ends(const LoadCurve::Piece &piece)
   {
-    constexpr double safety = 2; // the places of the checks need not be where the error is largest
-    constexpr double visible = 0.25, near = 0.12;
-    std::map<double, LeaningLoad> nodes;
-    for (const double node : chebyshev_nodes(n_intervals))
-      nodes.emplace(node, sample(piece.place(node)));
-    LoadCurve::Interpolated result = { piece, polynomial(nodes), n_intervals, 0 };
-    const auto check = [&](double x)
+    LoadCurve::Interpolated part = { piece, {}, source.reference, {} };
+    for (const double node : { 0., 1. })
+      part.nodes.emplace(node, sample(piece.place(node)));
+    part.interpolate();
+    return part;
+  }
+
+  /// Adds a sample where the polynomial through the others is worst known: what it is off by there tells its
+  /// error, and bounds that of the polynomial through all.
+  void add_node(LoadCurve::Interpolated &part)
+  {
+    constexpr double safety = 2;      // the error need not be largest there
+    constexpr double usual_gain = 10; // of one sample: what falls faster may have been close by chance
+    const double x = next_place(part);
+    const LeaningLoad &load = sample(x);
+    const double miss = safety * part.load(x).difference(load);
+    part.estimate = std::max(miss, part.estimate / usual_gain);
+    part.nodes.emplace(part.piece.coordinate(x), load);
+    part.interpolate();
+  }
+
+  /// Where the product of the distances to all nodes is largest (Leja's points), or a place where the load is
+  /// known and that product is not much smaller.
+  double next_place(const LoadCurve::Interpolated &part) const
+  {
+    constexpr unsigned int n_places = 128;
+    constexpr double known_counts = 3;
+    double best = 0, most = 0;
+    const auto compare = [&](double x, double coordinate, double weight)
     {
-      const double difference = result.load(piece.coordinate(x)).difference(sample(x));
-      result.error = std::max(result.error, safety * difference);
+      double product = weight;
+      for (const auto &[node, load] : part.nodes)
+        product *= std::abs(coordinate - node);
+      if (product > most)
+      {
+        most = product;
+        best = x;
+      }
     };
-    // In each part of the piece one place, where the load is known if it is somewhere between the nodes.
-    std::array<bool, 3> checked = {};
-    constexpr std::array<double, 3> wanted = { 0.11, 0.46, 0.81 };
-    std::vector<double> known;
-    for (const auto &[x, load] : samples)
-      if (piece.has_inside(x) && visibility(piece.coordinate(x), n_intervals) > visible)
-        known.push_back(x);
-    for (const double x : known)
+    for (unsigned int i = 1; i < n_places; ++i)
     {
-      check(x);
-      for (std::size_t i = 0; i < wanted.size(); ++i)
-        checked[i] = checked[i] || std::abs(piece.coordinate(x) - wanted[i]) < near;
+      const double coordinate = (1 - std::cos(pi * i / n_places)) / 2;
+      compare(part.piece.place(coordinate), coordinate, 1);
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (!checked[i])
-        check(piece.place(wanted[i]));
-    return result;
+    for (const auto &[x, load] : samples)
+      if (part.piece.has_inside(x))
+        compare(x, part.piece.coordinate(x), known_counts);
+    return best;
   }
 
   const CurveSource &source;

@@ -21,6 +21,9 @@ struct CurveSource
   /// where it begins to. Asked only where the load is known. Empty: the rim never lifts off.
   std::function<double(double x)> clearance = {};
   std::vector<double> known = {}; ///< where the load costs nothing, ascending
+  /// A load that is known everywhere and differs from this one by less than that varies, of the same rings:
+  /// the difference is interpolated. Empty: the load itself is.
+  LoadFunction reference = {};
 };
 
 /// How well a curve is to know a load, over a_0 (RingStack::difference()).
@@ -75,23 +78,27 @@ public:
 
 private:
   friend class CurveSampler;
+  /// The polynomial through its nodes, made anew with each of them.
   struct Interpolated
   {
+    void interpolate();
+    double error() const;
+
     Piece piece;
-    LoadFunction load;
-    unsigned int n_intervals; ///< nodes less one
-    double error;
+    std::map<double, LeaningLoad> nodes; ///< by the piece's coordinate
+    LoadFunction reference;              ///< CurveSource::reference
+    LoadFunction load;                   ///< between the nodes
+    double estimate = 0;                 ///< of its error, by what its nodes have told
   };
   std::vector<Interpolated> pieces; ///< ascending
   std::vector<double> kinks;
   std::size_t n_sampled = 0;
 };
 
-/// Samples @p source on [@p lower, @p upper] at Chebyshev nodes. Where the rim begins to lift off is found
-/// first; on each piece the polynomial through 9 nodes, then that through 17, is checked between them, where
-/// the load is known if it is; a piece for which these do not do is halved. The worst piece comes first,
-/// until
-/// @p tolerance is reached or the samples are used up: error() tells.
+/// Samples @p source on [@p lower, @p upper]. Where the rim begins to lift off is found first. The polynomial
+/// on each piece is given sample after sample at Leja's points (or next to them, where the load is known),
+/// each of which tells the error of the polynomial before it; a piece for which 17 do not do is halved. The
+/// worst piece comes first, until @p tolerance is reached or the samples are used up: error() tells.
 LoadCurve sample_load_curve(const CurveSource &source, double lower, double upper,
                             const CurveTolerance &tolerance = {});
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -78,7 +79,10 @@ public:
     const auto known = loads.find(omega);
     if (known != loads.end())
       return known->second.load;
-    const fem::ContactState state = contacts->contact(omega);
+    latest.emplace_front(omega, contacts->contact(omega));
+    if (latest.size() > n_latest)
+      latest.pop_back();
+    const fem::ContactState &state = latest.front().second;
     const auto found =
       loads.emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load) }).first;
     progress.pieces_done("spins in balance", loads.size(), 0);
@@ -88,7 +92,12 @@ public:
   bool is_costly() const override { return true; }
   std::optional<fem::ContactState> contact(double omega) const override
   {
-    return omega == 0 ? state_at_rest : contacts->contact(omega);
+    if (omega == 0)
+      return state_at_rest;
+    for (const auto &[spin, state] : latest)
+      if (spin == omega)
+        return state;
+    return contacts->contact(omega);
   }
   std::vector<double> known_spins() const override
   {
@@ -127,6 +136,9 @@ private:
   const LoadReport report_at_rest;
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
+  /// The contacts of the newest of them: that at the terminal spin, and of what is asked next about it.
+  mutable std::deque<std::pair<double, fem::ContactState>> latest;
+  static constexpr std::size_t n_latest = 4;
 };
 
 /// The load of a contact whose marks stay where they are.
@@ -269,9 +281,9 @@ unsigned int harmonics_for(double eps)
 }
 
 /// Gives the foot the rings on which all its loads are gathered: Chebyshev points of the band that carries
-/// load at rest and near the terminal spin.
+/// load at rest and near the terminal spin, at @p expected or where the load of rest leads to.
 void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared,
-                  const fem::ContactState &at_rest)
+                  const fem::ContactState &at_rest, const std::optional<double> &expected)
 {
   ElasticFoot &foot = *shared;
   Band band(at_rest);
@@ -293,8 +305,8 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
     [&]
     {
       // The load of rest tells about where the terminal spin is, the contact there where it carries.
-      double omega = ring::terminal_spin(foot.gather(at_rest), motion).omega;
-      if (follows_spin(study) && !foot.body().capabilities().is_collective)
+      double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
+      if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
       {
         BalancedContact contact(shared,
                                 contact_balance(study, moment_balance(study).orientation, all_harmonics));
@@ -313,22 +325,23 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
 
 /// The contact at rest, on the rings of the study, which the first call chooses.
 fem::ContactState contact_at_rest(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                  const ring::Orientation &marks, Progress &progress)
+                                  const ring::Orientation &marks, Progress &progress,
+                                  const std::optional<double> &expected = {})
 {
   fem::ContactState state = foot->solve_at_rest(demand_at_rest(study), marks, progress);
   if (!foot->has_rings())
   {
-    choose_rings(study, foot, state);
+    choose_rings(study, foot, state, expected);
     state.load = foot->gather(state);
   }
   return state;
 }
 
 SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                        unsigned int n_harmonics, Progress &progress)
+                        unsigned int n_harmonics, Progress &progress, const std::optional<double> &expected)
 {
   const ring::Orientation marks = moment_balance(study).orientation;
-  const fem::ContactState state = contact_at_rest(study, foot, marks, progress);
+  const fem::ContactState state = contact_at_rest(study, foot, marks, progress, expected);
   progress.stage_done("contact");
   return periods_of(study, *foot).any() ? load_over_phases(study, foot, state, n_harmonics, progress)
                                         : load_at_one_phase(study, foot, marks, state, n_harmonics, progress);
@@ -380,12 +393,12 @@ void require_standing(const Study &study)
 }
 
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                     unsigned int n_harmonics)
+                     unsigned int n_harmonics, const std::optional<double> &expected)
 {
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return contact_load(study, foot, n_harmonics, progress);
+    return contact_load(study, foot, n_harmonics, progress, expected);
   case LoadSource::first_harmonic:
     return study.load.is_static() ? given_first_harmonic(study)
                                   : first_harmonic_load(study, study.motion.closure);

@@ -38,10 +38,12 @@ void require_standing(const Study &study);
 /// to the load (a moment balance without the moment of friction, no friction that deforms the foot), that is
 /// the load at rest. An out-of-flat rim or table is sampled over its phases.
 ///
-/// @p progress must live as long as the load; both keep @p foot. Throws BadInput and
-/// fem::ContactFailure; the load throws as balance()'s.
+/// @p progress must live as long as the load; both keep @p foot. Rings are placed where the contact carries
+/// at rest and at @p expected, a spin near the terminal one [rad/s]; nothing: where the load of rest leads
+/// to. Throws BadInput and fem::ContactFailure; the load throws as balance()'s.
 SharedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                     Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics);
+                     Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
+                     const std::optional<double> &expected = {});
 
 /// find_load() of a contact with the marks of glass and table at @p orientation: a study whose rim or table
 /// is out of flat has a load of its own there.

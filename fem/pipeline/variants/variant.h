@@ -22,6 +22,7 @@ struct Variant
   /// Rigid ring in closed form, whose load in balance stands in the place of the study's; nothing: the
   /// study's.
   std::shared_ptr<const ring::LoadModel> rigid_ring = nullptr;
+  bool on_other_rings = false; ///< of the same foot: they are placed anew
 };
 
 } // namespace stemware::pipeline

@@ -38,9 +38,12 @@ inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipelin
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
   const pipeline::SharedLoad load = pipeline::find_load(study, foot);
-  return pipeline::find_budget(
-    study, foot, pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor),
-    executor);
+  pipeline::RowsBeside models = { [&](const pipeline::SpinRow &all)
+                                  { return pipeline::budget_variants(study, all); } };
+  const std::vector<pipeline::LoadedRow> rows =
+    pipeline::rows_by_harmonics(study, foot, *load, pipeline::spin_question(study), executor,
+                                pipeline::silent_progress(), pipeline::Depth::full, &models);
+  return pipeline::find_budget(study, rows, models.answers, executor);
 }
 
 /// The result of a study as a case of a sweep.
