@@ -1,5 +1,7 @@
 #include "fem/elasticity/sparse_cholesky.h"
 
+#include "fem/elasticity/blas_threads.h"
+
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/CholmodSupport>
@@ -16,7 +18,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Debian's serial OpenBLAS gives wrong numbers to threads that enter it together.
+/// Of a BLAS that does not take threads together.
 std::mutex entering_blas;
 
 [[noreturn]] void throw_indefinite()
@@ -84,6 +86,7 @@ struct BlockInverse::Workspace
 {
   Workspace()
   {
+    hold_blas_to_one_thread();
     omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
     cholmod_start(&common);
     common.print = 0;
@@ -184,7 +187,7 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
   Factors numeric(cholmod_copy_factor(plan->symbolic->factors, &workspace.common), workspace);
   {
     std::unique_lock<std::mutex> alone(entering_blas, std::defer_lock);
-    if (numeric.factors->is_super)
+    if (numeric.factors->is_super && !blas_takes_threads())
       alone.lock();
     cholmod_sparse view = view_of(matrix);
     cholmod_factorize(&view, numeric.factors, &workspace.common);
