@@ -2,10 +2,9 @@
 
 #include "fem/pipeline/support/failures.h"
 
-#include <boost/crc.hpp>
-
 #include <algorithm>
 #include <fmt/format.h>
+#include <lzma.h>
 #include <set>
 #include <vector>
 
@@ -81,9 +80,8 @@ catch (const BadInput &)
 
 std::string check_sum(const std::string &bytes)
 {
-  boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true> crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return fmt::format(FMT_STRING("{:016x}"), crc.checksum());
+  return fmt::format(FMT_STRING("{:016x}"),
+                     lzma_crc64(reinterpret_cast<const std::uint8_t *>(bytes.data()), bytes.size(), 0));
 }
 
 std::string sealed_text(Json object)

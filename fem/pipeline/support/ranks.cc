@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -73,12 +74,12 @@ void start_mpi()
   static char **arguments = nullptr;
   // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for;
   // nor the folder in /tmp, which has the same name for all such processes: where two start at once, one
-  // finds it made, or gone, and aborts.
+  // finds it made, or gone, and aborts; nor a network, whose libraries take 0.2 s to find that there is none.
   if (!launched_by_mpirun())
-  {
-    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  }
+    for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
+                                       std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
+                                       std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self") })
+      ::setenv(name, value, 0);
   // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
   // machine.
   if (!running_session)
