@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
 #include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 
@@ -118,11 +119,6 @@ std::optional<double> QuantitySequence::effectivity(std::size_t l, double roundi
   return *corrections[l] / *against;
 }
 
-const BandedQuantity &RefinementResult::quantity(const std::string &key) const
-{
-  return quantities[index_of(quantities, key)];
-}
-
 RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
                         const std::vector<RefinementAxis> &axes, const Executor &executor, Progress &progress)
 {
@@ -161,17 +157,27 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near, const ElasticFoot *foot)
 {
-  QuantityNoise noise;
-  noise.n_azimuths = n_contact_azimuths(study);
-  std::vector<QuantityOfInterest> quantities =
-    quantities_of_interest(load, study.motion.orbit, spins, near, noise);
+  const ring::Motion &motion = study.motion.orbit;
+  SpinQuestion question = { motion };
+  question.expected = near.value_or(0);
+  question.with_slope = true;
+  question.with_minima = false;
+  std::string reason;
+  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
+  const SpinRow row = spin_row(load, question);
+  if (!row.terminal)
+    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
+  constexpr double noise_of_differences = 10; // the slope is one by finite differences
+  std::vector<QuantityOfInterest> quantities = quantities_of_interest(
+    study, load.report(),
+    { row.at_rest->friction.torque, spins, torques, row.terminal->omega, row.terminal->time_constant,
+      load.report().rings.radius(), load.spin_scale(motion), noise_of_differences });
   if (!foot)
     return quantities;
-  const double omega = quantity_of(quantities, "omega_terminal").value;
   for (QuantityOfInterest &quantity : quantities)
     for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
       if (quantity.key == key_of(goal))
-        if (const auto found = goal_error(study, *foot, load, omega, goal))
+        if (const auto found = goal_error(study, *foot, load, row.terminal->omega, goal))
           quantity.mesh_correction = found->error.correction;
   return quantities;
 }

@@ -38,8 +38,6 @@ struct RefinementResult
 {
   std::vector<AxisResult> axes;
   ErrorBands quantities;
-
-  const BandedQuantity &quantity(const std::string &key) const; ///< throws std::out_of_range
 };
 
 /// Solves @p axes around the study whose own quantities are @p own, with the torque followed at @p spins:
@@ -53,8 +51,9 @@ RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::v
                         const std::vector<RefinementAxis> &axes, const Executor &executor,
                         Progress &progress = silent_progress());
 
-/// Quantities of a study whose load is known; with @p foot, of terminal spin and a_2 what the mesh does to
-/// them.
+/// Quantities of a study whose load is known, with the torque at @p spins [rad/s]; with @p foot, of terminal
+/// spin and a_2 what the mesh does to them. @p near, where given, is a spin close to the terminal one, from
+/// which it is searched. Throws as @p load and ring::terminal_spin().
 std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near,

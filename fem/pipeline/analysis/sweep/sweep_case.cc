@@ -98,9 +98,9 @@ std::vector<SweepQuantity> make_quantities()
   };
   for (unsigned int i = 0; i < 2 * n_harmonics_of_interest; ++i) // a_1/a_0, b_1/a_0, a_2/a_0, ...
   {
-    const QuantityOfInterest harmonic = load_quantities(LoadReport(), {})[i];
+    const QuantityOfInterest harmonic = load_quantities(LoadReport(), 1)[i];
     quantities.push_back({ harmonic.name, harmonic.unit,
-                           [i](const Case &found) { return load_quantities(found.load, {})[i].value; } });
+                           [i](const Case &found) { return load_quantities(found.load, 1)[i].value; } });
   }
   const std::vector<SweepQuantity> of_spin = {
     { "torque at rest", "N m", [](const Case &found) { return found.all.at_rest->friction.torque; } },
