@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
-#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
