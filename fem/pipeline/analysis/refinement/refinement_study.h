@@ -5,7 +5,6 @@
 #include "fem/pipeline/variants/solve.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace stemware::pipeline
