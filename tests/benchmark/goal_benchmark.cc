@@ -15,7 +15,7 @@
 // deforms the foot, mu stays. The first mesh is the study's own (uniform= is not read).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/revolution/meshed_revolution_foot.h"

@@ -13,27 +13,13 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Adds the study with a rim that is a step smaller, and one that is a step larger in one of its two lengths,
-/// which @p change does to it.
-void add_both_sides(const Study &study, const std::function<void(fem::GlassProfile &, double steps)> &change,
-                    std::vector<Variant> &variants)
+/// A length of the rim that has a scatter.
+struct ScatteredLength
 {
-  for (const int steps : { -1, 1 })
-    change(variants.emplace_back(Variant{ "", "", study }).study.glass.profile, steps);
-}
-
-/// Half of what the terminal spin changes by from row @p i, one step less, to the next, one step more
-/// [rad/s]; nothing where one of the two has no spin, and @p reason says why.
-std::optional<double> change_of_spin(const std::vector<LoadedRow> &rows, std::size_t i, std::string &reason)
-{
-  for (const std::size_t side : { i, i + 1 })
-    if (!rows[side].row.terminal)
-    {
-      reason = rows[side].row.reason;
-      return std::nullopt;
-    }
-  return (rows[i + 1].row.terminal->omega - rows[i].row.terminal->omega) / 2;
-}
+  std::optional<double> ProfileScatter::*slope; ///< of the terminal spin
+  double step;
+  std::function<void(fem::GlassProfile &, double change)> add; ///< a change of one step in either direction
+};
 
 } // namespace
 
@@ -61,37 +47,36 @@ std::optional<ProfileScatter> profile_scatter(const Study &given, const SpinRow 
   SpinQuestion question;
   question.near = given.has_waviness() ? std::nullopt : known_zero(all);
   question.with_minima = false;
-  const bool has_radius = circle->contact_radius_error() > 0, has_crown = circle->crown_radius_error() > 0;
+  std::vector<ScatteredLength> lengths;
+  if (circle->contact_radius_error() > 0)
+    lengths.push_back({ &ProfileScatter::by_contact_radius, radius_step,
+                        [](fem::GlassProfile &profile, double change)
+                        { profile.contact_radius += change; } });
+  if (circle->crown_radius_error() > 0)
+    lengths.push_back({ &ProfileScatter::by_crown_radius, curvature_step,
+                        [](fem::GlassProfile &profile, double change)
+                        { profile.crown_radius = 1 / (1 / profile.crown_radius + change); } });
   std::vector<Variant> variants;
-  if (has_radius)
-    add_both_sides(
-      study, [=](fem::GlassProfile &profile, double steps) { profile.contact_radius += steps * radius_step; },
-      variants);
-  if (has_crown)
-    add_both_sides(
-      study,
-      [=](fem::GlassProfile &profile, double steps)
-      { profile.crown_radius = 1 / (1 / profile.crown_radius + steps * curvature_step); },
-      variants);
+  for (const ScatteredLength &length : lengths)
+    for (const int steps : { -1, 1 })
+      length.add(variants.emplace_back(Variant{ "", "", study }).study.glass.profile, steps * length.step);
   const std::vector<LoadedRow> rows =
     solve_rows(variants, nullptr, question, executor, progress, "scatter of the profile");
 
   ProfileScatter scatter;
-  if (has_radius)
+  for (std::size_t i = 0; i < rows.size(); i += 2)
   {
-    const auto change = change_of_spin(rows, 0, scatter.reason);
-    if (!change)
-      return scatter;
-    scatter.by_contact_radius = *change / radius_step;
+    for (const std::size_t side : { i, i + 1 })
+      if (!rows[side].row.terminal)
+      {
+        scatter.reason = rows[side].row.reason;
+        return scatter;
+      }
+    const double change = (rows[i + 1].row.terminal->omega - rows[i].row.terminal->omega) / 2;
+    scatter.*lengths[i / 2].slope = change / lengths[i / 2].step;
   }
-  if (has_crown)
-  {
-    const auto change = change_of_spin(rows, has_radius ? 2 : 0, scatter.reason);
-    if (!change)
-      return scatter;
-    // d(curvature) / d(crown radius) = -curvature^2
-    scatter.by_crown_radius = -*change / curvature_step * curvature * curvature;
-  }
+  if (scatter.by_crown_radius) // d(curvature) / d(crown radius) = -curvature^2
+    scatter.by_crown_radius = -*scatter.by_crown_radius * curvature * curvature;
   const double gradient[] = { scatter.by_contact_radius.value_or(0), scatter.by_crown_radius.value_or(0) };
   double variance = 0;
   for (const std::size_t i : { 0, 1 })

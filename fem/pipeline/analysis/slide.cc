@@ -108,16 +108,6 @@ void follow(const FrictionLaw &law, const ring::SlidingPath &path, SlideStudy &s
       slide.energy_error, std::abs(point.kinetic_energy + point.state.friction_loss - energy) / energy);
 }
 
-/// The load of a glass between two slip ratios, interpolated, in balance with its friction.
-SharedLoad load_between(const BalancedLoad &load, const ring::Motion &motion, double radius, double one,
-                        double other)
-{
-  const double unit = motion.orbit_speed / radius, margin = 1e-3;
-  const auto [least, most] = std::minmax({ one, other });
-  return load.interpolated(unit * (least - margin * std::abs(least)),
-                           unit * (most + margin * std::abs(most)));
-}
-
 /// SlideStudy::mesh_change. @p foot and @p load are those of @p study.
 std::optional<double> change_on_coarser_mesh(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                              const BalancedLoad &load, double start, double end,
@@ -160,23 +150,21 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
   const SharedLoad load = find_load(study, foot, progress);
   const double start = slide.question.spin * slide.inertia.outer_radius / slide.question.speed;
   const FrictionLaw exact = friction_of_load(*load, study);
+  const auto exact_wrench = [&](double speed, double omega)
+  {
+    if (std::abs(omega) * slide.inertia.outer_radius > largest_slip_ratio * speed)
+      throw std::runtime_error("The spin of the glass outlasts its sliding, through which its contact is not "
+                               "followed; give a Motion/Yaw inertia of less than about 2 m R^2, or slide a "
+                               "ring.");
+    return exact(speed, omega).wrench;
+  };
   constexpr unsigned int n_intervals = 20;
-  const double end =
-    start == 0
-      ? 0
-      : ring::final_slip_ratio(
-          slide.inertia,
-          [&](double speed, double omega)
-          {
-            if (std::abs(omega) * slide.inertia.outer_radius > largest_slip_ratio * speed)
-              throw std::runtime_error("The spin of the glass outlasts its sliding, through which its "
-                                       "contact is not followed; give a "
-                                       "Motion/Yaw inertia of less than about 2 m R^2, or slide a ring.");
-            return exact(speed, omega).wrench;
-          },
-          start, n_intervals);
+  const double end = start == 0 ? 0 : ring::final_slip_ratio(slide.inertia, exact_wrench, start, n_intervals);
   progress.stage_done("final slip ratio");
-  const SharedLoad on_the_way = load_between(*load, motion, slide.inertia.outer_radius, start, end);
+  const double unit = motion.orbit_speed / slide.inertia.outer_radius, margin = 1e-3;
+  const auto [least, most] = std::minmax(start, end);
+  const SharedLoad on_the_way =
+    load->interpolated(unit * (least - margin * std::abs(least)), unit * (most + margin * std::abs(most)));
   if (const auto statistics = on_the_way->statistics())
     slide.load_error = statistics->interpolation_error.value_or(0);
   const FrictionLaw law = friction_of_load(*on_the_way, study);
@@ -208,10 +196,10 @@ std::string to_string(SlidingBodyKind kind)
 
 double SlideStudy::largest_moment_ratio() const
 {
-  return std::max_element(points.begin(), points.end(),
-                          [](const SlidePoint &a, const SlidePoint &b)
-                          { return a.moment_ratio < b.moment_ratio; })
-    ->moment_ratio;
+  double largest = 0;
+  for (const SlidePoint &point : points)
+    largest = std::max(largest, point.moment_ratio);
+  return largest;
 }
 
 Study without_hand(Study study)

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_size.h"
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/interruption.h"
 
 #include <boost/algorithm/string/replace.hpp>

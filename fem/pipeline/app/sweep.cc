@@ -12,7 +12,6 @@
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/work_progress.h"
 
 #include <CLI/CLI.hpp>
 

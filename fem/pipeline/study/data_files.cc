@@ -56,6 +56,28 @@ std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
   return parse_quantity("1 " + boost::trim_copy_if(cell.substr(end), boost::is_any_of(" ()[]")), column.unit);
 }
 
+/// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
+constexpr std::size_t most_harmonics = 1000;
+
+/// Larger loads and rings are slips of units, and overflow.
+constexpr double largest_number = 1e12;
+
+/// How much larger than a_0 a coefficient may be: a load that pulls nowhere has none above 2.
+constexpr double largest_share = 1000;
+
+/// The radius that a comment of a load file states; nothing for other comments.
+std::optional<double> ring_radius_in(const std::string &where, const std::string &comment)
+{
+  const std::string key = "# ring radius:";
+  const auto end = comment.rfind("(m)");
+  if (comment.rfind(key, 0) != 0 || end == std::string::npos)
+    return std::nullopt;
+  const auto radius = parse_number(comment.substr(key.size(), end - key.size()));
+  require(radius && *radius > 0 && *radius < largest_number,
+          where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
+  return radius;
+}
+
 } // namespace
 
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
@@ -102,33 +124,6 @@ std::vector<FileRow> read_column_file(const std::string &setting, const std::str
                                      columns.size(), fmt::join(names, ", ")));
   return rows;
 }
-
-namespace
-{
-
-/// The torque of all of them takes seconds; its kernels have fallen to nothing long before.
-constexpr std::size_t most_harmonics = 1000;
-
-/// Larger loads and rings are slips of units, and overflow.
-constexpr double largest_number = 1e12;
-
-/// How much larger than a_0 a coefficient may be: a load that pulls nowhere has none above 2.
-constexpr double largest_share = 1000;
-
-/// The radius that a comment of a load file states; nothing for other comments.
-std::optional<double> ring_radius_in(const std::string &where, const std::string &comment)
-{
-  const std::string key = "# ring radius:";
-  const auto end = comment.rfind("(m)");
-  if (comment.rfind(key, 0) != 0 || end == std::string::npos)
-    return std::nullopt;
-  const auto radius = parse_number(comment.substr(key.size(), end - key.size()));
-  require(radius && *radius > 0 && *radius < largest_number,
-          where + "\"" + shortened(comment) + "\" gives no radius; write \"# ring radius: 0.03 (m)\".");
-  return radius;
-}
-
-} // namespace
 
 std::vector<MeasuredSpin> read_measured_spin_file(const std::string &file)
 {

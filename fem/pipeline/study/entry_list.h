@@ -10,7 +10,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -96,7 +95,7 @@ public:
       return number && range.contains(*number) ? number : std::nullopt;
     };
     StudyEntry &entry =
-      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, facts, parse, to_text);
+      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, facts, parse);
     entry.unit = unit.empty() ? "1" : unit;
     entry.quantity = &value;
   }
@@ -110,9 +109,8 @@ public:
       const auto count = parse_count(text);
       return count && least <= *count && *count <= most ? count : std::nullopt;
     };
-    const auto print = [](unsigned int count) { return std::to_string(count); };
     append(name, value, "a whole number from " + std::to_string(least) + " to " + std::to_string(most), help,
-           facts, parse, print)
+           facts, parse)
       .unit = "1";
   }
 
@@ -121,9 +119,7 @@ public:
   {
     const auto parse = [](const std::string &text)
     { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
-    append(name, value, "a path without # and line ends, or nothing", help, facts, parse,
-           [](const std::string &text) { return text; })
-      .path_value = &value;
+    append(name, value, "a path without # and line ends, or nothing", help, facts, parse).path_value = &value;
   }
 
   /// How a surface is out of flat.
@@ -162,19 +158,18 @@ public:
   std::vector<StudyEntry> entries;
 
 private:
-  template <typename Value, typename Parse, typename Print>
+  static constexpr auto as_it_is = [](const auto &value) { return value; };
+
+  template <typename Value, typename Parse, typename Print = decltype(as_it_is)>
   StudyEntry &append(const std::string &name, Value &value, const std::string &allowed,
-                     const std::string &help, const Facts &facts, const Parse &parse, const Print &print)
+                     const std::string &help, const Facts &facts, const Parse &parse,
+                     const Print &print = as_it_is)
   {
     StudyEntry entry = subsection;
     entry.name = name;
     entry.allowed = allowed;
     entry.help = help;
-    entry.text = [&value, print] { return print(value); };
-    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
-      entry.value = [&value] { return EntryValue(value); };
-    else
-      entry.value = [&value, print] { return EntryValue(print(value)); };
+    entry.value = [&value, print] { return EntryValue(print(value)); };
     entry.assign = [&value, parse, &given = study.given_entries, path = entry.path()](const std::string &text)
     {
       const auto parsed = parse(text);

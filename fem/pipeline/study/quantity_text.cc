@@ -205,6 +205,22 @@ std::string units_of(const Kind &kind)
   return " in " + listed(units);
 }
 
+/// "2: 5 um @ 20 deg"; the azimuth may be left out.
+std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
+{
+  const auto colon = text.find(':'), at = std::min(text.find('@'), text.size());
+  if (colon > at)
+    return std::nullopt;
+  const auto order = parse_count(text.substr(0, colon));
+  const auto amplitude = parse_quantity(text.substr(colon + 1, at - colon - 1), "m");
+  const auto azimuth = at < text.size() ? parse_quantity(text.substr(at + 1), "rad") : 0.;
+  constexpr double end_of_amplitudes = 1, end_of_azimuths = 1000;
+  if (!order || *order < 2 || !amplitude || !azimuth || !(std::abs(*amplitude) < end_of_amplitudes) ||
+      !(std::abs(*azimuth) < end_of_azimuths))
+    return std::nullopt;
+  return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
+}
+
 } // namespace
 
 std::optional<double> parse_quantity(const std::string &text, const std::string &unit)
@@ -265,27 +281,6 @@ std::vector<std::string> usual_units(const std::string &unit)
   const Kind *kind = kind_of(known_unit(unit));
   return kind ? kind->usual : std::vector<std::string>();
 }
-
-namespace
-{
-
-/// "2: 5 um @ 20 deg"; the azimuth may be left out.
-std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
-{
-  const auto colon = text.find(':'), at = std::min(text.find('@'), text.size());
-  if (colon > at)
-    return std::nullopt;
-  const auto order = parse_count(text.substr(0, colon));
-  const auto amplitude = parse_quantity(text.substr(colon + 1, at - colon - 1), "m");
-  const auto azimuth = at < text.size() ? parse_quantity(text.substr(at + 1), "rad") : 0.;
-  constexpr double end_of_amplitudes = 1, end_of_azimuths = 1000;
-  if (!order || *order < 2 || !amplitude || !azimuth || !(std::abs(*amplitude) < end_of_amplitudes) ||
-      !(std::abs(*azimuth) < end_of_azimuths))
-    return std::nullopt;
-  return fem::WavinessHarmonic{ *order, *amplitude, *azimuth };
-}
-
-} // namespace
 
 const char *const waviness_words =
   "harmonics \"n: amplitude @ azimuth\" (m, rad) separated by commas, such as 2: 5 um @ 20 deg, 3: 2e-6, "

@@ -18,10 +18,10 @@ namespace
 {
 
 /// The entries that @p study was given and that have an effect, or those that have none.
-std::vector<StudyEntry> given_entries(Study &study, bool with_effect)
+std::vector<StudyEntry> given_entries(const Study &study, bool with_effect)
 {
   std::vector<StudyEntry> given;
-  for (const StudyEntry &entry : study_entries(study))
+  for (const StudyEntry &entry : entries_of(study))
     if (study.given_entries.count(entry.path()) > 0 && entry.has_effect(study) == with_effect)
       given.push_back(entry);
   return given;
@@ -33,7 +33,7 @@ bool is_implausible(const StudyEntry &entry, double value)
 }
 
 /// The entries that @p study was given, that have an effect, and whose values no glass on a table has.
-std::vector<StudyEntry> implausible_entries(Study &study)
+std::vector<StudyEntry> implausible_entries(const Study &study)
 {
   std::vector<StudyEntry> implausible;
   for (const StudyEntry &entry : given_entries(study, true))
@@ -66,8 +66,7 @@ std::string plausible_text(const StudyEntry &entry)
 void require_conceivable(const Study &study)
 {
   constexpr double far = 1e9;
-  Study copy = study;
-  for (const StudyEntry &entry : study_entries(copy))
+  for (const StudyEntry &entry : entries_of(study))
     if (entry.plausible && study.given_entries.count(entry.path()) > 0)
     {
       const auto [least, most] = *entry.plausible;
@@ -83,8 +82,7 @@ void require_conceivable(const Study &study)
 void require_alike_lengths(const Study &study)
 {
   const double radius = study.glass.profile.contact_radius;
-  Study copy = study;
-  for (const StudyEntry &entry : study_entries(copy))
+  for (const StudyEntry &entry : entries_of(study))
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect(study))
       require(range->contains(*entry.quantity / radius),
               filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
@@ -261,9 +259,8 @@ void require_flat(const Study &study, const std::string &verb)
 
 std::vector<std::string> idle_entries(const Study &study)
 {
-  Study copy = study;
   std::vector<std::string> idle;
-  for (const StudyEntry &entry : given_entries(copy, false))
+  for (const StudyEntry &entry : given_entries(study, false))
     idle.push_back(entry.path());
   return idle;
 }
@@ -297,18 +294,16 @@ std::string implausible_note(const std::string &path, double value)
 
 std::vector<std::string> implausible_notes(const Study &study)
 {
-  Study copy = study;
   std::vector<std::string> notes;
-  for (const StudyEntry &entry : implausible_entries(copy))
+  for (const StudyEntry &entry : implausible_entries(study))
     notes.push_back(implausible_note(entry.path(), *entry.quantity));
   return notes;
 }
 
 std::string implausible_list(const Study &study)
 {
-  Study copy = study;
   std::vector<std::string> list;
-  for (const StudyEntry &entry : implausible_entries(copy))
+  for (const StudyEntry &entry : implausible_entries(study))
     list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
   return boost::join(list, ", ");
 }

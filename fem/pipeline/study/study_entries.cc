@@ -422,6 +422,24 @@ std::vector<StudyEntry> study_entries(Study &study)
   return list.entries;
 }
 
+std::vector<StudyEntry> entries_of(const Study &study)
+{
+  const auto copy = std::make_shared<Study>(study);
+  std::vector<StudyEntry> entries = study_entries(*copy);
+  for (StudyEntry &entry : entries)
+    entry.study = copy;
+  return entries;
+}
+
+std::string StudyEntry::text() const
+{
+  const EntryValue present = value();
+  if (const auto *words = std::get_if<std::string>(&present))
+    return *words;
+  const auto *count = std::get_if<unsigned int>(&present);
+  return count ? std::to_string(*count) : to_text(std::get<double>(present));
+}
+
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries)
 {
   std::vector<std::string> sections;
@@ -460,8 +478,7 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
 
 StudyEntry find_entry(const std::string &option, const std::string &path)
 {
-  Study study;
-  return entry_at(study_entries(study), option + ": ", path);
+  return entry_at(entries_of(Study()), option + ": ", path);
 }
 
 } // namespace stemware::pipeline

@@ -3,6 +3,7 @@
 #include "fem/pipeline/study/study.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -42,10 +43,13 @@ struct StudyEntry
   std::string plausible_reason; ///< from what to what
   /// Range of a length over the contact radius: a study outside it, most likely in another unit, is refused.
   std::optional<Interval> times_contact_radius;
-  std::function<std::string()> text; ///< the present value as a study file writes it
   std::function<EntryValue()> value; ///< the present value
   /// Sets the value from a text; false where it is not allowed.
   std::function<bool(const std::string &)> assign;
+  std::shared_ptr<Study> study = {}; ///< where the entry keeps the study alive that it refers to
+
+  /// The present value as a study file writes it.
+  std::string text() const;
 
   /// Section/Entry, as in --set.
   std::string path() const { return section + '/' + name; }
@@ -54,6 +58,9 @@ struct StudyEntry
 /// All entries of @p study in the order of the study file. They refer to the study, which must outlive them
 /// and remembers those that are assigned.
 std::vector<StudyEntry> study_entries(Study &study);
+
+/// The same of a copy of @p study, which lives as long as one of them.
+std::vector<StudyEntry> entries_of(const Study &study);
 
 /// Names of their sections, in that order.
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
@@ -72,7 +79,7 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
             const std::string &value);
 
 /// The entry of that path; throws BadInput, with a suggestion, where there is none. @p option is named as
-/// where it comes from. The functions of the entry must not be called.
+/// where it comes from.
 StudyEntry find_entry(const std::string &option, const std::string &path);
 
 } // namespace stemware::pipeline

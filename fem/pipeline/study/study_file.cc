@@ -173,8 +173,7 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
 /// with the values that it was run with.
 void forget_stated_defaults(Study &study)
 {
-  Study defaults, copy = study;
-  const std::vector<StudyEntry> standard = study_entries(defaults), own = study_entries(copy);
+  const std::vector<StudyEntry> standard = entries_of(Study()), own = entries_of(study);
   if (study.given_entries.size() < own.size())
     return;
   for (std::size_t i = 0; i < own.size(); ++i)
@@ -311,8 +310,7 @@ Study with_values(Study study, const std::string &option,
 
 std::string unit_of(const std::string &path)
 {
-  Study study;
-  for (const StudyEntry &entry : study_entries(study))
+  for (const StudyEntry &entry : entries_of(Study()))
     if (entry.path() == path)
       return entry.unit;
   return "";
@@ -336,32 +334,28 @@ Study with_paths_from(const std::filesystem::path &folder, Study study)
 
 nlohmann::ordered_json study_as_json(const Study &study)
 {
-  Study copy = study;
   nlohmann::ordered_json sections;
-  for (const StudyEntry &entry : study_entries(copy))
+  for (const StudyEntry &entry : entries_of(study))
     std::visit([&](const auto &value) { sections[entry.section][entry.name] = value; }, entry.value());
   return sections;
 }
 
 std::string study_as_prm(const Study &study)
 {
-  Study copy = study;
-  return prm_text(study_entries(copy), false);
+  return prm_text(entries_of(study), false);
 }
 
-std::string study_identity(const Study &study)
+std::string study_identity(Study study)
 {
-  Study copy = study;
-  copy.contact.checkpoint_folder.clear();
-  for (std::string *path : paths_of(copy, true))
+  study.contact.checkpoint_folder.clear();
+  for (std::string *path : paths_of(study, true))
     *path = std::filesystem::absolute(*path).lexically_normal().string();
-  return prm_text(study_entries(copy), false);
+  return study_as_prm(study);
 }
 
 std::string commented_defaults(const std::string &section)
 {
-  Study study;
-  std::vector<StudyEntry> entries = study_entries(study);
+  std::vector<StudyEntry> entries = entries_of(Study());
   const std::string sections = listed(sections_of(entries));
   const auto is_another = [&](const StudyEntry &entry) { return !boost::iequals(entry.section, section); };
   if (!section.empty())

@@ -57,7 +57,7 @@ std::string study_as_prm(const Study &study);
 
 /// Text that two studies share if they are the same, wherever the program was started and keeps the state of
 /// its solves.
-std::string study_identity(const Study &study);
+std::string study_identity(Study study);
 
 /// A .prm file of all defaults, every entry with its help, unit and allowed values as comments; that of one
 /// section where @p section names one (upper and lower case are equal). Throws BadInput for other names.

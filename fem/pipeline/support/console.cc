@@ -3,12 +3,16 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <iostream>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -24,6 +28,15 @@ std::streambuf *console_buffer()
   if (!is_first_rank() || console_descriptor < 0)
     return nullptr;
   return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
+}
+
+/// Whether somebody watches the console, so that a line may be overwritten with "\r" to show progress. False
+/// for files, pipes, terminals that cannot do it (TERM=dumb), and where nothing is printed.
+bool console_is_terminal()
+{
+  const char *kind = std::getenv("TERM");
+  return console_buffer() != nullptr && ::isatty(console_descriptor) == 1 && kind != nullptr &&
+         std::string(kind) != "dumb";
 }
 
 } // namespace
@@ -64,11 +77,59 @@ void require_printed()
                         "that were written to a folder are whole.");
 }
 
-bool console_is_terminal()
+std::string rough_duration(double seconds)
 {
-  const char *kind = std::getenv("TERM");
-  return console_buffer() != nullptr && ::isatty(console_descriptor) == 1 && kind != nullptr &&
-         std::string(kind) != "dumb";
+  if (seconds < 90)
+    return fmt::format(FMT_STRING("{:.0f} s"), std::ceil(seconds));
+  if (seconds < 90 * 60)
+    return fmt::format(FMT_STRING("{:.0f} min"), std::ceil(seconds / 60));
+  return fmt::format(FMT_STRING("{:.1f} h"), seconds / 3600);
+}
+
+WorkProgress::WorkProgress(std::size_t n_cases, std::size_t n_before, std::string noun)
+    : n_cases(n_cases)
+    , n_before(n_before)
+    , noun(std::move(noun))
+    , tenths_shown(10 * n_before / std::max<std::size_t>(n_cases, 1))
+{
+}
+
+WorkProgress::~WorkProgress()
+{
+  if (bar_width > 0)
+    console() << std::endl;
+}
+
+void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
+{
+  const std::size_t n_all = std::max<std::size_t>(n_cases, 1), tenths = 10 * n_finished / n_all;
+  const auto now = std::chrono::steady_clock::now();
+  const bool is_watched = console_is_terminal();
+  if (!is_watched && (tenths == tenths_shown || now - last_line < std::chrono::seconds(3)))
+    return;
+  tenths_shown = tenths;
+  last_line = now;
+  std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_finished, n_cases, noun);
+  if (n_failed > 0)
+    text += fmt::format(FMT_STRING(", {} failed"), n_failed);
+  const double elapsed = std::chrono::duration<double>(now - start).count();
+  if (n_finished > n_before && n_finished < n_cases)
+    text += ", " +
+            rough_duration(elapsed * static_cast<double>(n_cases - n_finished) /
+                           static_cast<double>(n_finished - n_before)) +
+            " left";
+  if (!is_watched)
+  {
+    console() << "          " << text << std::endl;
+    return;
+  }
+  constexpr std::size_t n_marks = 40;
+  const std::size_t n_done = n_marks * n_finished / n_all;
+  std::string line = "[" + std::string(n_done, '#') + std::string(n_marks - n_done, '.') + "] " + text;
+  const std::size_t width = line.size();
+  line.resize(std::max(width, bar_width), ' ');
+  bar_width = width;
+  console() << '\r' << line << std::flush;
 }
 
 } // namespace stemware::pipeline

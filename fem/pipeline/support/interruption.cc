@@ -1,8 +1,8 @@
 #include "fem/pipeline/support/interruption.h"
 
+#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/work_progress.h"
 
 #include <chrono>
 #include <csignal>

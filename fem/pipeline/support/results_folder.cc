@@ -66,32 +66,6 @@ Content listed_in(const fs::path &folder)
   return listed;
 }
 
-} // namespace
-
-void write_manifest(const fs::path &folder)
-{
-  Json files = Json::object();
-  for (const auto &[name, description] : content_of(folder))
-    if (name != manifest_name && description.is_object())
-      files[name] = description;
-  const Json manifest = { { "program", "stemware" }, { "files", files } };
-  replace_text_file(folder / manifest_name, manifest.dump(2) + "\n");
-}
-
-std::optional<std::string> why_not_replaceable(const fs::path &folder)
-{
-  const Content listed = listed_in(folder);
-  for (const auto &[name, description] : content_of(folder))
-    if (const auto found = listed.find(name); found == listed.end())
-      return "holds " + name + ", which is not a result of Stemware";
-    else if (found->second != description)
-      return "holds " + name + ", which has changed since Stemware wrote it";
-  return std::nullopt;
-}
-
-namespace
-{
-
 [[noreturn]] void fail_to_write(const fs::path &path, const std::error_code &error)
 {
   throw OutputFailure(
@@ -163,6 +137,27 @@ void remove_leftovers(const fs::path &target, const std::string &prefix)
 }
 
 } // namespace
+
+void write_manifest(const fs::path &folder)
+{
+  Json files = Json::object();
+  for (const auto &[name, description] : content_of(folder))
+    if (name != manifest_name && description.is_object())
+      files[name] = description;
+  const Json manifest = { { "program", "stemware" }, { "files", files } };
+  replace_text_file(folder / manifest_name, manifest.dump(2) + "\n");
+}
+
+std::optional<std::string> why_not_replaceable(const fs::path &folder)
+{
+  const Content listed = listed_in(folder);
+  for (const auto &[name, description] : content_of(folder))
+    if (const auto found = listed.find(name); found == listed.end())
+      return "holds " + name + ", which is not a result of Stemware";
+    else if (found->second != description)
+      return "holds " + name + ", which has changed since Stemware wrote it";
+  return std::nullopt;
+}
 
 void require_replaceable(const fs::path &wanted)
 {

@@ -7,9 +7,7 @@
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/variants/band_changes.h"
-#include "fem/pipeline/variants/refinement_axis.h"
 #include "ring_model/friction_law.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -17,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 namespace stemware::pipeline
 {
@@ -31,8 +28,7 @@ struct Probe
   /// Rest, half, once and one and a half times the terminal spin; two close to it where these do not tell its
   /// slope.
   std::vector<double> spins;
-  double first = 0; ///< terminal spin of the first harmonic alone
-  bool has_first = false;
+  std::optional<double> first; ///< terminal spin of the first harmonic alone
   std::vector<ring::Orientation> phases;
 };
 
@@ -56,25 +52,19 @@ struct Findings
 Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
                    double omega, const std::vector<double> &radii)
 {
-  const LeaningLoad at_spin = load.at(omega);
-  double friction = 0;
-  if (radii.empty())
-    friction = ring::wrench(motion, at_spin, omega).torque;
-  else
+  const auto find = [&]
   {
-    const fem::ContactState state = *load.contact(omega);
-    const ring::RingStack rings =
-      fem::harmonics_of(foot.body().point_forces(state), foot.n_harmonics(), radii);
-    friction = ring::wrench(motion, rings.truncated(load.n_harmonics()), omega).torque;
-  }
-  return { friction, friction + at_spin.lean_torque() };
-}
-
-Torques torques_or_nan(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
-                       double omega, const std::vector<double> &radii)
-{
-  return if_balanced([&] { return torques_of(load, foot, motion, omega, radii); })
-    .value_or(Torques{ std::nan(""), std::nan("") });
+    const LeaningLoad at_spin = load.at(omega);
+    const auto rings = [&]
+    {
+      return fem::harmonics_of(foot.body().point_forces(*load.contact(omega)), foot.n_harmonics(), radii)
+        .truncated(load.n_harmonics());
+    };
+    const double friction = radii.empty() ? ring::wrench(motion, at_spin, omega).torque
+                                          : ring::wrench(motion, rings(), omega).torque;
+    return Torques{ friction, friction + at_spin.lean_torque() };
+  };
+  return if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
 }
 
 /// @p radii of rings on which the pressure of the contacts is gathered; empty: those of the foot.
@@ -88,7 +78,7 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
   {
     const SharedLoad load = find_load_at_phase(study, foot, phase);
     const auto torques_at = [&](const BalancedLoad &of, double omega)
-    { return torques_or_nan(of, *foot, study.motion.orbit, omega, radii); };
+    { return torques_of(of, *foot, study.motion.orbit, omega, radii); };
     if (&phase == &probe.phases.front())
       found.at_rest = load->report();
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
@@ -97,9 +87,9 @@ Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, cons
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
-    if (probe.has_first)
+    if (probe.first)
       found.torque_of_first +=
-        share * torques_at(*find_load_at_phase(study, foot, phase, 1), probe.first).all;
+        share * torques_at(*find_load_at_phase(study, foot, phase, 1), *probe.first).all;
   }
   return found;
 }
@@ -126,19 +116,6 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
 std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Probe &probe,
                                                 const Findings &own, const SpinRow &row, const Study &study)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  QuantityNoise noise;
-  noise.n_azimuths = n_contact_azimuths(study);
-  std::vector<QuantityOfInterest> quantities = load_quantities(found.at_rest, noise);
-  const double torque_noise = noise.relative * motion.friction_at_rest() * found.at_rest.normal_force *
-                              study.glass.profile.contact_radius;
-  quantities.push_back({ "tau_at_rest", "torque at rest", "N m",
-                         row.at_rest->friction.torque + (found.torques[0].friction - own.torques[0].friction),
-                         torque_noise });
-  quantities.push_back({ "tau_at_spin_1", "torque at " + to_short_text(probe.spins[1]) + " rad/s", "N m",
-                         found.torques[1].friction, torque_noise });
-  quantities.push_back({ "tau_at_spin_2", "torque at " + to_short_text(probe.spins[3]) + " rad/s", "N m",
-                         found.torques[3].friction, torque_noise });
   // Round the terminal spin; from the side of rest where the glass tips on the other.
   const bool goes_beyond = std::isfinite(own.torques[3].all) && std::isfinite(found.torques[3].all);
   const std::size_t begin = probe.spins.size() > 4 ? 4 : 1, end = begin == 4 ? 5 : goes_beyond ? 3 : 2;
@@ -146,18 +123,26 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
   { return (at.torques[end].all - at.torques[begin].all) / (probe.spins[end] - probe.spins[begin]); };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
   const double moved = -(found.torques[2].all - own.torques[2].all) / slope;
-  const double spin_noise = noise.relative * spin_scale(study);
-  quantities.push_back(
-    { "omega_terminal", "terminal spin", "rad/s", row.terminal->omega + moved, spin_noise });
-  const double time = motion.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)));
-  quantities.push_back({ "time_constant", "time constant", "s", time, 1e3 * noise.relative * time });
-  if (probe.has_first)
+  constexpr double noise_of_differences = 1e3;
+  const SpinNumbers spin = {
+    row.at_rest->friction.torque + (found.torques[0].friction - own.torques[0].friction),
+    { probe.spins[1], probe.spins[3] },
+    { found.torques[1].friction, found.torques[3].friction },
+    row.terminal->omega + moved,
+    study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own))),
+    study.glass.profile.contact_radius,
+    spin_scale(study),
+    noise_of_differences
+  };
+  std::vector<QuantityOfInterest> quantities = quantities_of_interest(study, found.at_rest, spin);
+  if (probe.first)
   {
     const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope;
+    const double spin_noise = relative_noise * spin.spin_scale;
     quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
-                           probe.first + first_moved, spin_noise });
+                           *probe.first + first_moved, spin_noise });
     quantities.push_back({ "harmonic_effect", "effect of the harmonics", "rad/s",
-                           row.terminal->omega + moved - probe.first - first_moved, spin_noise });
+                           spin.omega_terminal - *probe.first - first_moved, spin_noise });
   }
   return quantities;
 }
@@ -176,8 +161,7 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
   const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
   if (omega == 0 || 1.5 * std::abs(omega) > scale)
     probe.spins.insert(probe.spins.end(), { omega - scale / 512, omega + scale / 512 });
-  probe.has_first = first.has_value();
-  probe.first = first.value_or(0);
+  probe.first = first;
   probe.phases = phases_of(study, foot);
   return probe;
 }
@@ -265,38 +249,33 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 {
   if (!foot || !all.terminal)
     return {};
-  const auto without = [&](const std::runtime_error &failure) -> ErrorBands
-  {
-    progress.note("No band", failure.what());
-    return {};
-  };
   try
   {
     return bands_of(study, foot, all, first, executor, progress);
   }
   catch (const fem::ContactFailure &failure)
   {
-    return without(failure);
+    progress.note("No band", failure.what());
   }
   catch (const BadInput &failure) // a mesh that cannot be made coarser or finer, or would not tell
   {
-    return without(failure);
+    progress.note("No band", failure.what());
   }
+  return {};
 }
 
 void take_reported_numbers(const LoadReport &at_rest, const Budget &budget, ErrorBands &bands)
 {
-  std::map<std::string, double> reported;
-  for (const QuantityOfInterest &quantity : load_quantities(at_rest, {}))
-    reported.emplace(quantity.key, quantity.value);
+  std::vector<QuantityOfInterest> reported = load_quantities(at_rest, 1);
   if (const std::optional<double> &at_half = budget.rows.back().torques[1])
-    reported.emplace("tau_at_spin_1", *at_half);
+    reported.push_back({ "tau_at_spin_1", "", "N m", *at_half });
   for (BandedQuantity &banded : bands)
-    if (const auto found = reported.find(banded.quantity.key); found != reported.end())
-    {
-      banded.richardson += found->second - banded.quantity.value;
-      banded.quantity.value = found->second;
-    }
+    for (const QuantityOfInterest &quantity : reported)
+      if (quantity.key == banded.quantity.key)
+      {
+        banded.richardson += quantity.value - banded.quantity.value;
+        banded.quantity.value = quantity.value;
+      }
 }
 
 void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,

@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 
-#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/variants/refinement_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace stemware::pipeline
 {
 
-std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const QuantityNoise &noise)
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned int n_azimuths)
 {
   std::vector<QuantityOfInterest> quantities;
   const ring::RingStack &at_rest = load.rings;
@@ -18,55 +18,40 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const Qu
   for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
   {
     const std::string order = std::to_string(n);
-    quantities.push_back({ "a" + order, "a_" + order + "/a_0", "1", at_rest.a(n) / mean, noise.relative });
-    quantities.push_back({ "b" + order, "b_" + order + "/a_0", "1", at_rest.b(n) / mean, noise.relative });
+    quantities.push_back({ "a" + order, "a_" + order + "/a_0", "1", at_rest.a(n) / mean, relative_noise });
+    quantities.push_back({ "b" + order, "b_" + order + "/a_0", "1", at_rest.b(n) / mean, relative_noise });
   }
   quantities.push_back(
-    { "ring_radius", "ring radius", "m", at_rest.radius(), noise.relative * at_rest.radius() });
+    { "ring_radius", "ring radius", "m", at_rest.radius(), relative_noise * at_rest.radius() });
   // A place where the contact ends is known to one azimuth only.
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
   quantities.push_back({ "contact_fraction", "share of the rim in contact", "1", load.contact_fraction,
-                         ends_somewhere ? 1. / noise.n_azimuths : 0. });
-  quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, noise.relative * mean });
+                         ends_somewhere ? 1. / n_azimuths : 0. });
+  quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
+  return quantities;
+}
+
+std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const SpinNumbers &spin)
+{
+  std::vector<QuantityOfInterest> quantities = load_quantities(at_rest, n_contact_azimuths(study));
+  const double torque_noise =
+    relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
+  quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
+  for (std::size_t i = 0; i < spin.spins.size(); ++i)
+    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1),
+                           "torque at " + to_short_text(spin.spins[i]) + " rad/s", "N m", spin.torques[i],
+                           torque_noise });
+  quantities.push_back(
+    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, relative_noise * spin.spin_scale });
+  quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
+                         spin.slope_noise * relative_noise * spin.time_constant });
   return quantities;
 }
 
 bool BandedQuantity::is_zero() const
 {
   return std::abs(quantity.value) <= quantity.rounding && std::abs(richardson) <= quantity.rounding;
-}
-
-std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load, const ring::Motion &motion,
-                                                       const std::vector<double> &spins,
-                                                       const std::optional<double> &near,
-                                                       const QuantityNoise &noise)
-{
-  const LoadReport &at_rest = load.report();
-  std::vector<QuantityOfInterest> quantities = load_quantities(at_rest, noise);
-
-  SpinQuestion question = { motion };
-  question.expected = near.value_or(0);
-  question.with_slope = true;
-  question.with_minima = false;
-  std::string reason;
-  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
-  const SpinRow row = spin_row(load, question);
-  if (!row.terminal)
-    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
-  const double torque_noise =
-    noise.relative * motion.friction_at_rest() * at_rest.normal_force * at_rest.rings.radius();
-  quantities.push_back(
-    { "tau_at_rest", "torque at rest", "N m", row.at_rest->friction.torque, torque_noise });
-  for (std::size_t i = 0; i < spins.size(); ++i)
-    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1),
-                           "torque at " + to_short_text(spins[i]) + " rad/s", "N m", torques[i],
-                           torque_noise });
-  quantities.push_back({ "omega_terminal", "terminal spin", "rad/s", row.terminal->omega,
-                         noise.relative * load.spin_scale(motion) });
-  // A slope by finite differences has ten times the noise of its function.
-  quantities.push_back({ "time_constant", "time constant", "s", row.terminal->time_constant,
-                         10 * noise.relative * row.terminal->time_constant });
-  return quantities;
 }
 
 std::vector<double> spins_of_interest(double omega_terminal)

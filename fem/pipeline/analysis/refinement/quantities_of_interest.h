@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/motion.h"
 
 #include <cstddef>
 #include <map>
@@ -40,26 +39,31 @@ struct BandedQuantity
 /// Error bands of a study's quantities; empty where they were not estimated.
 using ErrorBands = std::vector<BandedQuantity>;
 
-/// Differences between discretisations that are no discretisation errors.
-struct QuantityNoise
+/// Size of the differences that the tolerances of contacts and balances make, relative to the mean load.
+constexpr double relative_noise = 1e-9;
+
+/// The numbers of a spin that are followed besides those of the load at rest.
+struct SpinNumbers
 {
-  double relative = 1e-9;        ///< tolerances of contact and balances, relative to the mean load
-  unsigned int n_azimuths = 256; ///< at which the contact can tell loaded from free
+  double torque_at_rest = 0;   ///< tau_z [N m]
+  std::vector<double> spins;   ///< at which the torque is followed too [rad/s]
+  std::vector<double> torques; ///< tau_z there [N m]
+  double omega_terminal = 0;   ///< [rad/s]
+  double time_constant = 0;    ///< [s]
+  // Scales of rounding:
+  double radius = 0;      ///< of friction [m]
+  double spin_scale = 0;  ///< [rad/s]
+  double slope_noise = 1; ///< of the time constant, over that of the torque whose slope it is
 };
 
-/// Quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction, least load.
-std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, const QuantityNoise &noise);
+/// Quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fraction, least load. The
+/// contact can tell loaded from free at @p n_azimuths.
+std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned int n_azimuths);
 
-/// The quantities that a refinement study follows: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact
-/// fraction, least load, torque at rest and at @p spins [rad/s], terminal spin, time constant. Always the
-/// same ones in the same order for equally many spins.
-///
-/// @p near, where given, is a spin close to the terminal one, from which it is searched. Throws as @p load
-/// and ring::terminal_spin().
-std::vector<QuantityOfInterest> quantities_of_interest(const BalancedLoad &load, const ring::Motion &motion,
-                                                       const std::vector<double> &spins,
-                                                       const std::optional<double> &near,
-                                                       const QuantityNoise &noise);
+/// The quantities that are followed: load_quantities() @p at_rest, torque at rest and at SpinNumbers::spins,
+/// terminal spin, time constant. Always the same ones in the same order for equally many spins.
+std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
+                                                       const SpinNumbers &spin);
 
 /// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
 /// the terminal spin @p omega_terminal.

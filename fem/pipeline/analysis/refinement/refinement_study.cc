@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
-#include "fem/pipeline/analysis/refinement/goal_error.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 
@@ -14,6 +15,61 @@ namespace stemware::pipeline
 
 namespace
 {
+
+constexpr double safety = 1.25;          ///< of three levels that show an order
+constexpr double two_level_safety = 1.5; ///< of two levels, taken as first order
+constexpr double wide_safety = 3.;       ///< of anything else
+constexpr double least_order = 0.5;      ///< plausible orders
+constexpr double greatest_order = 8.;
+constexpr double trusted_order = 1.; ///< no higher order narrows a band
+
+/// Largest minus least of the last three values.
+double range_of_last(const std::vector<double> &values)
+{
+  const auto first = values.end() - std::min<std::ptrdiff_t>(3, std::distance(values.begin(), values.end()));
+  const auto [least, largest] = std::minmax_element(first, values.end());
+  return *largest - *least;
+}
+
+/// p of the last three values, if they have a plausible one.
+std::optional<double> observed_order(const std::vector<double> &values, double rounding)
+{
+  if (values.size() < 3)
+    return std::nullopt;
+  const double *const last = &values.back();
+  const double coarse_step = *(last - 1) - *(last - 2);
+  const double fine_step = *last - *(last - 1);
+  if (std::abs(fine_step) <= rounding || coarse_step * fine_step <= 0)
+    return std::nullopt;
+  const double order = std::log2(coarse_step / fine_step);
+  return least_order <= order && order <= greatest_order ? std::optional(order) : std::nullopt;
+}
+
+void judge_algebraic(const std::vector<double> &values, double rounding, RefinementSequence &sequence)
+{
+  const double fine_step = values.size() > 1 ? values.back() - values[values.size() - 2] : 0;
+  sequence.order = observed_order(values, rounding);
+  if (!sequence.order)
+  {
+    const double factor = values.size() == 2 ? two_level_safety : wide_safety;
+    sequence.uncertainty = factor * range_of_last(values);
+    return;
+  }
+  sequence.limit += fine_step / (std::exp2(*sequence.order) - 1);
+  sequence.uncertainty =
+    safety * std::abs(fine_step) / (std::exp2(std::min(*sequence.order, trusted_order)) - 1);
+}
+
+void judge_spectral(const std::vector<double> &values, RefinementSequence &sequence)
+{
+  const auto step = [&](std::size_t from_end)
+  {
+    return values.size() > from_end
+             ? std::abs(values[values.size() - from_end] - values[values.size() - from_end - 1])
+             : 0;
+  };
+  sequence.uncertainty = safety * std::max(step(1), step(2) / 4);
+}
 
 using Quantities = std::vector<QuantityOfInterest>;
 
@@ -103,6 +159,24 @@ BandedQuantity combine(const QuantityOfInterest &quantity, std::size_t f, const 
 
 } // namespace
 
+RefinementSequence judge_refinement(const std::vector<double> &values, Decay decay, double rounding)
+{
+  if (values.empty())
+    throw std::invalid_argument("A refinement study needs at least one value.");
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    throw std::invalid_argument("A refinement study needs finite values.");
+  RefinementSequence sequence;
+  sequence.limit = values.back();
+  if (decay == Decay::algebraic)
+    judge_algebraic(values, rounding, sequence);
+  else
+    judge_spectral(values, sequence);
+  sequence.uncertainty += rounding;
+  for (const double value : values)
+    sequence.bands.push_back(std::abs(value - values.back()) + sequence.uncertainty);
+  return sequence;
+}
+
 std::optional<double> QuantitySequence::error(std::size_t l) const
 {
   if (l + 2 >= values.size())
@@ -116,11 +190,6 @@ std::optional<double> QuantitySequence::effectivity(std::size_t l, double roundi
   if (!against || std::abs(*against) <= rounding || corrections.empty() || !corrections[l])
     return std::nullopt;
   return *corrections[l] / *against;
-}
-
-const BandedQuantity &RefinementResult::quantity(const std::string &key) const
-{
-  return quantities[index_of(quantities, key)];
 }
 
 RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
@@ -161,17 +230,27 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    const std::vector<double> &spins,
                                                    const std::optional<double> &near, const ElasticFoot *foot)
 {
-  QuantityNoise noise;
-  noise.n_azimuths = n_contact_azimuths(study);
-  std::vector<QuantityOfInterest> quantities =
-    quantities_of_interest(load, study.motion.orbit, spins, near, noise);
+  const ring::Motion &motion = study.motion.orbit;
+  SpinQuestion question = { motion };
+  question.expected = near.value_or(0);
+  question.with_slope = true;
+  question.with_minima = false;
+  std::string reason;
+  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
+  const SpinRow row = spin_row(load, question);
+  if (!row.terminal)
+    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
+  constexpr double noise_of_differences = 10; // the slope is one by finite differences
+  std::vector<QuantityOfInterest> quantities = quantities_of_interest(
+    study, load.report(),
+    { row.at_rest->friction.torque, spins, torques, row.terminal->omega, row.terminal->time_constant,
+      load.report().rings.radius(), load.spin_scale(motion), noise_of_differences });
   if (!foot)
     return quantities;
-  const double omega = quantity_of(quantities, "omega_terminal").value;
   for (QuantityOfInterest &quantity : quantities)
     for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
       if (quantity.key == key_of(goal))
-        if (const auto found = goal_error(study, *foot, load, omega, goal))
+        if (const auto found = goal_error(study, *foot, load, row.terminal->omega, goal))
           quantity.mesh_correction = found->error.correction;
   return quantities;
 }

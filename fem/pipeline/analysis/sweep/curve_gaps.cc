@@ -7,9 +7,15 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+constexpr double factor = 4; ///< "much" for a jump
+
+/// Intervals between the values of a curve in which it jumps: one of them, or two side by side, over which
+/// the curve changes more than four times as much as over those to their left and right.
 std::vector<bool> jumps_of(const std::vector<double> &y)
 {
-  constexpr double factor = 4;
   std::vector<double> steps;
   for (std::size_t i = 0; i + 1 < y.size(); ++i)
     steps.push_back(std::abs(y[i + 1] - y[i]));
@@ -27,9 +33,11 @@ std::vector<bool> jumps_of(const std::vector<double> &y)
   return jumps;
 }
 
+/// Intervals in which a spin changes its sign, together with the values between that are zero, where they are
+/// too wide to tell how: the curve changes more than four times as much there as over the intervals beside,
+/// or there are none beside.
 std::vector<bool> unresolved_changes_of_sign(const std::vector<double> &y)
 {
-  constexpr double factor = 4;
   std::vector<bool> unresolved(y.empty() ? 0 : y.size() - 1, false);
   double largest = 0;
   for (const double value : y)
@@ -56,6 +64,8 @@ std::vector<bool> unresolved_changes_of_sign(const std::vector<double> &y)
   }
   return unresolved;
 }
+
+} // namespace
 
 CurveGaps gaps_of(const std::vector<double> &y, const std::vector<std::vector<double>> &spins)
 {

@@ -18,17 +18,6 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-/// The terminal spin of a first harmonic on a ring of the contact radius, nothing where there is none.
-std::optional<double> first_harmonic_spin(const Study &study, ring::Closure closure)
-{
-  return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
-}
-
-} // namespace
-
 /// A solved case: its load, its rows and its budget.
 struct FoundCase
 {
@@ -43,14 +32,20 @@ struct FoundCase
     return harmonic_effect(first.omega_terminal(), all.omega_terminal(), spin_scale(study));
   }
 
+  /// The terminal spin of a first harmonic on a ring of the contact radius; nothing where there is none.
+  std::optional<double> spin_of_first_harmonic(ring::Closure closure) const
+  {
+    return attempt_spin_row(*first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+  }
+
   /// Relative change of the spin from the paper's moment balance to the full one; with a given moment no
   /// balance acts.
   std::optional<double> closure_effect() const
   {
     if (study.load.is_static() || study.load.source == LoadSource::file)
       return std::nullopt;
-    const std::optional<double> paper = first_harmonic_spin(study, ring::Closure::paper),
-                                full = first_harmonic_spin(study, ring::Closure::full);
+    const std::optional<double> paper = spin_of_first_harmonic(ring::Closure::paper),
+                                full = spin_of_first_harmonic(ring::Closure::full);
     return paper && full ? relative_to(paper, *full - *paper, spin_scale(study)) : std::nullopt;
   }
 
@@ -98,38 +93,37 @@ std::vector<SweepQuantity> make_quantities()
   };
   for (unsigned int i = 0; i < 2 * n_harmonics_of_interest; ++i) // a_1/a_0, b_1/a_0, a_2/a_0, ...
   {
-    const QuantityOfInterest harmonic = load_quantities(LoadReport(), {})[i];
+    const QuantityOfInterest harmonic = load_quantities(LoadReport(), 1)[i];
     quantities.push_back({ harmonic.name, harmonic.unit,
-                           [i](const Case &found) { return load_quantities(found.load, {})[i].value; } });
+                           [i](const Case &found) { return load_quantities(found.load, 1)[i].value; } });
   }
-  const std::vector<SweepQuantity> of_spin = {
-    { "torque at rest", "N m", [](const Case &found) { return found.all.at_rest->friction.torque; } },
-    { "terminal spin", "rad/s", [](const Case &found) { return found.all.omega_terminal(); } },
-    { "terminal spin of the first harmonic alone", "rad/s",
-      [](const Case &found) { return found.first.omega_terminal(); } },
-    { "terminal spin of the closure's first harmonic", "rad/s",
-      [](const Case &found) { return first_harmonic_spin(found.study, found.study.motion.closure); } },
-    difference_by("moment balance"),
-    difference_by("grip"),
-    difference_by("where the foot touches"),
-    difference_by("tilt"),
-    { "absolute harmonic effect", "rad/s", [](const Case &found) { return found.harmonics().absolute; } },
-    { "harmonic effect", "%", [](const Case &found) { return in_percent(found.harmonics().relative); } },
-    { "closure effect", "%", [](const Case &found) { return in_percent(found.closure_effect()); } },
-    { "held by the grip", "1", [](const Case &found) { return found.held(); } },
-    { "time constant", "s", [](const Case &found) { return found.all.time_constant(); } },
-    { "contact iterations", "1",
-      [](const Case &found) {
-        return found.contact ? std::optional<double>(found.contact->solution.n_iterations) : std::nullopt;
-      } },
-    { spin_of_fall, "rad/s",
-      [](const Case &found)
-      { return found.all.fall ? std::optional(found.all.fall->omega) : std::nullopt; } },
-    { "moment ratio at which it falls over", "1",
-      [](const Case &found)
-      { return found.all.fall ? std::optional(found.all.fall->state.moment_ratio) : std::nullopt; } }
-  };
-  quantities.insert(quantities.end(), of_spin.begin(), of_spin.end());
+  quantities.insert(
+    quantities.end(),
+    { { "torque at rest", "N m", [](const Case &found) { return found.all.at_rest->friction.torque; } },
+      { "terminal spin", "rad/s", [](const Case &found) { return found.all.omega_terminal(); } },
+      { "terminal spin of the first harmonic alone", "rad/s",
+        [](const Case &found) { return found.first.omega_terminal(); } },
+      { "terminal spin of the closure's first harmonic", "rad/s",
+        [](const Case &found) { return found.spin_of_first_harmonic(found.study.motion.closure); } },
+      difference_by("moment balance"),
+      difference_by("grip"),
+      difference_by("where the foot touches"),
+      difference_by("tilt"),
+      { "absolute harmonic effect", "rad/s", [](const Case &found) { return found.harmonics().absolute; } },
+      { "harmonic effect", "%", [](const Case &found) { return in_percent(found.harmonics().relative); } },
+      { "closure effect", "%", [](const Case &found) { return in_percent(found.closure_effect()); } },
+      { "held by the grip", "1", [](const Case &found) { return found.held(); } },
+      { "time constant", "s", [](const Case &found) { return found.all.time_constant(); } },
+      { "contact iterations", "1",
+        [](const Case &found) {
+          return found.contact ? std::optional<double>(found.contact->solution.n_iterations) : std::nullopt;
+        } },
+      { spin_of_fall, "rad/s",
+        [](const Case &found)
+        { return found.all.fall ? std::optional(found.all.fall->omega) : std::nullopt; } },
+      { "moment ratio at which it falls over", "1", [](const Case &found) {
+         return found.all.fall ? std::optional(found.all.fall->state.moment_ratio) : std::nullopt;
+       } } });
   return quantities;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/sweep/sample_statistics.h"
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 
@@ -10,6 +9,36 @@
 
 namespace stemware::pipeline
 {
+
+/// Where the values of a sample lie.
+struct SampleBand
+{
+  std::size_t n_values = 0;
+  double mean = 0;
+  double deviation = 0; ///< standard deviation, with n - 1
+  double lower = 0;     ///< 2.5 % of the values are smaller
+  double upper = 0;     ///< 97.5 % of the values are smaller
+};
+
+/// Band of at least two values; between neighbours the percentiles go linearly (Hyndman & Fan, Am. Stat. 50
+/// (1996) 361, definition 7). Throws std::invalid_argument for fewer values.
+SampleBand band_of(std::vector<double> values);
+
+/// How much an output owes to the inputs of a random sample.
+struct SampleSensitivity
+{
+  /// Standardised regression coefficients: standard deviations of the output per standard deviation of each
+  /// input in the best linear fit.
+  std::vector<double> regression;
+  double r_squared = 0; ///< share of the variance that the linear fit explains
+  std::vector<double>
+    first_order; ///< first-order Sobol indices Var(E[output | input]) / Var(output), or empty
+};
+
+/// @p inputs of shape [input][sample], independent of each other, @p output of shape [sample]. Nothing where
+/// the samples are too few to tell (fewer than inputs + 2) or where an input or the output does not vary.
+std::optional<SampleSensitivity> sensitivity_of(const std::vector<std::vector<double>> &inputs,
+                                                const std::vector<double> &output);
 
 /// Samples from which on shares of the variance are known to about 0.1: their standard error is of the order
 /// of 1 / sqrt(samples).

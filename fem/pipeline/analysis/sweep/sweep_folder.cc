@@ -186,22 +186,18 @@ SweepFolder::SweepFolder(const fs::path &results_wanted, const Json &identity, b
 {
   try
   {
-    created = create_folders(folder.parent_path());
     take();
     require_own();
     adopt(identity, restart);
   }
-  catch (const OutputFailure &)
+  catch (const std::runtime_error &failure)
   {
     remove_empty_folders(created);
+    if (const auto *error = dynamic_cast<const fs::filesystem_error *>(&failure))
+      throw OutputFailure(fmt::format(
+        FMT_STRING("The finished cases cannot be kept in {} ({}); choose another folder with --output."),
+        folder.string(), error->code().message()));
     throw;
-  }
-  catch (const fs::filesystem_error &error)
-  {
-    remove_empty_folders(created);
-    throw OutputFailure(fmt::format(
-      FMT_STRING("The finished cases cannot be kept in {} ({}); choose another folder with --output."),
-      folder.string(), error.code().message()));
   }
 }
 
@@ -212,17 +208,13 @@ SweepFolder::~SweepFolder()
 
 void SweepFolder::take()
 {
-  if (!fs::exists(fs::symlink_status(folder)))
-  {
-    create_new_folder(folder);
-    created.insert(created.begin(), folder);
-  }
-  if (!is_plain_folder(folder))
+  if (fs::exists(fs::symlink_status(folder)) && !is_plain_folder(folder))
     throw OutputFailure(
       fmt::format(FMT_STRING("{}, where a sweep keeps its finished cases, is not a folder of its own but a "
                              "link or a file; move it away, or choose another folder with --output."),
                   folder.string()));
-  claim = FolderClaim(folder);
+  created = create_folders(folder);
+  claim = FolderClaim(folder); // not of a link that has come in between
   if (!claim.held())
     throw OutputFailure(fmt::format(FMT_STRING("Another sweep is computing into {}; wait until it has ended, "
                                                "or choose another folder with --output."),

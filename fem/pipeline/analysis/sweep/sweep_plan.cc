@@ -45,48 +45,26 @@ void require_allowed(std::size_t n_cases, const SweepRequest &request)
                       n_cases, n_cases < 172800 ? "hours" : "days", request.most_cases, n_cases));
 }
 
-/// Sees whether the entry of a study takes one value after the other.
-class TriedEntry
+/// The value as a study file writes it, tried on the study of @p entry, which @p option names. Throws
+/// BadInput where the entry does not take it, or the file that it names is not there.
+std::string taken(const StudyEntry &entry, const std::string &option, const std::string &value)
 {
-public:
-  /// @p option is named as where the values come from.
-  TriedEntry(const std::string &option, const std::string &path)
-      : origin(option + ": ")
-      , entries(study_entries(study))
-      , entry(entry_at(entries, origin, path))
-  {
-  }
-  TriedEntry(const TriedEntry &) = delete;
-  TriedEntry &operator=(const TriedEntry &) = delete;
-
-  /// The value as a study file writes it. Throws BadInput where the entry does not take it, or the file that
-  /// it names is not there.
-  std::string take(const std::string &value)
-  {
-    assign(entry, origin, value);
-    for (const std::string &file : pipeline::files_of(study))
-      require_regular_file(origin + entry.path() + " = " + shortened_path(file), file);
-    return entry.text();
-  }
-
-private:
-  const std::string origin;
-  Study study;
-  const std::vector<StudyEntry> entries;
-  const StudyEntry &entry;
-};
+  assign(entry, option + ": ", value);
+  for (const std::string &file : files_of(*entry.study))
+    require_regular_file(option + ": " + entry.path() + " = " + shortened_path(file), file);
+  return entry.text();
+}
 
 /// Each value is one that the entry takes, and stands once.
-void require_values(const SweptEntry &varied)
+void require_values(const StudyEntry &entry, const SweptEntry &varied)
 {
-  TriedEntry entry("--vary", varied.path);
   std::set<std::string> seen;
   for (const std::string &value : varied.values)
   {
     const std::string range = range_meant_by(value, varied.unit);
     require(range.empty(), fmt::format(FMT_STRING("--vary: {} = {} is not a number; did you mean \"{}={}\"?"),
                                        varied.path, value, varied.path, range));
-    require(seen.insert(entry.take(value)).second,
+    require(seen.insert(taken(entry, "--vary", value)).second,
             fmt::format(FMT_STRING("--vary: {} = {} stands twice; give each value once, and a range from one "
                                    "number to another."),
                         varied.path, shortened(value)));
@@ -97,11 +75,11 @@ void require_values(const SweptEntry &varied)
 void require_samples(const SweepPlan &plan, std::size_t column)
 {
   const Spread &spread = plan.spreads[column];
-  TriedEntry entry("--random", spread.path);
+  const StudyEntry entry = find_entry("--random", spread.path);
   for (std::size_t i = 0; i < plan.cases.size(); ++i)
     try
     {
-      entry.take(plan.cases[i][column]);
+      taken(entry, "--random", plan.cases[i][column]);
     }
     catch (const BadInput &refusal)
     {
@@ -120,9 +98,9 @@ SweepPlan make_grid(const SweepRequest &request)
   for (const std::string &text : request.varied)
   {
     const SweptEntry &varied = plan.entries.emplace_back(parse_varied_entry(text));
-    find_entry("--vary", varied.path);
+    const StudyEntry entry = find_entry("--vary", varied.path);
     require_allowed(plan.cases.size() * varied.values.size(), request);
-    require_values(varied);
+    require_values(entry, varied);
     std::vector<std::vector<std::string>> cases;
     for (const auto &before : plan.cases)
       for (const std::string &value : varied.values)

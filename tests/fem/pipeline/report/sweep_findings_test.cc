@@ -1,7 +1,7 @@
 // What is said about cases whose results are known; sweep_results_test.cc has the tables.
 #include "fem/pipeline/report/document.h"
 #include "fem/pipeline/report/sweep_results.h"
-#include "fem/pipeline/support/work_progress.h"
+#include "fem/pipeline/support/console.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/spin.h"

@@ -162,7 +162,7 @@ TEST(ErrorBands, OfThePaperHoldAFourTimesFinerRun)
   const RefinementResult full =
     refine(quantities_of_load(study, *comparison.load, spins_of_interest(comparison.omega), comparison.omega),
            spins_of_interest(comparison.omega), refinement_axes(study, 3), comparison.cache);
-  const BandedQuantity &refined = full.quantity("omega_terminal");
+  const BandedQuantity &refined = full.quantities[index_of(full.quantities, "omega_terminal")];
   const double finer = quantity_of(comparison.finer, "omega_terminal").value;
   EXPECT_NEAR(refined.quantity.value, finer, refined.band);
   EXPECT_NEAR(refined.richardson, finer, refined.band / 3);

@@ -1,5 +1,4 @@
 // Contact/Goal of a solid foot, whose estimates and meshes are judged by the body of revolution. With MPI.
-#include "fem/pipeline/analysis/refinement/goal_error.h"
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"

@@ -1,6 +1,5 @@
 // Bands and sensitivities of samples whose answers are known in closed form.
-#include "fem/pipeline/analysis/sweep/sample_statistics.h"
-#include "fem/pipeline/analysis/sweep/swept_entry.h"
+#include "fem/pipeline/analysis/sweep/sweep_findings.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <gtest/gtest.h>
