@@ -87,6 +87,7 @@ struct BlockInverse::Workspace
   Workspace()
   {
     hold_blas_to_one_thread();
+    omp_set_num_threads(1);       // an OpenBLAS built on OpenMP goes by the number of each thread
     omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
     cholmod_start(&common);
     common.print = 0;

@@ -136,9 +136,9 @@ private:
   const LoadReport report_at_rest;
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
-  /// The contacts of the newest of them: that at the terminal spin, and of what is asked next about it.
+  /// The contacts of the newest of them: at the terminal spin and what is asked next about it, or of a band.
   mutable std::deque<std::pair<double, fem::ContactState>> latest;
-  static constexpr std::size_t n_latest = 4;
+  static constexpr std::size_t n_latest = 6;
 };
 
 /// The load of a contact whose marks stay where they are.

@@ -60,37 +60,28 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Number of rings up to which the balance is found on twice as many; nodes beside the contact would have
-/// weights from more that are rounding.
-constexpr std::size_t most_rings_in_balance = 12;
-
-/// Other rings and harmonics under the same foot. @p other_rings: how many rings in the place of so many,
-/// two at least; one ring becomes those of a study that asks for usual_rings.
+/// Other rings and harmonics that take over the pressure of the same contacts. What the friction force adds
+/// in the balance is of the size of what they change: it counts twice. @p other_rings: how many rings in the
+/// place of so many, two at least; one ring becomes those of a study that asks for usual_rings.
 void add_gathering(const Study &study, const ElasticFoot &foot,
                    const std::function<unsigned int(unsigned int)> &other_rings,
                    std::vector<BandChange> &changes)
 {
+  constexpr double with_balance = 2;
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
-  const Study other_harmonics =
-    changed(study, [=](ContactSection &contact)
-            { contact.load_harmonics = n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u); });
-  changes.push_back(change_of("load_harmonics", usual_factor, other_harmonics));
-  changes.back().on_same_foot = true;
-  BandChange rings = change_of("rings", usual_factor, study);
-  rings.on_same_foot = true;
   const std::vector<double> &own = foot.ring_radii();
-  if (own.size() < 2)
-    rings.study.contact.rings = usual_rings;
+  changes.push_back(change_of("load_harmonics", with_balance, study));
+  changes.back().gathering = { own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u) };
+  changes.push_back(change_of("rings", with_balance, study));
+  BandChange &rings = changes.back();
+  if (own.size() >= 2)
+    rings.gathering = { radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size()))), n };
   else
-    rings.radii = radii_on_band_of(own, other_rings(static_cast<unsigned int>(own.size())));
-  // Many rings are those of a foot under which the slip vanishes: their error falls with the second order, so
-  // that twice as many leave a quarter, and what the friction force adds in the balance is of its size.
-  if (rings.radii.size() > 2 * most_rings_in_balance)
   {
-    rings.factor = 2;
-    rings.on_same_contacts = true;
+    rings.factor = usual_factor;
+    rings.on_same_foot = true;
+    rings.study.contact.rings = usual_rings;
   }
-  changes.push_back(rings);
 }
 
 std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticFoot &foot, bool is_full)

@@ -4,11 +4,19 @@
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/variants/variant.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
+
+/// A way in which rings take over the pressure of contacts.
+struct Gathering
+{
+  std::vector<double> radii = {}; ///< of the rings [m]; empty: one ring
+  unsigned int n_harmonics = 0;
+};
 
 /// A change of one numerical parameter, whose key is the part of the band that it goes into, as in
 /// BandedQuantity::parts: several may go into one.
@@ -18,9 +26,9 @@ struct BandChange : Variant
   std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
-  std::vector<double> radii = {}; ///< of the rings of the same foot [m]; empty: as the study chooses them
-  /// The contacts stay, too, in balance on their own rings: their pressure is gathered on radii.
-  bool on_same_contacts = false;
+  /// The contacts of the study stay, in the balance of their own rings: it is their torque that another
+  /// gathering changes. Nothing: the change has contacts of its own.
+  std::optional<Gathering> gathering = {};
 };
 
 /// The changes that the band of @p study is made of (estimate_bands()); @p foot is its own, with its rings

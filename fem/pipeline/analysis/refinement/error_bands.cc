@@ -47,50 +47,61 @@ struct Findings
   double torque_of_first = 0;   ///< yaw_torque() of the first harmonic, at Probe::first
 };
 
-/// Torques of @p load; with @p radii those of the same contacts of @p foot with their pressure gathered on
-/// rings of these.
+/// The loads of a study by the phases of a Probe.
+struct ProbedLoads
+{
+  std::vector<SharedLoad> all, first; ///< first harmonic alone, where it is looked at
+};
+
+ProbedLoads loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe)
+{
+  ProbedLoads loads;
+  for (const ring::Orientation &phase : probe.phases)
+  {
+    loads.all.push_back(find_load_at_phase(study, foot, phase));
+    if (probe.first)
+      loads.first.push_back(find_load_at_phase(study, foot, phase, 1));
+  }
+  return loads;
+}
+
+/// Torques of @p load; with @p gathering those of the same contacts of @p foot when their pressure is
+/// gathered like that.
 Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring::Motion &motion,
-                   double omega, const std::vector<double> &radii)
+                   double omega, const std::optional<Gathering> &gathering)
 {
   const auto find = [&]
   {
     const LeaningLoad at_spin = load.at(omega);
-    const auto rings = [&]
+    const auto gathered = [&]
     {
-      return fem::harmonics_of(foot.body().point_forces(*load.contact(omega)), foot.n_harmonics(), radii)
-        .truncated(load.n_harmonics());
+      const unsigned int n =
+        load.n_harmonics() < foot.n_harmonics() ? load.n_harmonics() : gathering->n_harmonics;
+      return fem::harmonics_of(foot.body().point_forces(*load.contact(omega)), n, gathering->radii);
     };
-    const double friction = radii.empty() ? ring::wrench(motion, at_spin, omega).torque
-                                          : ring::wrench(motion, rings(), omega).torque;
+    const double friction = gathering ? ring::wrench(motion, gathered(), omega).torque
+                                      : ring::wrench(motion, at_spin, omega).torque;
     return Torques{ friction, friction + at_spin.lean_torque() };
   };
   return if_balanced(find).value_or(Torques{ std::nan(""), std::nan("") });
 }
 
-/// @p radii of rings on which the pressure of the contacts is gathered; empty: those of the foot.
-Findings look(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Probe &probe,
-              const std::vector<double> &radii = {})
+Findings look(const ProbedLoads &loads, const ElasticFoot &foot, const ring::Motion &motion,
+              const Probe &probe, const std::optional<Gathering> &gathering = {})
 {
-  Findings found;
+  Findings found = {};
+  found.at_rest = loads.all.front()->report();
   found.torques.assign(probe.spins.size(), { 0, 0 });
   const double share = 1. / static_cast<double>(probe.phases.size());
-  for (const ring::Orientation &phase : probe.phases)
-  {
-    const SharedLoad load = find_load_at_phase(study, foot, phase);
-    const auto torques_at = [&](const BalancedLoad &of, double omega)
-    { return torques_of(of, *foot, study.motion.orbit, omega, radii); };
-    if (&phase == &probe.phases.front())
-      found.at_rest = load->report();
+  for (const SharedLoad &load : loads.all)
     for (std::size_t i = 0; i < probe.spins.size(); ++i)
     {
-      const Torques torques = torques_at(*load, probe.spins[i]);
+      const Torques torques = torques_of(*load, foot, motion, probe.spins[i], gathering);
       found.torques[i].friction += share * torques.friction;
       found.torques[i].all += share * torques.all;
     }
-    if (probe.first)
-      found.torque_of_first +=
-        share * torques_at(*find_load_at_phase(study, foot, phase, 1), *probe.first).all;
-  }
+  for (const SharedLoad &load : loads.first)
+    found.torque_of_first += share * torques_of(*load, foot, motion, *probe.first, gathering).all;
   return found;
 }
 
@@ -171,13 +182,11 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
 Findings look(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot, const ElasticFoot &own,
               const Probe &probe)
 {
-  if (change.on_same_contacts)
-    return look(change.study, foot, probe, change.radii);
   if (change.on_same_foot)
     foot->forget_rings();
-  if (!change.on_same_foot || !change.radii.empty())
-    foot->set_rings(change.on_same_foot ? change.radii : own.ring_radii(), own.n_harmonics());
-  return look(change.study, foot, probe);
+  else
+    foot->set_rings(own.ring_radii(), own.n_harmonics());
+  return look(loads_of(change.study, foot, probe), *foot, change.study.motion.orbit, probe);
 }
 
 /// Adds to the parts of @p bands what @p change moves the quantities by, from @p before to @p after. What it
@@ -205,8 +214,10 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
                     const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
   const Probe probe = probe_of(study, *foot, all.terminal->omega, first);
-  const Findings own = look(study, foot, probe);
-  const std::vector<BandChange> changes =
+  const ring::Motion &motion = study.motion.orbit;
+  const ProbedLoads own_loads = loads_of(study, foot, probe);
+  const Findings own = look(own_loads, *foot, motion, probe);
+  std::vector<BandChange> changes =
     band_changes(study, *foot, own.at_rest, carries_all_round(all, own.at_rest));
   const auto quantities = [&](const Findings &found)
   { return quantities_from(found, probe, own, all, study); };
@@ -215,6 +226,12 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   for (const QuantityOfInterest &quantity : unchanged)
     if (std::isfinite(quantity.value))
       bands.push_back({ quantity, quantity.rounding, quantity.value, { { "solver", quantity.rounding } } });
+
+  const auto gathered = std::stable_partition(changes.begin(), changes.end(),
+                                              [](const BandChange &change) { return !change.gathering; });
+  for (auto change = gathered; change != changes.end(); ++change)
+    add_part(*change, unchanged, quantities(look(own_loads, *foot, motion, probe, change->gathering)), bands);
+  changes.erase(gathered, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
   { return look(change, its_foot, *foot, probe); };
