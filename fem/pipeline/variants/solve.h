@@ -12,6 +12,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -69,7 +70,11 @@ template <typename AnyVariant>
 std::vector<std::size_t> order_of_work(const std::vector<AnyVariant> &variants)
 {
   const auto cost = [&](std::size_t i)
-  { return (variants[i].on_same_foot ? 0 : 1) + (variants[i].study.table.is_hard() ? 2 : 0); };
+  {
+    const Study &study = variants[i].study;
+    return std::pair((variants[i].on_same_foot ? 0 : 1) + (study.table.is_hard() ? 2 : 0),
+                     study.contact.degree + study.contact.halvings_beyond_zone);
+  };
   std::vector<std::size_t> order(variants.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
