@@ -3,6 +3,8 @@
 //
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
+//   docs_numbers --keys SOURCE_FOLDER                        rewrites docs/summary.md alone, and computes
+//   nothing
 //
 // docs/numbers/studies.txt says which studies there are and how a page shows a number.
 
@@ -337,17 +339,30 @@ std::string key_rows(const nlohmann::ordered_json &schema, const std::string &pa
   return rows;
 }
 
-/// The page docs/summary.md: the keys of summary.json as its schema declares them.
-std::string page_of_keys(const nlohmann::ordered_json &schema)
+/// The page of the keys of summary.json.
+fs::path key_page(const fs::path &source)
 {
+  return source / "docs/summary.md";
+}
+
+/// The text of key_page(), as the schema declares the keys.
+std::string text_of_keys(const fs::path &source)
+{
+  const auto schema =
+    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json"));
   return "# The keys of summary.json\n\n" + schema["description"].get<std::string>() +
          " The schema is `fem/pipeline/document/summary.schema.json`, installed as "
          "`share/stemware/summary.schema.json`; "
-         "this page is made from it by `cmake --build build/release --target docs_results`. A verb has those "
+         "this page is made from it by `cmake --build build/release --target docs_keys`. A verb has those "
          "of the keys that it speaks of; `[]` stands for each of a list, `*` for any name.\n\n"
          "| key | unit | meaning |\n|---|---|---|\n" +
          key_rows(schema, "") + "\n`load`, `load_at_terminal` and `load_at_fall` have these:\n\n" +
          "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
+}
+
+void write_keys(const fs::path &source)
+{
+  std::ofstream(key_page(source), std::ios::binary) << text_of_keys(source);
 }
 
 int work_on(const std::vector<std::string> &arguments)
@@ -366,13 +381,10 @@ int work_on(const std::vector<std::string> &arguments)
     if (!only_check && after != before)
       std::ofstream(page, std::ios::binary) << after;
   }
-  const fs::path key_page = source / "docs/summary.md";
-  const std::string keys = page_of_keys(
-    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json")));
   if (!only_check)
-    std::ofstream(key_page, std::ios::binary) << keys;
-  else if (read_file(key_page) != keys)
-    throw std::runtime_error("docs/summary.md is not what the schema says; make the pages again.");
+    write_keys(source);
+  else if (read_file(key_page(source)) != text_of_keys(source))
+    throw std::runtime_error("docs/summary.md is not what the schema says; make it again: docs_keys.");
   if (!only_check)
     for (const Picture &picture : list.pictures)
     {
@@ -392,14 +404,21 @@ int work_on(const std::vector<std::string> &arguments)
 int main(int argc, char *argv[])
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check"))
+  const bool only_keys = arguments.size() == 2 && arguments[0] == "--keys";
+  if (!only_keys &&
+      (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check")))
   {
-    std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check]" << std::endl;
+    std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check], or docs_numbers --keys "
+                 "SOURCE_FOLDER"
+              << std::endl;
     return 2;
   }
   try
   {
-    return work_on(arguments);
+    if (!only_keys)
+      return work_on(arguments);
+    write_keys(arguments[1]);
+    return 0;
   }
   catch (const std::exception &error)
   {

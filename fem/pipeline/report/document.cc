@@ -121,7 +121,7 @@ private:
     else if (word == "table")
       add_table(table_from(document, facts, rest));
     else if (word == "list")
-      add_table(table_of(as_list(table_from(document, facts, rest)), "", "", parted(rest, '|').second));
+      add_list(rest);
     else if (word == "words")
       add_table(table_of(Json::array(), parted(rest, '|').first, "", parted(rest, '|').second));
     else if (word == "row")
@@ -164,6 +164,17 @@ private:
       results.console.back().table = table;
       results.console.emplace_back();
     }
+  }
+
+  /// A list of the listed numbers of a part of the findings, unless there are none; or of the keys that are
+  /// named.
+  void add_list(const std::string &what)
+  {
+    const auto [path, title] = parted(what, '|');
+    const Table numbers = path.find(':') == std::string::npos ? table_of(listed(facts[path], path), "", path)
+                                                              : table_from(document, facts, what);
+    if (numbers.n_rows() > 0)
+      add_table(table_of(as_list(numbers), "", "", title));
   }
 
   /// A row of the table before; the last column has all that is left.

@@ -288,8 +288,6 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
 
 void add_foot(const Study &study, const FootReport &foot, Document &document)
 {
-  document.facts["contact_list"] = document.findings.summary["contact"];
-  document.facts["contact_list"]["cells"] = foot.foot.n_cells;
   document.tables["contact_history"] = history_table(foot.at_rest.history);
   document.tables["footprint"] = footprint_table(foot.footprint);
   if (foot.footprint_at_end)
