@@ -149,6 +149,20 @@ Quantity quantity_named(const std::string &key, const std::string &section, std:
   return result;
 }
 
+Json declared(const Json &values, const std::string &name)
+{
+  const Json &part = properties_of(schema()).at(name);
+  Json result = Json::array();
+  for (const Json &row : values.is_array() ? values : Json::array({ values }))
+  {
+    result.push_back(Json::object());
+    for (const auto &[key, value] : properties_of(values.is_array() ? part["items"] : part).items())
+      if (row.contains(key))
+        result.back()[key] = row[key];
+  }
+  return values.is_array() ? result : result[0];
+}
+
 Json listed(const Json &part, const std::string &name)
 {
   const Json &parts = properties_of(schema());

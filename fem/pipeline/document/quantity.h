@@ -37,6 +37,10 @@ struct Quantity
 Quantity quantity_named(const std::string &key, const std::string &section = "", std::size_t place = 0,
                         const nlohmann::ordered_json &own = nullptr);
 
+/// The part @p name of the summary, made of @p values, an object or a list of objects: those of its keys that
+/// the values have, in the order of the schema.
+nlohmann::ordered_json declared(const nlohmann::ordered_json &values, const std::string &name);
+
 /// The values of the part @p name of the summary, @p part, that the schema calls "listed", in its order;
 /// those of parts in it among them.
 nlohmann::ordered_json listed(const nlohmann::ordered_json &part, const std::string &name);

@@ -54,9 +54,7 @@ Json comparison_rows(const Comparison &comparison)
     rows[i]["harmonic_effect"] = effect.absolute;
     rows[i]["harmonic_effect_relative"] = effect.relative;
   }
-  return picked(rows, "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
-                      "omega_terminal_band difference_to_paper load_minimum_at_terminal "
-                      "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state message");
+  return declared(rows, "comparison");
 }
 
 Findings findings_of(const Study &study, const Comparison &comparison)

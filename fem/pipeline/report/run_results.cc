@@ -92,13 +92,6 @@ Standing standing_of(const ContactReport &report, const SpinStudy &spin)
   return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
 }
 
-/// A value of the ring at the row's terminal spin; null where it has none.
-template <typename Value>
-Json at_terminal(const SpinRow &row, Value value)
-{
-  return row.at_terminal ? Json(std::invoke(value, *row.at_terminal)) : Json(nullptr);
-}
-
 /// All terminal spins with their stability, and which one is reached from rest.
 Json terminal_spins_summary(const SpinStudy &spin)
 {
@@ -201,31 +194,20 @@ std::vector<MeasuredSpin> measured_spins(const Study &study)
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
-  return { { "tau_at_rest", all.at_rest.value().friction.torque },
-           { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
-           { "lean_torque_at_rest", all.at_rest->lean_torque },
-           { "standing", to_string(standing_of(report, spin)) },
-           { "fall", fall_summary(all.fall) },
-           { "omega_terminal", all.omega_terminal() },
-           { "tau_at_terminal",
-             at_terminal(all, [](const RingState &state) { return state.friction.torque; }) },
-           { "lean_torque_at_terminal", at_terminal(all, &RingState::lean_torque) },
-           { "grip_torque_at_terminal", at_terminal(all, &RingState::grip_torque) },
-           { "time_constant", all.time_constant() },
-           { "terminal_spins", terminal_spins_summary(spin) },
-           { "driven", driven_summary(spin.spin_up.driven) },
-           { "measured", study.motion.measured_spin_file.empty()
-                           ? Json(nullptr)
-                           : Json{ { "points", measured_spins(study).size() } } },
-           { "no_lift_off", has_no_lift_off(report) },
-           { "force_at_terminal", at_terminal(all,
-                                              [](const RingState &state) {
-                                                return Json{ state.friction.force_x, state.friction.force_y };
-                                              }) },
-           { "moment_ratio_at_terminal", at_terminal(all, &RingState::moment_ratio) },
-           { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
-           { "phase_dependent", spin.phases.has_value() },
-           { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
+  const bool is_measured = !study.motion.measured_spin_file.empty();
+  Json ring = spin_rows({ all })[0];
+  ring.update(
+    { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
+      { "standing", to_string(standing_of(report, spin)) },
+      { "fall", fall_summary(all.fall) },
+      { "terminal_spins", terminal_spins_summary(spin) },
+      { "driven", driven_summary(spin.spin_up.driven) },
+      { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
+      { "no_lift_off", has_no_lift_off(report) },
+      { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
+      { "phase_dependent", spin.phases.has_value() },
+      { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } });
+  return declared(ring, "ring");
 }
 
 /// Summary of the effects of an out-of-flat rim or table; null for flat ones.

@@ -19,10 +19,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr char summary_keys[] = "harmonics amplitude tau_at_rest torque omega_terminal relative_change "
-                                "spin_up_deviation spin_up_deviation_at_end bound pulls load_minimum "
-                                "pulling_share load_minimum_at_terminal pulling_share_at_terminal "
-                                "load_at_terminal trouble";
 constexpr char data_keys[] =
   "harmonics amplitude tau_at_rest omega_terminal relative_change spin_up_deviation "
   "spin_up_deviation_at_end bound ring_radius_at_terminal "
@@ -68,7 +64,7 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study, const
                        { "torque_at", study.omega },
                        { "harmonic_effect", harmonic_effect_summary(study.harmonics) },
                        { "budget", budget },
-                       { "truncation", picked(rows, summary_keys) } };
+                       { "truncation", declared(rows, "truncation") } };
   findings.key_figures = { { "omega_terminal", study.all().omega_terminal() },
                            { "omega_terminal_band", study.all().band },
                            { "harmonic_effect", study.harmonics.absolute },
