@@ -31,19 +31,6 @@ const Json &schema()
   return schema;
 }
 
-/// The members that a declaration has; words have no unit.
-Json shown_words(const Json &declaration)
-{
-  Json words = Json::object();
-  const Json type = declaration.value("type", Json());
-  if (type == "string" || type == Json{ "string", "null" })
-    words["unit"] = "";
-  for (const auto &[word, member] : members)
-    if (declaration.contains(word))
-      words[word] = declaration[word];
-  return words;
-}
-
 /// The declarations of the values of an object; none of what is no object.
 const Json &properties_of(const Json &declaration)
 {
@@ -82,24 +69,23 @@ private:
     }
   }
 
-  void add(const std::string &key, const Json &value, const std::vector<std::string> &sections)
+  void add(const std::string &key, Json value, const std::vector<std::string> &sections)
   {
     const bool is_list = value.contains("items") && value["items"].is_array();
-    Json words = shown_words(value);
+    const bool is_shown = value.contains("name") || value.contains("heading") || value.contains("label");
+    if (value.contains("description") && !is_list && !is_shown)
+      return;
+    if (const Json type = value.value("type", Json()); type == "string" || type == Json{ "string", "null" })
+      value.emplace("unit", ""); // words have none
+    Json places = Json::array();
     if (is_list)
-    {
-      Json list = Json::array();
       for (const Json &item : value["items"])
       {
-        list.push_back(words);
-        list.back().update(shown_words(item));
+        places.push_back(value);
+        places.back().update(item);
       }
-      words = list;
-    }
-    else if (value.contains("description") && words.size() == words.count("unit"))
-      return; // no table shows it
     for (const std::string &section : sections)
-      quantities[section].emplace(key + (is_list ? list_mark : ""), Json(words));
+      quantities[section].emplace(key + (is_list ? list_mark : ""), Json(is_list ? places : value));
   }
 };
 

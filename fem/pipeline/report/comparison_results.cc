@@ -143,7 +143,7 @@ std::string spin_with_unit(const SpinRow &row)
 {
   if (!row.omega_terminal())
     return "nothing (" + to_string(row.standing) + ")";
-  return with_band(*row.omega_terminal(), row.band) + " rad/s" +
+  return format::with_band(*row.omega_terminal(), row.band) + " rad/s" +
          (row.standing == Standing::formal ? ", formally" : "");
 }
 
@@ -204,10 +204,10 @@ Results tabulate(const Study &study, const Comparison &comparison)
   Document document = { findings_of(study, comparison), facts_of(study, comparison) };
   const auto spin = [&](Closure closure, const std::string &load)
   { return comparison.find(closure, load)->omega_terminal(); };
-  add_head(study,
-           { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
-             { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
-           document);
+  add_study(study,
+            { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
+              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
+            document);
   add_chain(study, budget, document);
   add_comparison_plots(comparison, document);
   const Closure own = study.motion.closure;
@@ -217,7 +217,6 @@ Results tabulate(const Study &study, const Comparison &comparison)
     "harmonics,\nclosure " + ring::to_string(own);
   for (const Closure closure : closures)
     document.facts["closures"][ring::to_string(closure)] = closure_rows(comparison, closure);
-  add_study(study, document);
   return shown(document, "compare");
 }
 

@@ -346,7 +346,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
 {
   Document document = { findings_of(study, report, spin, bands, goal),
                         run_facts(study, report, spin, bands, goal) };
-  add_head(study, turning_glasses(report, spin), document, report.load.rings);
+  add_study(study, turning_glasses(report, spin), document, report.load.rings);
   add_spin(study, report, spin, document);
   if (!spin.is_quick())
     add_budget(study, spin, document);
@@ -354,7 +354,6 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   if (report.foot)
     add_foot(study, *report.foot, document);
   add_bands(bands, document);
-  add_study(study, document);
   document.fields = own_fields(report).fields;
   return shown(document, "run");
 }

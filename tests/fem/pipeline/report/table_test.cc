@@ -218,6 +218,18 @@ TEST(Quantities, OfTheSchemaHaveNoWordThatNobodyReads)
     look(value);
 }
 
+TEST(Quantities, APartOfTheSummaryHasTheKeysOfTheSchemaInItsOrder)
+{
+  const Json row = {
+    { "reason", nullptr }, { "remark", "" }, { "omega_terminal", -3.5 }, { "name", "tilt" }
+  };
+  EXPECT_EQ(declared(Json::array({ row, row }), "without")[1].dump(),
+            R"({"name":"tilt","omega_terminal":-3.5,"reason":null})");
+  EXPECT_EQ(declared({ { "unknowns", 7 }, { "body", "solid" }, { "x", 1 } }, "contact").dump(),
+            R"({"body":"solid","unknowns":7})");
+  EXPECT_THROW(declared(row, "no part"), Json::out_of_range);
+}
+
 TEST(Quantities, ListedOnesOfAPartStandInTheOrderOfTheSchema)
 {
   const Json contact = { { "unknowns", 7 },
@@ -257,7 +269,6 @@ TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
 TEST(NumberFormat, DigitsOfPeople)
 {
   EXPECT_EQ(format::number(-3.1290926, ".6g"), "-3.12909");
-  EXPECT_EQ(format::significant<6>(-3.1290926), "-3.12909");
   EXPECT_EQ(format::number(-3.12, "#.6g"), "-3.12000");
   EXPECT_EQ(format::number(1234.5, ".2e"), "1.23e+03");
   EXPECT_EQ(format::number(0, ".2e"), "0");
