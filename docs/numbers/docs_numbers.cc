@@ -339,14 +339,8 @@ std::string key_rows(const nlohmann::ordered_json &schema, const std::string &pa
   return rows;
 }
 
-/// The page of the keys of summary.json.
-fs::path key_page(const fs::path &source)
-{
-  return source / "docs/summary.md";
-}
-
-/// The text of key_page(), as the schema declares the keys.
-std::string text_of_keys(const fs::path &source)
+/// The page docs/summary.md: the keys of summary.json as its schema declares them.
+std::string page_of_keys(const fs::path &source)
 {
   const auto schema =
     nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json"));
@@ -360,15 +354,20 @@ std::string text_of_keys(const fs::path &source)
          "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
 }
 
-void write_keys(const fs::path &source)
+void work_on_keys(const fs::path &source, bool only_check)
 {
-  std::ofstream(key_page(source), std::ios::binary) << text_of_keys(source);
+  const fs::path page = source / "docs/summary.md";
+  const std::string text = page_of_keys(source);
+  if (!only_check)
+    std::ofstream(page, std::ios::binary) << text;
+  else if (read_file(page) != text)
+    throw std::runtime_error(
+      "docs/summary.md is not what the schema says; the target docs_keys makes it again.");
 }
 
-int work_on(const std::vector<std::string> &arguments)
+int work_on(const std::vector<std::string> &arguments, bool only_check)
 {
   const fs::path source = arguments[1], work = arguments[2];
-  const bool only_check = arguments.size() > 3;
   const StudyList list = read_list(source / "docs/numbers/studies.txt");
   fs::create_directories(work);
   Results results(arguments[0], source, work, list, only_check);
@@ -381,10 +380,6 @@ int work_on(const std::vector<std::string> &arguments)
     if (!only_check && after != before)
       std::ofstream(page, std::ios::binary) << after;
   }
-  if (!only_check)
-    write_keys(source);
-  else if (read_file(key_page(source)) != text_of_keys(source))
-    throw std::runtime_error("docs/summary.md is not what the schema says; make it again: docs_keys.");
   if (!only_check)
     for (const Picture &picture : list.pictures)
     {
@@ -404,20 +399,20 @@ int work_on(const std::vector<std::string> &arguments)
 int main(int argc, char *argv[])
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool only_keys = arguments.size() == 2 && arguments[0] == "--keys";
-  if (!only_keys &&
-      (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check")))
+  const bool only_check = argc > 1 && arguments.back() == "--check";
+  const bool only_keys = argc > 1 && arguments.front() == "--keys";
+  if (arguments.size() != (only_keys ? 2u : 3u) + (only_check ? 1u : 0u))
   {
     std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check], or docs_numbers --keys "
-                 "SOURCE_FOLDER"
+                 "SOURCE_FOLDER [--check]"
               << std::endl;
     return 2;
   }
   try
   {
     if (!only_keys)
-      return work_on(arguments);
-    write_keys(arguments[1]);
+      return work_on(arguments, only_check);
+    work_on_keys(arguments[1], only_check);
     return 0;
   }
   catch (const std::exception &error)
