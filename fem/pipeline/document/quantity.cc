@@ -4,7 +4,6 @@
 
 #include <boost/algorithm/string/predicate.hpp>
 
-#include <array>
 #include <vector>
 
 namespace stemware::pipeline
@@ -17,13 +16,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-/// The words of a declaration that say how tables show the quantity.
-constexpr std::array members = {
-  std::pair("name", &Quantity::name),   std::pair("heading", &Quantity::heading),
-  std::pair("label", &Quantity::label), std::pair("digits", &Quantity::digits),
-  std::pair("unit", &Quantity::unit),   std::pair("console_digits", &Quantity::console_digits)
-};
 
 const Json &schema()
 {
@@ -89,16 +81,6 @@ private:
   }
 };
 
-/// The declaration of @p key among the quantities of a section; of a list the one of that place.
-void declare(const Json &quantities, const std::string &key, std::size_t place, Quantity &quantity)
-{
-  if (!quantities.is_object() || !quantities.contains(key))
-    return;
-  const Json &found = quantities[key], &declared = found.is_array() ? found.at(place) : found;
-  for (const auto &[word, member] : members)
-    quantity.*member = declared.value(word, quantity.*member);
-}
-
 /// The listed ones of @p part, which @p declaration declares.
 Json listed_of(const Json &part, const Json &declaration)
 {
@@ -119,20 +101,35 @@ Quantity quantity_named(const std::string &key, const std::string &section, std:
                         const Json &own)
 {
   static const Json registry = Registry().quantities;
-  const Json in_section = registry.value(section, Json()),
-             of_document = own.is_null() ? Json() : own.value(section, Json());
-  const auto has = [&](const Json &quantities) { return quantities.is_object() && quantities.contains(key); };
-  Quantity result = { key };
-  if (!has(registry[""]) && !has(in_section) && !has(of_document))
+  Json words = Json::object();
+  bool is_declared = false;
+  const auto declare = [&](const Json &sections, const std::string &part, const std::string &name)
+  {
+    if (!sections.is_object() || !sections.contains(part) || !sections[part].contains(name))
+      return;
+    const Json &found = sections[part][name];
+    words.update(found.is_array() ? found.at(place) : found);
+    is_declared = true;
+  };
+  declare(registry, "", key);
+  declare(registry, section, key);
+  declare(own, section, key);
+  if (!is_declared)
   {
     const auto unit = boost::ends_with(key, ")") ? key.rfind(" (") : std::string::npos;
-    result.name = result.heading = result.label = key.substr(0, unit);
-    result.unit = unit == std::string::npos ? "" : key.substr(unit + 2, key.size() - unit - 3);
-    declare(in_section, "*", place, result);
+    for (const char *name : { "name", "heading", "label" })
+      words[name] = key.substr(0, unit);
+    words["unit"] = unit == std::string::npos ? "" : key.substr(unit + 2, key.size() - unit - 3);
+    declare(registry, section, "*");
   }
-  for (const Json *quantities : { static_cast<const Json *>(&registry[""]), &in_section, &of_document })
-    declare(*quantities, key, place, result);
-  return result;
+  const Quantity usual;
+  return { key,
+           words.value("name", usual.name),
+           words.value("unit", usual.unit),
+           words.value("heading", usual.heading),
+           words.value("label", usual.label),
+           words.value("digits", usual.digits),
+           words.value("console_digits", usual.console_digits) };
 }
 
 Json declared(const Json &values, const std::string &name)
