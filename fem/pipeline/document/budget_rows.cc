@@ -125,11 +125,6 @@ Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
   return summary;
 }
 
-Json without_summary(const Study &study, const Budget &budget)
-{
-  return declared(without_rows(study, budget), "without");
-}
-
 Json harmonic_effect_summary(const HarmonicEffect &effect)
 {
   return { { "absolute", effect.absolute }, { "relative", effect.relative } };

@@ -243,7 +243,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "coupling", coupling_summary(report.coupling) },
     { "waviness", waviness_summary(spin.phases) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
-    { "without", spin.is_quick() ? Json(nullptr) : without_summary(study, spin.budget) },
+    { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
     { "truncation", picked(spin_rows(spin.rows), "harmonics tau_at_rest omega_terminal "
                                                  "relative_change bound load_minimum") },
