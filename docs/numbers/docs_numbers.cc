@@ -3,6 +3,8 @@
 //
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
+//   docs_numbers --keys SOURCE_FOLDER                        rewrites docs/summary.md alone, and computes
+//   nothing
 //
 // docs/numbers/studies.txt says which studies there are and how a page shows a number.
 
@@ -338,22 +340,34 @@ std::string key_rows(const nlohmann::ordered_json &schema, const std::string &pa
 }
 
 /// The page docs/summary.md: the keys of summary.json as its schema declares them.
-std::string page_of_keys(const nlohmann::ordered_json &schema)
+std::string page_of_keys(const fs::path &source)
 {
+  const auto schema =
+    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json"));
   return "# The keys of summary.json\n\n" + schema["description"].get<std::string>() +
          " The schema is `fem/pipeline/document/summary.schema.json`, installed as "
          "`share/stemware/summary.schema.json`; "
-         "this page is made from it by `cmake --build build/release --target docs_results`. A verb has those "
+         "this page is made from it by `cmake --build build/release --target docs_keys`. A verb has those "
          "of the keys that it speaks of; `[]` stands for each of a list, `*` for any name.\n\n"
          "| key | unit | meaning |\n|---|---|---|\n" +
          key_rows(schema, "") + "\n`load`, `load_at_terminal` and `load_at_fall` have these:\n\n" +
          "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
 }
 
-int work_on(const std::vector<std::string> &arguments)
+void work_on_keys(const fs::path &source, bool only_check)
+{
+  const fs::path page = source / "docs/summary.md";
+  const std::string text = page_of_keys(source);
+  if (!only_check)
+    std::ofstream(page, std::ios::binary) << text;
+  else if (read_file(page) != text)
+    throw std::runtime_error(
+      "docs/summary.md is not what the schema says; the target docs_keys makes it again.");
+}
+
+int work_on(const std::vector<std::string> &arguments, bool only_check)
 {
   const fs::path source = arguments[1], work = arguments[2];
-  const bool only_check = arguments.size() > 3;
   const StudyList list = read_list(source / "docs/numbers/studies.txt");
   fs::create_directories(work);
   Results results(arguments[0], source, work, list, only_check);
@@ -366,13 +380,6 @@ int work_on(const std::vector<std::string> &arguments)
     if (!only_check && after != before)
       std::ofstream(page, std::ios::binary) << after;
   }
-  const fs::path key_page = source / "docs/summary.md";
-  const std::string keys = page_of_keys(
-    nlohmann::ordered_json::parse(read_file(source / "fem/pipeline/document/summary.schema.json")));
-  if (!only_check)
-    std::ofstream(key_page, std::ios::binary) << keys;
-  else if (read_file(key_page) != keys)
-    throw std::runtime_error("docs/summary.md is not what the schema says; make the pages again.");
   if (!only_check)
     for (const Picture &picture : list.pictures)
     {
@@ -392,14 +399,21 @@ int work_on(const std::vector<std::string> &arguments)
 int main(int argc, char *argv[])
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (arguments.size() < 3 || arguments.size() > 4 || (arguments.size() == 4 && arguments[3] != "--check"))
+  const bool only_check = argc > 1 && arguments.back() == "--check";
+  const bool only_keys = argc > 1 && arguments.front() == "--keys";
+  if (arguments.size() != (only_keys ? 2u : 3u) + (only_check ? 1u : 0u))
   {
-    std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check]" << std::endl;
+    std::cerr << "usage: docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER [--check], or docs_numbers --keys "
+                 "SOURCE_FOLDER [--check]"
+              << std::endl;
     return 2;
   }
   try
   {
-    return work_on(arguments);
+    if (!only_keys)
+      return work_on(arguments, only_check);
+    work_on_keys(arguments[1], only_check);
+    return 0;
   }
   catch (const std::exception &error)
   {

@@ -2,14 +2,9 @@
 #include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/comparison_results.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/support/failures.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace stemware::pipeline
 {
@@ -48,11 +43,8 @@ void compare(const StudyOptions &options)
 
 void add_compare_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<StudyOptions>();
-  CLI::App *verb = add_verb(program, chosen, "compare",
-                            "Moment balances, loads, harmonics side by side: what changes the spin",
-                            [options] { compare(*options); });
-  add_study_options(*verb, *options);
+  add_study_verb(program, chosen, "compare",
+                 "Moment balances, loads, harmonics side by side: what changes the spin", compare);
 }
 
 } // namespace stemware::pipeline

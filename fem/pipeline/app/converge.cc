@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/convergence_results.h"
 #include "fem/pipeline/report/publish.h"
@@ -11,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <memory>
 
 namespace stemware::pipeline
 {
@@ -62,11 +60,8 @@ void converge(const ConvergeOptions &options)
 
 void add_converge_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<ConvergeOptions>();
-  CLI::App *verb =
-    add_verb(program, chosen, "converge", "Refine a study: observed orders, limits, error bands",
-             [options] { converge(*options); });
-  add_study_options(*verb, *options);
+  const auto [verb, options] = add_study_verb(
+    program, chosen, "converge", "Refine a study: observed orders, limits, error bands", converge);
   verb
     ->add_option("--levels", options->n_levels,
                  "Levels of each parameter; default 3, which an observed order needs")

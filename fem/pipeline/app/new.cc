@@ -1,4 +1,5 @@
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
@@ -108,17 +109,11 @@ void add_new_verb(CLI::App &program, Verb &chosen)
   verb->footer(
     []
     {
-      return R"(Examples:
-  stemware new my_glass.prm                                   the default study, to be changed
-  stemware new bordeaux.prm --glass Bordeaux --table oak
-  stemware new flute.prm --glass champagne --table "cork mat"
-  stemware new --cookbook lift_off                            writes lift_off.prm
-
-Glasses:
-)" + list_of(glass_presets()) +
-             "\nTables:\n" + list_of(table_presets()) +
-             "\nSizes and moduli are typical ones; docs/presets.md says where each comes from." +
-             list_of_cookbooks();
+      return filled(help_of("new"),
+                    { { "glasses", list_of(glass_presets()) },
+                      { "tables", list_of(table_presets()) },
+                      { "cookbooks", list_of_cookbooks() } },
+                    nullptr, "new");
     });
   verb->callback(
     [&chosen, options, file, cookbook]

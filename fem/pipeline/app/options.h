@@ -1,16 +1,13 @@
 #pragma once
 
+#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_options.h"
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
-
-// NOLINTNEXTLINE(readability-identifier-naming): the library's name
-namespace CLI
-{
-class App;
-}
 
 namespace stemware::pipeline
 {
@@ -24,6 +21,19 @@ void add_output_option(CLI::App &verb, StudyOptions &options, const std::string 
 /// Declares STUDY, --output, --set, --threads (--jobs of a sweep), --quiet and --json on @p verb, to be
 /// stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
+
+/// Adds a verb that works on studies, as add_verb(): with add_study_options(), stored in Options, which are
+/// derived from StudyOptions. The verb and its options come back, for those of its own.
+template <typename Options>
+std::pair<CLI::App *, std::shared_ptr<Options>>
+add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
+               void (*work)(const Options &))
+{
+  const auto options = std::make_shared<Options>();
+  CLI::App *verb = add_verb(program, chosen, name, words, [options, work] { work(*options); });
+  add_study_options(*verb, *options);
+  return { verb, options };
+}
 
 /// Declares --at, spins [rad/s] at which the torque is wanted, to be stored in @p omega; @p when_empty says
 /// which ones a study chooses itself.

@@ -23,18 +23,8 @@ int run_program(int argc, char *argv[])
                      "stemware");
     Verb chosen;
     describe_program(program);
-    add_run_verb(program, chosen);
-    add_new_verb(program, chosen);
-    add_truncate_verb(program, chosen);
-    add_compare_verb(program, chosen);
-    add_sweep_verb(program, chosen);
-    add_slide_verb(program, chosen);
-    add_explore_verb(program, chosen);
-    add_mesh_verb(program, chosen);
-    add_converge_verb(program, chosen);
-    add_defaults_verb(program, chosen);
-    add_help_verb(program, chosen);
-    add_describe_verb(program, chosen);
+#define STEMWARE_VERB(name) add_##name##_verb(program, chosen);
+    STEMWARE_VERBS(STEMWARE_VERB)
     if (const auto exit_code = parse_command_line(program, argc, argv))
     {
       require_printed();

@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/publish.h"
@@ -12,8 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <memory>
-
 namespace stemware::pipeline
 {
 
@@ -21,18 +18,16 @@ namespace
 {
 
 /// Options of `stemware run`.
-struct RunOptions
+struct RunOptions : StudyOptions
 {
-  StudyOptions study;
   bool quick = false; ///< the answer and its curves alone
 };
 
 /// Solves a study and writes the folder of its results. Collective over all ranks. Throws BadInput,
 /// OutputFailure, fem::ContactFailure, and std::runtime_error where there is no balance or no terminal spin.
-void run(const RunOptions &run_options)
+void run(const RunOptions &options)
 {
-  const StudyOptions &options = run_options.study;
-  const Depth depth = run_options.quick ? Depth::answer : Depth::full;
+  const Depth depth = options.quick ? Depth::answer : Depth::full;
 
   // 1. What is asked for; everything that can be refused is refused here.
   StudyWork work(options, true);
@@ -87,11 +82,8 @@ void run(const RunOptions &run_options)
 
 void add_run_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<RunOptions>();
-  CLI::App *verb =
-    add_verb(program, chosen, "run", "Compute a study: contact, torque, spin, and how large each effect is",
-             [options] { run(*options); });
-  add_study_options(*verb, options->study);
+  const auto [verb, options] = add_study_verb(
+    program, chosen, "run", "Compute a study: contact, torque, spin, and how large each effect is", run);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
 }
 

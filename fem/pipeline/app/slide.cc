@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/slide_results.h"
 #include "fem/pipeline/study/quantity_text.h"
@@ -15,7 +14,6 @@
 
 #include <cmath>
 #include <map>
-#include <memory>
 
 namespace stemware::pipeline
 {
@@ -84,10 +82,8 @@ void slide(const SlideOptions &options)
 
 void add_slide_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<SlideOptions>();
-  CLI::App *verb = add_verb(program, chosen, "slide", "Push a glass, a ring or a disc, let it go, follow it",
-                            [options] { slide(*options); });
-  add_study_options(*verb, *options);
+  const auto [verb, options] =
+    add_study_verb(program, chosen, "slide", "Push a glass, a ring or a disc, let it go, follow it", slide);
   static const std::map<std::string, SlidingBodyKind> kinds = { { "glass", SlidingBodyKind::glass },
                                                                 { "ring", SlidingBodyKind::ring },
                                                                 { "annulus", SlidingBodyKind::annulus },

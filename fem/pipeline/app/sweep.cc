@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/sweep/sweep_folder.h"
 #include "fem/pipeline/analysis/sweep/sweep_plan.h"
 #include "fem/pipeline/app/options.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/study/study_checks.h"
@@ -214,11 +213,8 @@ void sweep(const SweepOptions &options)
 
 void add_sweep_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<SweepOptions>();
-  CLI::App *verb =
-    add_verb(program, chosen, "sweep", "Compute a study many times: entries over a range, or random samples",
-             [options] { sweep(*options); });
-  add_study_options(*verb, *options);
+  const auto [verb, options] = add_study_verb(
+    program, chosen, "sweep", "Compute a study many times: entries over a range, or random samples", sweep);
   SweepRequest &request = options->request;
   verb->add_option("--vary", request.varied, "Values of one entry: a range or a list; at most twice")
     ->type_name("\"Section/Entry=values\"")

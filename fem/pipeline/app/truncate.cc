@@ -3,14 +3,11 @@
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/truncation_results.h"
 
 #include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace stemware::pipeline
 {
@@ -52,10 +49,8 @@ void truncate(const TruncateOptions &options)
 
 void add_truncate_verb(CLI::App &program, Verb &chosen)
 {
-  const auto options = std::make_shared<TruncateOptions>();
-  CLI::App *verb = add_verb(program, chosen, "truncate", "How many harmonics of the load matter",
-                            [options] { truncate(*options); });
-  add_study_options(*verb, *options);
+  const auto [verb, options] =
+    add_study_verb(program, chosen, "truncate", "How many harmonics of the load matter", truncate);
   add_spin_option(*verb, options->omega, "the terminal spin of all harmonics, and half of it");
 }
 

@@ -30,41 +30,25 @@ CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, con
 /// Adds to the program the parts that all verbs share: version, exit codes, first examples.
 void describe_program(CLI::App &program);
 
-/// `stemware new`: a study file of a glass on a table to start from.
-void add_new_verb(CLI::App &program, Verb &chosen);
+/// The verbs in the order of --help; `describe` is for those who install the program. Each has a function
+/// add_NAME_verb(), which adds its options and work.
+#define STEMWARE_VERBS(VERB)                                                                                 \
+  VERB(run)      /* a study from its file to its results */                                                  \
+  VERB(new)      /* a study file of a glass on a table to start from */                                      \
+  VERB(truncate) /* a study with fewer and fewer harmonics of its load */                                    \
+  VERB(compare)  /* closures, loads and truncations side by side */                                          \
+  VERB(sweep)    /* a study many times, with other values each time */                                       \
+  VERB(slide)    /* a glass, a ring or a disc that is pushed and let go */                                   \
+  VERB(explore)  /* a page that solves a study again at every move of a slider */                            \
+  VERB(mesh)     /* a foot mesh, written or looked at */                                                     \
+  VERB(converge) /* a study on ever finer levels; observed orders and error bands */                         \
+  VERB(defaults) /* a commented study file of all defaults, or of one section, on standard output */         \
+  VERB(help)     /* the text of --help, of the program or of a verb */                                       \
+  VERB(describe) /* manual page and completions of shells */
 
-/// `stemware run`: a study from its file to its results.
-void add_run_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware truncate`: a study with fewer and fewer harmonics of its load.
-void add_truncate_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware compare`: closures, loads and truncations side by side.
-void add_compare_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware sweep`: a study many times, with other values each time.
-void add_sweep_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware slide`: a glass, a ring or a disc that is pushed and let go.
-void add_slide_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware explore`: a page that solves a study again at every move of a slider.
-void add_explore_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware mesh`: a foot mesh, written or looked at.
-void add_mesh_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware converge`: a study on ever finer levels; observed orders and error bands.
-void add_converge_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware defaults`: a commented study file of all defaults, or of one section, on standard output.
-void add_defaults_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware help`: the text of --help, of the program or of a verb.
-void add_help_verb(CLI::App &program, Verb &chosen);
-
-/// `stemware describe`, which --help does not list: manual page and completions of shells, for installing.
-void add_describe_verb(CLI::App &program, Verb &chosen);
+#define STEMWARE_VERB(name) void add_##name##_verb(CLI::App &program, Verb &chosen);
+STEMWARE_VERBS(STEMWARE_VERB)
+#undef STEMWARE_VERB
 
 /// A sentence that says that there is no verb of that name, and which there are.
 std::string why_no_verb(const CLI::App &program, const std::string &name);

@@ -118,15 +118,11 @@ Json without_rows(const Study &study, const Budget &budget)
 
 Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
 {
-  const bool has_torques =
-    std::any_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); });
-  return picked(chain_rows(study, rows), std::string("step name harmonics omega_terminal difference band ") +
-                                           (has_torques ? "torques " : "") + "state reason");
-}
-
-Json without_summary(const Study &study, const Budget &budget)
-{
-  return picked(without_rows(study, budget), "name omega_terminal difference reason");
+  Json summary = declared(chain_rows(study, rows), "budget");
+  if (std::none_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); }))
+    for (Json &row : summary)
+      row.erase("torques");
+  return summary;
 }
 
 Json harmonic_effect_summary(const HarmonicEffect &effect)

@@ -37,9 +37,6 @@ nlohmann::ordered_json without_rows(const Study &study, const Budget &budget);
 /// row has any.
 nlohmann::ordered_json budget_summary(const Study &study, const std::vector<BudgetRow> &rows);
 
-/// "without" of summary.json.
-nlohmann::ordered_json without_summary(const Study &study, const Budget &budget);
-
 /// "harmonic_effect" of summary.json: absolute [rad/s] and relative.
 nlohmann::ordered_json harmonic_effect_summary(const HarmonicEffect &effect);
 

@@ -52,4 +52,19 @@ std::string to_spread(double value, double spread)
   return fmt::format(FMT_STRING("{:.{}f}"), Number{ value }, decimals_of(spread));
 }
 
+std::string with_error(double value, double error)
+{
+  return to_spread(value, error) + " ± " + to_spread(error, error);
+}
+
+std::string with_band(double value, const std::optional<double> &band)
+{
+  if (!band || !(*band > 0))
+    return number(value, "#.6g");
+  const double unit = std::pow(10, -decimals_of(*band));
+  const double shift = std::abs(value - std::round(value / unit) * unit);
+  return to_spread(value, *band) + " ± " +
+         to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
+}
+
 } // namespace stemware::pipeline::format

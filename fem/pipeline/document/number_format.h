@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 
 /// How people read a number: the digits of a quantity on the console and in reports, missing where there is
@@ -46,24 +47,17 @@ namespace stemware::pipeline::format
 ///   short     three digits, and no power of ten for large ones: "0.27", "2110"
 std::string number(double value, const std::string &digits);
 
-/// Up to @p digits significant digits, without zeros at the end: "-3.129".
-template <int digits>
-std::string significant(double value)
-{
-  return number(value, "." + std::to_string(digits) + "g");
-}
-
-/// Up to @p digits significant digits with the sign: "+0.0295"; "0" for nothing.
-template <int digits>
-std::string signed_significant(double value)
-{
-  return number(value, "+." + std::to_string(digits) + "g");
-}
-
 /// Decimals that show two digits of @p spread.
 int decimals_of(double spread);
 
 /// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
 std::string to_spread(double value, double spread);
+
+/// @p value and its standard @p error, both to two digits of that: "-3.6489 ± 0.0002".
+std::string with_error(double value, double error);
+
+/// @p value and the band round it likewise, rounded up so that what is printed contains all of it; with six
+/// digits where no band is known.
+std::string with_band(double value, const std::optional<double> &band);
 
 } // namespace stemware::pipeline::format

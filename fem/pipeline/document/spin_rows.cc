@@ -25,6 +25,11 @@ double torque_of(const RingState &state)
   return state.friction.torque;
 }
 
+Json force_of(const RingState &state)
+{
+  return { state.friction.force_x, state.friction.force_y };
+}
+
 Json load_of(const RingState &state)
 {
   Json summary = series_summary(state.load);
@@ -50,9 +55,15 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "all_harmonics", row.all_harmonics },
                      { "amplitude", row.amplitude() },
                      { "tau_at_rest", number_of(rest, torque_of) },
+                     { "lean_torque_at_rest", number_of(rest, &RingState::lean_torque) },
                      { "torque", torques },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
+                     { "tau_at_terminal", number_of(end, torque_of) },
+                     { "lean_torque_at_terminal", number_of(end, &RingState::lean_torque) },
+                     { "grip_torque_at_terminal", number_of(end, &RingState::grip_torque) },
+                     { "force_at_terminal", number_of(end, force_of) },
+                     { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
                      { "difference_to_paper", row.difference_to_paper },
                      { "spin_up_deviation", row.largest_deviation },

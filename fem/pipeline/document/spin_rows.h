@@ -9,7 +9,7 @@ namespace stemware::pipeline
 {
 
 /// All numbers of the rows of run, truncate and compare, of which each shows some, by the keys of
-/// quantities.json.
+/// summary.schema.json.
 nlohmann::ordered_json spin_rows(const std::vector<SpinRow> &rows);
 
 /// spin_rows() for people, who read 0 where a change of spin is below 1e-11 and a torque below 1e-12 of the

@@ -1,9 +1,6 @@
 #include "fem/pipeline/document/table.h"
 
-#include "fem/pipeline/support/shared_files.h"
-
 #include <boost/algorithm/string/erase.hpp>
-#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
@@ -13,15 +10,10 @@
 namespace stemware::pipeline
 {
 
-/// The file quantities.json.
-const CompiledTexts &compiled_quantities();
-
 namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-constexpr char list_mark[] = "[]";
 
 std::vector<std::string> words_of(const std::string &text)
 {
@@ -31,19 +23,6 @@ std::vector<std::string> words_of(const std::string &text)
     boost::split(
       words, trimmed, [](char c) { return c == ' '; }, boost::token_compress_on);
   return words;
-}
-
-/// The declaration of @p key among the quantities of a section; of a list the one of that place.
-void declare(const Json &quantities, const std::string &key, std::size_t place, Quantity &quantity)
-{
-  if (!quantities.is_object() || !quantities.contains(key))
-    return;
-  const Json &found = quantities[key], &declared = found.is_array() ? found.at(place) : found;
-  for (const auto &[name, member] :
-       { std::pair("name", &Quantity::name), std::pair("unit", &Quantity::unit),
-         std::pair("heading", &Quantity::heading), std::pair("label", &Quantity::label),
-         std::pair("digits", &Quantity::digits), std::pair("console_digits", &Quantity::console_digits) })
-    quantity.*member = declared.value(name, quantity.*member);
 }
 
 /// The value of @p key in a row; of a list that of @p place.
@@ -56,26 +35,6 @@ Json cell_of(const Json &row, const std::string &key, std::size_t place)
 }
 
 } // namespace
-
-Quantity quantity_named(const std::string &key, const std::string &section, std::size_t place,
-                        const Json &own)
-{
-  static const Json registry = Json::parse(text_of(compiled_quantities(), "quantities.json"));
-  const Json in_section = registry.value(section, Json()),
-             of_document = own.is_null() ? Json() : own.value(section, Json());
-  const auto has = [&](const Json &quantities) { return quantities.is_object() && quantities.contains(key); };
-  Quantity result = { key };
-  if (!has(registry[""]) && !has(in_section) && !has(of_document))
-  {
-    const auto unit = boost::ends_with(key, ")") ? key.rfind(" (") : std::string::npos;
-    result.name = result.heading = result.label = key.substr(0, unit);
-    result.unit = unit == std::string::npos ? "" : key.substr(unit + 2, key.size() - unit - 3);
-    declare(in_section, "*", place, result);
-  }
-  for (const Json *quantities : { static_cast<const Json *>(&registry[""]), &in_section, &of_document })
-    declare(*quantities, key, place, result);
-  return result;
-}
 
 Json picked(const Json &json, const std::string &keys)
 {
@@ -97,7 +56,7 @@ Table table_of(const Json &data, const std::string &keys, const std::string &sec
   std::vector<std::string> names = words_of(keys);
   if (names.empty() && !rows.empty())
     for (const auto &[key, value] : rows[0].items())
-      names.push_back(key);
+      names.push_back(key + (value.is_array() ? list_mark : ""));
   Table table = { title, {} };
   for (const std::string &key : names)
   {
@@ -139,16 +98,6 @@ Json as_list(const Table &table)
     list.push_back(
       { { "what", heading_with_unit(column.quantity) }, { "is", shown(column, 0, format::missing) } });
   return list;
-}
-
-std::string with_unit(const std::string &name, const std::string &unit, bool ones)
-{
-  return unit.empty() || (unit == "1" && !ones) ? name : name + " (" + unit + ")";
-}
-
-std::string heading_with_unit(const Quantity &quantity)
-{
-  return with_unit(quantity.heading, quantity.unit, false);
 }
 
 std::string shown(const Column &column, std::size_t row, const std::string &missing, bool on_console)

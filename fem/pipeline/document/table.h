@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/document/json.h"
 #include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/quantity.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,25 +11,6 @@
 
 namespace stemware::pipeline
 {
-
-/// Everything about a column but its values: where and how it is named, its unit, its digits. Where it has no
-/// name, it is not shown.
-struct Quantity
-{
-  std::string key = "";            ///< in summary.json, and what the column is found by
-  std::string name = "";           ///< in data files, without its unit: "terminal omega"
-  std::string unit = "1";          ///< SI; "1" for pure numbers, empty for words
-  std::string heading = "";        ///< in reports, without its unit: "terminal spin"
-  std::string label = "";          ///< on the console, without its unit; maybe in lines: "change\nof spin"
-  std::string digits = ".6g";      ///< for people, as format::number() takes them
-  std::string console_digits = ""; ///< on the console, where those differ
-};
-
-/// The quantity that quantities.json declares as @p key, in @p section where that has one of its own. The
-/// declarations @p own come before those. One that nobody declares is a column that is named by its key,
-/// "name (unit)"; without a unit it has words. The places of a list, "torque[]", are told apart by @p place.
-Quantity quantity_named(const std::string &key, const std::string &section = "", std::size_t place = 0,
-                        const nlohmann::ordered_json &own = nullptr);
 
 /// A quantity with its values; null where one does not exist: nan in data files, empty in CSV, a dash for
 /// people.
@@ -49,9 +30,9 @@ struct Table
 };
 
 /// The table of a list of objects, or of a single one as its only row: a column for each of @p keys (parted
-/// by blanks), by default those of the first object. A key with [] stands for all numbers of a list, a column
-/// for each: "torque[]". Columns are named as quantity_named() says. Throws std::out_of_range for a key that
-/// no row has.
+/// by blanks), by default those of the first object, lists with []. A key with [] stands for all numbers of a
+/// list, a column for each: "torque[]". Columns are named as quantity_named() says. Throws std::out_of_range
+/// for a key that no row has.
 Table table_of(const nlohmann::ordered_json &rows, const std::string &keys = "",
                const std::string &section = "", const std::string &title = "",
                const nlohmann::ordered_json &own = nullptr);
@@ -75,12 +56,6 @@ Table number_rows(const std::string &title, const std::vector<std::pair<std::str
 
 /// A table of one row as a list of what it is, with its unit, and how large: objects with "what" and "is".
 nlohmann::ordered_json as_list(const Table &table);
-
-/// "name (unit)"; the name alone where there is no unit, or the unit is 1 and @p ones is false.
-std::string with_unit(const std::string &name, const std::string &unit, bool ones = true);
-
-/// Heading of a quantity in reports, with its unit unless that is 1.
-std::string heading_with_unit(const Quantity &quantity);
 
 /// A cell as people read it on the console or in a report; @p missing where there is none.
 std::string shown(const Column &column, std::size_t row, const std::string &missing, bool on_console = false);

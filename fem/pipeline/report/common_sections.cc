@@ -4,8 +4,6 @@
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/run_tables.h"
-#include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/support/numbers.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/math/constants/constants.hpp>
@@ -21,12 +19,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-std::string value_of(const StudyEntry &entry)
-{
-  const std::string text = entry.text();
-  return text.empty() ? "(none)" : text;
-}
 
 /// The parts of an error band in BandedQuantity::parts and in summary.json, in the order in which they are
 /// shown.
@@ -53,14 +45,6 @@ Json part_rows(const std::vector<BandedQuantity> &bands)
         rows.back()[boost::replace_all_copy(std::string(part), "_", " ")] = part_of(each, part);
   }
   return rows;
-}
-
-/// The value of an entry to ten digits, which is what a reader can tell apart.
-std::string shown_value(const StudyEntry &entry)
-{
-  const std::string text = value_of(entry);
-  const std::optional<double> number = parse_number(text);
-  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text;
 }
 
 /// The load where it was solved, to be drawn instead of a series that overshoots; nothing without lift-off.
@@ -107,29 +91,6 @@ Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
 }
 
 } // namespace
-
-void add_study(const Study &study, Document &document)
-{
-  Study given = study, usual;
-  const std::vector<StudyEntry> entries = study_entries(given), defaults = study_entries(usual);
-  Json changed = Json::array(), all = Json::array();
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    const StudyEntry &entry = entries[i];
-    const std::string unit = entry.unit == "1" ? "" : entry.unit;
-    if (const std::string value = shown_value(entry), by_default = shown_value(defaults[i]);
-        value != by_default)
-      changed.push_back(
-        { { "entry", entry.path() }, { "value", value }, { "default", by_default }, { "unit", unit } });
-    all.push_back({ { "entry", entry.path() },
-                    { "value", value_of(entry) },
-                    { "unit", unit },
-                    { "meaning", entry.help } });
-  }
-  document.facts["is_default_study"] = changed.empty();
-  document.facts["study_differences"] = changed;
-  document.facts["study_entries"] = all;
-}
 
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {

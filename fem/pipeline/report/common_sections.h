@@ -14,9 +14,6 @@
 namespace stemware::pipeline
 {
 
-/// Adds the entries of the study for the template "study": those that are not the defaults, and all of them.
-void add_study(const Study &study, Document &document);
-
 /// The load at rest: its plots, its tables and its files.
 void add_load(const Study &study, const LoadReport &load, const ErrorBands &bands, Document &document);
 

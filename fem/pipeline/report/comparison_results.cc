@@ -54,9 +54,7 @@ Json comparison_rows(const Comparison &comparison)
     rows[i]["harmonic_effect"] = effect.absolute;
     rows[i]["harmonic_effect_relative"] = effect.relative;
   }
-  return picked(rows, "closure load harmonics all_harmonics tau_at_rest moment_ratio_at_rest omega_terminal "
-                      "omega_terminal_band difference_to_paper load_minimum_at_terminal "
-                      "contact_fraction_at_terminal harmonic_effect harmonic_effect_relative state message");
+  return declared(rows, "comparison");
 }
 
 Findings findings_of(const Study &study, const Comparison &comparison)
@@ -145,7 +143,7 @@ std::string spin_with_unit(const SpinRow &row)
 {
   if (!row.omega_terminal())
     return "nothing (" + to_string(row.standing) + ")";
-  return with_band(*row.omega_terminal(), row.band) + " rad/s" +
+  return format::with_band(*row.omega_terminal(), row.band) + " rad/s" +
          (row.standing == Standing::formal ? ", formally" : "");
 }
 
@@ -206,10 +204,10 @@ Results tabulate(const Study &study, const Comparison &comparison)
   Document document = { findings_of(study, comparison), facts_of(study, comparison) };
   const auto spin = [&](Closure closure, const std::string &load)
   { return comparison.find(closure, load)->omega_terminal(); };
-  add_head(study,
-           { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
-             { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
-           document);
+  add_study(study,
+            { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
+              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
+            document);
   add_chain(study, budget, document);
   add_comparison_plots(comparison, document);
   const Closure own = study.motion.closure;
@@ -219,7 +217,6 @@ Results tabulate(const Study &study, const Comparison &comparison)
     "harmonics,\nclosure " + ring::to_string(own);
   for (const Closure closure : closures)
     document.facts["closures"][ring::to_string(closure)] = closure_rows(comparison, closure);
-  add_study(study, document);
   return shown(document, "compare");
 }
 

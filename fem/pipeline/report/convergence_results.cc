@@ -272,12 +272,12 @@ Results tabulate(const Study &study, const RefinementResult &result)
   const BandedQuantity &spin = result.quantities[index];
   const AxisResult &first = result.axes.front();
   Document document = { findings_of(result) };
-  document.facts = { { "with_band", with_band(spin.quantity.value, spin.band) },
+  document.facts = { { "with_band", format::with_band(spin.quantity.value, spin.band) },
                      { "order", first.quantities[index].judged.order },
                      { "first_axis", first.axis.name },
                      { "richardson", format::to_spread(spin.richardson, spin.band) },
                      { "axes", Json::array() } };
-  add_head(study, { { "this glass", spin.quantity.value } }, document);
+  add_study(study, { { "this glass", spin.quantity.value } }, document);
   for (const AxisResult &axis : result.axes)
   {
     const std::string &key = axis.axis.key;

@@ -25,6 +25,15 @@ std::pair<std::string, std::string> parted(const std::string &text, char mark)
            boost::trim_copy(text.substr(std::min(place + 1, text.size()))) };
 }
 
+/// The part of the @p facts at a path of keys.
+const Json &part_of(const Json &facts, const std::string &path)
+{
+  const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
+  if (!facts.contains(place))
+    throw std::logic_error("A template shows " + path + ", which the document does not have.");
+  return facts[place];
+}
+
 /// "NAME: KEY KEY | TITLE": the table NAME of the @p document, or rows of its @p facts.
 Table table_from(const Document &document, const Json &facts, const std::string &what)
 {
@@ -32,10 +41,7 @@ Table table_from(const Document &document, const Json &facts, const std::string 
   const auto [path, keys] = parted(columns, ':');
   if (const auto table = document.tables.find(path); table != document.tables.end())
     return table->second;
-  const Json::json_pointer place("/" + boost::replace_all_copy(path, ".", "/"));
-  if (!facts.contains(place))
-    throw std::logic_error("A template shows " + path + ", which the document does not have.");
-  return table_of(facts[place], keys, path.substr(0, path.find('.')), title, document.quantities);
+  return table_of(part_of(facts, path), keys, path.substr(0, path.find('.')), title, document.quantities);
 }
 
 /// A text of the @p document, or what table_from() makes of it.
@@ -121,7 +127,7 @@ private:
     else if (word == "table")
       add_table(table_from(document, facts, rest));
     else if (word == "list")
-      add_table(table_of(as_list(table_from(document, facts, rest)), "", "", parted(rest, '|').second));
+      add_list(rest);
     else if (word == "words")
       add_table(table_of(Json::array(), parted(rest, '|').first, "", parted(rest, '|').second));
     else if (word == "row")
@@ -164,6 +170,18 @@ private:
       results.console.back().table = table;
       results.console.emplace_back();
     }
+  }
+
+  /// A list of the listed numbers of a part of the findings, unless there are none; or of the keys that are
+  /// named.
+  void add_list(const std::string &what)
+  {
+    const auto [path, title] = parted(what, '|');
+    const Table numbers = path.find(':') == std::string::npos
+                            ? table_of(listed(part_of(facts, path), path), "", path)
+                            : table_from(document, facts, what);
+    if (numbers.n_rows() > 0)
+      add_table(table_of(as_list(numbers), "", "", title));
   }
 
   /// A row of the table before; the last column has all that is left.

@@ -23,9 +23,12 @@ namespace stemware::pipeline
 ///                                    caption says it
 ///   @plot NAME = SOURCE | WORDS      that of plots/SOURCE.gp, as figures/NAME.svg
 ///   @table NAME: KEY KEY | TITLE     rows of the findings or facts, a list of objects: NAME is a path,
-///                                    chain.rows, the keys are columns, by default all; quantities.json
-///                                    declares them, in a section for the first part of NAME or for all
-///   @list NAME: KEY KEY | TITLE      one object as a list of what it is and how large
+///                                    chain.rows, the keys are columns, by default all;
+///                                    summary.schema.json declares them, for the first part of NAME or for
+///                                    all
+///   @list NAME: KEY KEY | TITLE      one object as a list of what it is and how large; without keys a part
+///   of the
+///                                    findings, those of its numbers that summary.schema.json calls "listed"
 ///   @words KEY KEY | TITLE           a table of words, which has a row in each line "@row WORD | WORD"
 ///   @file FILE = NAME: KEY KEY | WORDS  a file of the text or table NAME, listed with WORDS unless they are
 ///                                    empty; without "= NAME" one that is written elsewhere. Where the

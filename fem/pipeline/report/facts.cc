@@ -67,15 +67,4 @@ std::string faster_or_slower(double change)
   return format::number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
 }
 
-std::string with_band(double value, const std::optional<double> &band)
-{
-  if (!band || !(*band > 0))
-    return format::number(value, "#.6g");
-  // Rounded up, so that what is printed contains all of value -/+ band.
-  const double unit = std::pow(10, -format::decimals_of(*band));
-  const double shift = std::abs(value - std::round(value / unit) * unit);
-  return format::to_spread(value, *band) + " ± " +
-         format::to_spread(std::ceil((*band + shift) / unit * (1 - 1e-9)) * unit, *band);
-}
-
 } // namespace stemware::pipeline

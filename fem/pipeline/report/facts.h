@@ -37,8 +37,4 @@ nlohmann::ordered_json lift_off_facts(const std::vector<std::pair<std::string, c
 /// "2.5 % faster", "0.81 % slower".
 std::string faster_or_slower(double change);
 
-/// @p value with as many digits as an error of @p band leaves certain, and the band: "-3.6489 ± 0.0002"; with
-/// six digits where no band is known.
-std::string with_band(double value, const std::optional<double> &band);
-
 } // namespace stemware::pipeline

@@ -3,6 +3,7 @@
 #include "fem/pipeline/document/number_format.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -130,6 +131,44 @@ Json orbit_facts(const Study &study, const std::vector<TurningGlass> &glasses)
   return facts;
 }
 
+std::string value_of(const StudyEntry &entry)
+{
+  const std::string text = entry.text();
+  return text.empty() ? "(none)" : text;
+}
+
+/// The value of an entry to ten digits, which is what a reader can tell apart.
+std::string shown_value(const StudyEntry &entry)
+{
+  const std::string text = value_of(entry);
+  const std::optional<double> number = parse_number(text);
+  return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text;
+}
+
+/// Entries of the study for the template "study": those that are not the defaults, and all of them.
+void add_entries(const Study &study, Document &document)
+{
+  Study given = study, usual;
+  const std::vector<StudyEntry> entries = study_entries(given), defaults = study_entries(usual);
+  Json changed = Json::array(), all = Json::array();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const StudyEntry &entry = entries[i];
+    const std::string unit = entry.unit == "1" ? "" : entry.unit;
+    if (const std::string value = shown_value(entry), by_default = shown_value(defaults[i]);
+        value != by_default)
+      changed.push_back(
+        { { "entry", entry.path() }, { "value", value }, { "default", by_default }, { "unit", unit } });
+    all.push_back({ { "entry", entry.path() },
+                    { "value", value_of(entry) },
+                    { "unit", unit },
+                    { "meaning", entry.help } });
+  }
+  document.facts["is_default_study"] = changed.empty();
+  document.facts["study_differences"] = changed;
+  document.facts["study_entries"] = all;
+}
+
 } // namespace
 
 std::string in_words(double value, const std::string &unit)
@@ -162,8 +201,8 @@ std::string in_words(const Study &study, const StudyEntry &entry)
   return in_words(*entry.quantity, entry.unit);
 }
 
-void add_head(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
-              const std::optional<ring::RingStack> &load, const std::map<std::string, std::string> &swept)
+void add_study(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
+               const std::optional<ring::RingStack> &load, const std::map<std::string, std::string> &swept)
 {
   Study copy = study;
   Json given = Json::object();
@@ -186,6 +225,7 @@ void add_head(const Study &study, const std::vector<TurningGlass> &glasses, Docu
                           { "table", table_facts(study) },
                           { "sketch", sketch_facts(study, load) },
                           { "orbits", orbit_facts(study, glasses) } });
+  add_entries(study, document);
 }
 
 } // namespace stemware::pipeline

@@ -32,11 +32,12 @@ struct TurningGlass
   bool is_ring = false;                     ///< a ring alone, without a foot
 };
 
-/// Adds to @p document what the templates inputs, glass and orbits show of @p study: study_title, given (the
-/// values of its entries in words, by their paths; @p swept instead of those that it names), hand, table and
-/// sketch, and in "orbits" the @p glasses on the orbit of the study. @p load is that of rest.
-void add_head(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
-              const std::optional<ring::RingStack> &load = {},
-              const std::map<std::string, std::string> &swept = {});
+/// Adds to @p document what the templates inputs, glass, orbits and study show of @p study: study_title,
+/// given (the values of its entries in words, by their paths; @p swept instead of those that it names), hand,
+/// table and sketch, in "orbits" the @p glasses on the orbit of the study, and its entries, those that are
+/// not the defaults beside all of them. @p load is that of rest.
+void add_study(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
+               const std::optional<ring::RingStack> &load = {},
+               const std::map<std::string, std::string> &swept = {});
 
 } // namespace stemware::pipeline

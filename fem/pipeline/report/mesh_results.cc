@@ -1,17 +1,20 @@
 #include "fem/pipeline/report/mesh_results.h"
 
 #include "fem/pipeline/report/document.h"
+#include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
-#include <cmath>
+#include <sstream>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
+
+using Json = nlohmann::ordered_json;
 
 unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
 {
@@ -35,47 +38,10 @@ std::string mesh_range(const std::string &name, double least, double most)
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-/// Description of a mesh, line by line: a word, and what there is to say.
-nlohmann::ordered_json lines_of(const MeshFindings &findings)
+Json mesh_summary(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
-  using fem::FootBoundary;
-  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
-  const auto add = [&](const char *what, const std::string &is) {
-    lines.push_back({ { "what", what }, { "is", is } });
-  };
-  add("Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
-                          check.n_vertices));
-  add("Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
-               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
-               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)");
-  add("Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
-                           n_faces(check, FootBoundary::stem_cut), n_faces(check, FootBoundary::contact_zone),
-                           n_faces(check, FootBoundary::free), n_other_faces(check)));
-  add("Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
-                   mesh_range("z", check.lowest, check.highest) +
-                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area));
-  if (const auto &report = findings.report)
-    add("Rim",
-        fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm: "), report->round_rim ? "" : "not ",
-                    1e3 * report->rim_radius) +
-          (report->round_rim ? "the cells of the land follow the circles"
-                             : fmt::format(FMT_STRING("straight edges cut off about {:.2g} % of the land"),
-                                           100 * report->land_area_deficit)));
-  add("Quality",
-      fmt::format(
-        FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
-        check.least_jacobian, 1e3 * check.worst_place[0], 1e3 * check.worst_place[1],
-        1e3 * check.worst_place[2], check.mean_jacobian));
-  for (const std::string &remark : mesh_remarks(findings))
-    add("Remark", remark);
-  return lines;
-}
-
-nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
-{
-  const fem::MeshCheck &check = findings.check;
-  nlohmann::ordered_json json = {
+  Json json = {
     { "mesh", findings.origin },
     { "cells", check.n_cells },
     { "vertices", check.n_vertices },
@@ -101,32 +67,53 @@ nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
+/// The facts of the template mesh_lines, with the @p summary of the mesh.
+Json facts_of(const fem::MeshCheck &check, const Json &summary)
+{
+  return {
+    { "mesh", summary },
+    { "rim", summary.value("rim", Json()) },
+    { "inner_radius", check.inner_radius },
+    { "outer_radius", check.outer_radius },
+    { "box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
+               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
+               mesh_range("z", check.lower[2], check.upper[2]) },
+    { "radii", mesh_range("r", check.inner_radius, check.outer_radius) },
+    { "heights", mesh_range("z", check.lowest, check.highest) },
+    { "worst",
+      { { "x", check.worst_place[0] }, { "y", check.worst_place[1] }, { "z", check.worst_place[2] } } }
+  };
+}
+
 } // namespace
 
 Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
                  const std::vector<std::string> &written)
 {
   const fem::MeshCheck &check = findings.check;
-  const nlohmann::ordered_json summary = mesh_summary(findings);
+  const Json summary = mesh_summary(findings);
   Document document;
   document.findings.summary = { { "mesh", summary } };
   document.findings.key_figures = { { "written", written } };
   document.findings.key_figures.update(summary);
-  document.facts = { { "inner_radius", check.inner_radius },
-                     { "outer_radius", check.outer_radius },
-                     { "has_section", !pictures.section.empty() } };
+  document.facts = facts_of(check, summary);
+  document.facts["has_section"] = !pictures.section.empty();
   if (!pictures.section.empty())
     add_section_plot(pictures.section, (check.inner_radius + check.outer_radius) / 2, 0, true, document);
   add_mesh_plots(pictures.contact_faces, pictures.scaled_jacobians, document);
-  document.facts["lines"] = lines_of(findings);
   return shown(document, "mesh");
 }
 
 std::string mesh_text(const MeshFindings &findings)
 {
+  const std::string row = "@row ", bar = " | ";
+  std::istringstream lines(filled_text("mesh_lines.txt", facts_of(findings.check, mesh_summary(findings))));
   std::string text;
-  for (const auto &line : lines_of(findings))
-    text += wrapped(line["is"], fmt::format(FMT_STRING("{:<10}"), line["what"].get<std::string>())) + '\n';
+  for (std::string line; std::getline(lines, line);)
+    if (const auto end = line.find(bar); end != std::string::npos)
+      text += wrapped(line.substr(end + bar.size()),
+                      fmt::format(FMT_STRING("{:<10}"), line.substr(row.size(), end - row.size()))) +
+              '\n';
   return text;
 }
 

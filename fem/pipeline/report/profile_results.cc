@@ -35,11 +35,6 @@ std::optional<double> spin_error(const std::optional<ProfileScatter> &scatter)
   return scatter && scatter->spin && *scatter->spin > 0 ? scatter->spin : std::nullopt;
 }
 
-std::string with_error(double value, double error)
-{
-  return format::to_spread(value, error) + " ± " + format::to_spread(error, error);
-}
-
 double sag_over_contact(const Study &study, const LoadReport &load)
 {
   const double crown = study.glass.profile.crown_radius;
@@ -56,7 +51,7 @@ Json profile_facts(const Study &study, const LoadReport &load, const std::option
   const std::optional<double> error = spin_error(scatter);
   const bool is_below_scatter = crown_is_below_scatter(study, *circle, load);
   const auto length = [](double value, double error)
-  { return error > 0 ? with_error(1e3 * value, 1e3 * error) : format::number(1e3 * value, ".6g"); };
+  { return error > 0 ? format::with_error(1e3 * value, 1e3 * error) : format::number(1e3 * value, ".6g"); };
   return { { "rim", fitted_rim(study) },
            { "spin_error", error ? format::to_spread(*error, *error) : "" },
            { "band", band },

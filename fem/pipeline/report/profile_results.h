@@ -17,9 +17,6 @@ namespace stemware::pipeline
 /// nothing where there is none.
 std::optional<double> spin_error(const std::optional<ProfileScatter> &scatter);
 
-/// "-3.712 ± 0.035": a value with the digits that its standard error leaves.
-std::string with_error(double value, double error);
-
 /// How far the crown rises over half of the contact @p load [m].
 double sag_over_contact(const Study &study, const LoadReport &load);
 

@@ -1,8 +1,7 @@
 #include "fem/pipeline/report/run_facts.h"
 
 #include "fem/pipeline/document/budget_rows.h"
-#include "fem/pipeline/document/json.h"
-#include "fem/pipeline/document/number_format.h"
+#include "fem/pipeline/document/table.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/profile_results.h"
 
@@ -79,9 +78,9 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
       { "moves", is_spin(study, all.last_spin().value()) },
       { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },
       { "moment_ratio_at_rest", all.at_rest.value().moment_ratio },
-      { "with_band", with_band(omega, band) },
+      { "with_band", format::with_band(omega, band) },
       { "profile_is_wider", error && *error > band.value_or(0) },
-      { "with_error", error ? with_error(omega, *error) : "" },
+      { "with_error", error ? format::with_error(omega, *error) : "" },
       { "has_band", band.has_value() },
       { "lacks_band", !band && !spin.is_quick() && study.load.is_from_contact() },
       { "may_be_narrow", study.table.is_hard() && !abilities(study.contact.body).is_of_revolution },
@@ -113,21 +112,22 @@ Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
 {
   const double friction = study.motion.orbit.friction_at_rest();
   const double moment = load.normal_force * load.rings.radius();
-  const auto without_rounding = [](double value, double rounding)
-  { return std::abs(value) < rounding ? 0 : value; };
   const std::size_t n_rings = load.rings.rings().size();
-  return { { "moment_x", without_rounding(load.moment.x(), 1e-12 * moment) },
-           { "moment_y", without_rounding(load.moment.y(), 1e-12 * moment) },
-           { "torque_at_rest",
-             without_rounding(all.at_rest.value().friction.torque, 1e-9 * friction * moment) },
-           { "closed_form", without_rounding(friction * load.moment.x(), 1e-9 * friction * moment) },
-           { "line_load", load.rings.a(0) / load.rings.radius() },
-           { "second_harmonic", load.rings.n_harmonics() > 1
-                                  ? Json(std::hypot(load.rings.a(2), load.rings.b(2)) / load.rings.a(0))
-                                  : Json(nullptr) },
-           { "contact_width", 2 * load.half_width() },
-           { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
-           { "has_higher_harmonics", load.rings.n_harmonics() > 1 } };
+  const bool has_second = load.rings.n_harmonics() > 1;
+  Json facts = Json::array(
+    { { { "moment_x", load.moment.x() },
+        { "moment_y", load.moment.y() },
+        { "torque_at_rest", all.at_rest.value().friction.torque },
+        { "closed_form", friction * load.moment.x() },
+        { "line_load", load.rings.a(0) / load.rings.radius() },
+        { "second_harmonic",
+          has_second ? Json(std::hypot(load.rings.a(2), load.rings.b(2)) / load.rings.a(0)) : Json(nullptr) },
+        { "contact_width", 2 * load.half_width() },
+        { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
+        { "has_higher_harmonics", has_second } } });
+  leave_out_rounding(facts, "moment_x moment_y", 1e-12 * moment);
+  leave_out_rounding(facts, "torque_at_rest closed_form", 1e-9 * friction * moment);
+  return facts[0];
 }
 
 Json thin_layer_facts(const Study &study, double half_width)

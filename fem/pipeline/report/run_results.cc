@@ -92,13 +92,6 @@ Standing standing_of(const ContactReport &report, const SpinStudy &spin)
   return standing == Standing::formal && report.foot ? Standing::lift_off : standing;
 }
 
-/// A value of the ring at the row's terminal spin; null where it has none.
-template <typename Value>
-Json at_terminal(const SpinRow &row, Value value)
-{
-  return row.at_terminal ? Json(std::invoke(value, *row.at_terminal)) : Json(nullptr);
-}
-
 /// All terminal spins with their stability, and which one is reached from rest.
 Json terminal_spins_summary(const SpinStudy &spin)
 {
@@ -201,31 +194,20 @@ std::vector<MeasuredSpin> measured_spins(const Study &study)
 Json ring_summary(const Study &study, const ContactReport &report, const SpinStudy &spin)
 {
   const SpinRow &all = spin.all();
-  return { { "tau_at_rest", all.at_rest.value().friction.torque },
-           { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
-           { "lean_torque_at_rest", all.at_rest->lean_torque },
-           { "standing", to_string(standing_of(report, spin)) },
-           { "fall", fall_summary(all.fall) },
-           { "omega_terminal", all.omega_terminal() },
-           { "tau_at_terminal",
-             at_terminal(all, [](const RingState &state) { return state.friction.torque; }) },
-           { "lean_torque_at_terminal", at_terminal(all, &RingState::lean_torque) },
-           { "grip_torque_at_terminal", at_terminal(all, &RingState::grip_torque) },
-           { "time_constant", all.time_constant() },
-           { "terminal_spins", terminal_spins_summary(spin) },
-           { "driven", driven_summary(spin.spin_up.driven) },
-           { "measured", study.motion.measured_spin_file.empty()
-                           ? Json(nullptr)
-                           : Json{ { "points", measured_spins(study).size() } } },
-           { "no_lift_off", has_no_lift_off(report) },
-           { "force_at_terminal", at_terminal(all,
-                                              [](const RingState &state) {
-                                                return Json{ state.friction.force_x, state.friction.force_y };
-                                              }) },
-           { "moment_ratio_at_terminal", at_terminal(all, &RingState::moment_ratio) },
-           { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
-           { "phase_dependent", spin.phases.has_value() },
-           { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } };
+  const bool is_measured = !study.motion.measured_spin_file.empty();
+  Json ring = spin_rows({ all })[0];
+  ring.update(
+    { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
+      { "standing", to_string(standing_of(report, spin)) },
+      { "fall", fall_summary(all.fall) },
+      { "terminal_spins", terminal_spins_summary(spin) },
+      { "driven", driven_summary(spin.spin_up.driven) },
+      { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
+      { "no_lift_off", has_no_lift_off(report) },
+      { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
+      { "phase_dependent", spin.phases.has_value() },
+      { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } });
+  return declared(ring, "ring");
 }
 
 /// Summary of the effects of an out-of-flat rim or table; null for flat ones.
@@ -261,7 +243,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "coupling", coupling_summary(report.coupling) },
     { "waviness", waviness_summary(spin.phases) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
-    { "without", spin.is_quick() ? Json(nullptr) : without_summary(study, spin.budget) },
+    { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
     { "truncation", picked(spin_rows(spin.rows), "harmonics tau_at_rest omega_terminal "
                                                  "relative_change bound load_minimum") },
@@ -288,8 +270,6 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
 
 void add_foot(const Study &study, const FootReport &foot, Document &document)
 {
-  document.facts["contact_list"] = document.findings.summary["contact"];
-  document.facts["contact_list"]["cells"] = foot.foot.n_cells;
   document.tables["contact_history"] = history_table(foot.at_rest.history);
   document.tables["footprint"] = footprint_table(foot.footprint);
   if (foot.footprint_at_end)
@@ -366,7 +346,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
 {
   Document document = { findings_of(study, report, spin, bands, goal),
                         run_facts(study, report, spin, bands, goal) };
-  add_head(study, turning_glasses(report, spin), document, report.load.rings);
+  add_study(study, turning_glasses(report, spin), document, report.load.rings);
   add_spin(study, report, spin, document);
   if (!spin.is_quick())
     add_budget(study, spin, document);
@@ -374,7 +354,6 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   if (report.foot)
     add_foot(study, *report.foot, document);
   add_bands(bands, document);
-  add_study(study, document);
   document.fields = own_fields(report).fields;
   return shown(document, "run");
 }

@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/slide_results.h"
 
-#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/head.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -185,11 +184,10 @@ Results tabulate(const Study &study, const SlideStudy &slide)
                      { "own_height", !is_glass && !slide.height_is_given },
                      { "friction_coefficient", slide.friction_coefficient },
                      { "gravity", slide.gravity } };
-  add_head(study, {}, document);
+  add_study(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
   document.tables["path"] = path_table(slide);
   document.plots["path"] = path_values(slide);
-  add_study(study, document);
   return shown(document, "slide");
 }
 

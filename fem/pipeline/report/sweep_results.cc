@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/sweep_results.h"
 
-#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
@@ -310,7 +309,7 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
       { "samples_of_shares", least_samples_of_shares },
       { "has_bands", std::any_of(main.begin(), main.end(), has_band) },
       { "sensitivities", Json::array() } });
-  add_head(plan.base, extreme_glasses(plan, findings), document, {}, swept);
+  add_study(plan.base, extreme_glasses(plan, findings), document, {}, swept);
   Json varied = Json::array();
   for (const auto &[path, words] : swept)
     varied.push_back({ { "entry", path.substr(path.find('/') + 1) }, { "words", words } });
@@ -334,7 +333,6 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
   document.facts["case_table"] = case_rows(plan, cases);
   document.quantities["statistics"]["sensitivity[]"] = sensitivity_quantities(plan);
   document.texts["plan_json"] = plan_as_json(plan).dump(2) + "\n";
-  add_study(plan.base, document);
   return shown(document, "sweep");
 }
 

@@ -19,10 +19,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr char summary_keys[] = "harmonics amplitude tau_at_rest torque omega_terminal relative_change "
-                                "spin_up_deviation spin_up_deviation_at_end bound pulls load_minimum "
-                                "pulling_share load_minimum_at_terminal pulling_share_at_terminal "
-                                "load_at_terminal trouble";
 constexpr char data_keys[] =
   "harmonics amplitude tau_at_rest omega_terminal relative_change spin_up_deviation "
   "spin_up_deviation_at_end bound ring_radius_at_terminal "
@@ -68,7 +64,7 @@ Findings findings_of(const LoadReport &load, const TruncationStudy &study, const
                        { "torque_at", study.omega },
                        { "harmonic_effect", harmonic_effect_summary(study.harmonics) },
                        { "budget", budget },
-                       { "truncation", picked(rows, summary_keys) } };
+                       { "truncation", declared(rows, "truncation") } };
   findings.key_figures = { { "omega_terminal", study.all().omega_terminal() },
                            { "omega_terminal_band", study.all().band },
                            { "harmonic_effect", study.harmonics.absolute },
@@ -125,7 +121,7 @@ Json facts_of(const Study &study, const TruncationStudy &truncations)
                  { "stays", !is_spinning && held.empty() },
                  { "one_harmonic", is_spinning && all.harmonics == 1 },
                  { "several_harmonics", is_spinning && all.harmonics > 1 },
-                 { "with_band", with_band(omega, all.band) },
+                 { "with_band", format::with_band(omega, all.band) },
                  { "n_harmonics", all.harmonics },
                  { "first", truncations.rows.front().omega_terminal() },
                  { "effect", effect_facts(study, truncations.harmonics) },
@@ -159,7 +155,7 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
                         facts_of(study, truncations) };
   std::vector<TurningGlass> glasses = { { "all harmonics", truncations.all().omega_terminal() },
                                         { "the first alone", truncations.rows.front().omega_terminal() } };
-  add_head(study, glasses, document, load.rings);
+  add_study(study, glasses, document, load.rings);
   add_chain(study, budget, document);
   document.plots["terminal_spin"] = { { "bound_scale", std::abs(truncations.torque_slope *
                                                                 truncations.all().omega_terminal().value()) },
@@ -176,7 +172,6 @@ Results tabulate(const Study &study, const LoadReport &load, const TruncationStu
   document.quantities = { { "truncations", { { "torque[]", torque_quantities(truncations.omega) } } } };
   document.tables["torque"] = torque_table(truncations.torque);
   document.tables["spin_up"] = spin_up_table(truncations);
-  add_study(study, document);
   return shown(document, "truncate");
 }
 

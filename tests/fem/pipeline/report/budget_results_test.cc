@@ -80,7 +80,7 @@ torques: [1.0301234567,1.0401234567,1.0501234567] | [1.0801234567,1.0901234567,1
 state: "full contact" | "formal" | "full contact" | "full contact" | "tips" | "full contact" | "full contact"
 reason: null | null | null | null | "The foot tips" | null | null
 )");
-  EXPECT_EQ(json_lines(without_summary({}, made_budget())),
+  EXPECT_EQ(json_lines(declared(without_rows({}, made_budget()), "without")),
             R"(name: "tilt" | "elasticity of the foot" | "compliance of the interface"
 omega_terminal: -1.3101234567 | -1.3301234567 | null
 difference: 0.013201234567 | -0.013401234567 | null

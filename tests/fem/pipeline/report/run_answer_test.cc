@@ -203,7 +203,7 @@ TEST(RunAnswer, PrintedBandsContainTheWholeBand)
   for (const double band : { 0.00123, 0.000996, 9.99e-5, 0.12, 3. })
     for (const double value : { -3.2549, -3.25451, 1.000049 })
     {
-      const std::string text = with_band(value, band);
+      const std::string text = format::with_band(value, band);
       const double printed = std::stod(text), half = std::stod(text.substr(text.find("± ") + 3));
       EXPECT_LE(printed - half, value - band + 1e-12) << text;
       EXPECT_GE(printed + half, value + band - 1e-12) << text;
