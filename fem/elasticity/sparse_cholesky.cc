@@ -18,7 +18,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Of a BLAS that does not take threads together.
+/// Lock of a BLAS that does not take threads together.
 std::mutex entering_blas;
 
 [[noreturn]] void throw_indefinite()

@@ -94,7 +94,7 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                    const std::vector<SpinRow> &by_harmonics, const Executor &executor);
 
-/// What find_budget() asks for the answers to: the models of the chain in front of the study's own rows, and
+/// Variants whose answers find_budget() takes: the models of the chain in front of the study's own rows, and
 /// the study without one effect at a time; @p all is the answer of all harmonics.
 std::vector<Variant> budget_variants(const Study &study, const SpinRow &all);
 

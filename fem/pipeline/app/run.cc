@@ -11,6 +11,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <utility>
+
 namespace stemware::pipeline
 {
 
@@ -73,9 +75,11 @@ void run(const RunOptions &options)
   }
 
   // 4. The answer, and the results, all at once.
-  // Only the first rank knows where the foot presses.
-  publish(options, study, is_first_rank() ? tabulate(study, report, spin, bands, goal) : own_fields(report),
-          work.folder, work.stopwatch);
+  // Only the first rank knows where the foot presses; each has the fields of its own cells.
+  Results results = is_first_rank() ? tabulate(study, report, spin, bands, goal) : Results();
+  if (report.foot)
+    results.fields = std::move(report.foot->fields);
+  publish(options, study, results, work.folder, work.stopwatch);
 }
 
 } // namespace

@@ -44,7 +44,7 @@ private:
   static std::optional<fem::ContactStart> between(std::vector<const Found *> points, double spin,
                                                   std::size_t n_least);
 
-  /// What @p own contacts and those of the similar foot let expect at @p slip.
+  /// Start at @p slip that @p own contacts and those of the similar foot let expect.
   std::optional<fem::ContactStart> expected(const std::vector<const Found *> &own,
                                             const ring::Slip &slip) const;
 

@@ -49,7 +49,7 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
     for (fem::FieldFile file : foot.body().fields(*report.at_end))
     {
       file.name.insert(file.name.find('.'), "_at_terminal_spin");
-      report.fields.push_back(file);
+      report.fields.push_back(std::move(file));
     }
 }
 

@@ -28,7 +28,6 @@ struct Document
   std::map<std::string, Table> tables = {};                 ///< data files made of columns
   std::map<std::string, std::string> texts = {};            ///< files that are no table
   std::map<std::string, nlohmann::ordered_json> plots = {}; ///< values of a picture's own, by its name
-  std::vector<fem::FieldFile> fields = {};
   /// Quantities whose names depend on the study, as quantity_named() takes them.
   nlohmann::ordered_json quantities = nullptr;
 };

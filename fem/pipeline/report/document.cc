@@ -61,7 +61,6 @@ public:
       , facts(facts)
   {
     results.findings = document.findings;
-    results.fields = document.fields;
   }
 
   void add(const std::string &line)

@@ -354,16 +354,7 @@ Results tabulate(const Study &study, const ContactReport &report, const SpinStud
   if (report.foot)
     add_foot(study, *report.foot, document);
   add_bands(bands, document);
-  document.fields = own_fields(report).fields;
   return shown(document, "run");
-}
-
-Results own_fields(const ContactReport &report)
-{
-  Results results;
-  if (report.foot)
-    results.fields = report.foot->fields;
-  return results;
 }
 
 } // namespace stemware::pipeline
