@@ -86,6 +86,11 @@ private:
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
+  /// Whether a hard table acts by multipliers at the nodes, since there is no coarser mesh.
+  bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }
+  /// solve_contact() on this body; multipliers are found to one tolerance after the other.
+  ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
+                               std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
                         ContactControl control) const;
 
