@@ -121,11 +121,12 @@ SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, con
   return { mesh, report };
 }
 
-SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
+SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar)
     : setup(setup)
     , mesh(mesh)
     , body(std::make_unique<SolidBody>(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile),
-                                       options_of(mesh, setup.options)))
+                                       options_of(mesh, setup.options),
+                                       similar ? similar->body.get() : nullptr))
     , interface(interface_of(setup, *body))
     , softening_of_coarser(is_spring(setup, *body) ? foot_numbers.softening : 1)
     , law(interface->make(body->contact_surface(),

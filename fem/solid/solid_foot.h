@@ -58,8 +58,11 @@ class SolidFoot : public Foot
 {
 public:
   /// Throws std::invalid_argument for a mesh or a setup that is not allowed; its table stands on a rigid
-  /// substrate.
-  SolidFoot(const SolidMesh &mesh, const SolidSetup &setup);
+  /// substrate. @p similar is a foot of the same mesh, material and options that is not asked while this one
+  /// solves: they share what they can.
+  SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
+
+  const SolidMesh &own_mesh() const { return mesh; }
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
