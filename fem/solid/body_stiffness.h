@@ -32,6 +32,8 @@ public:
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
   /// @p dst is an approximate solution of (K + B' T B) dst = @p src: symmetric and positive definite.
   virtual void precondition(Vector &dst, const Vector &src) const = 0;
+  /// The same for another system, in turn with this one; nothing where one would feel the other's T.
+  virtual std::unique_ptr<BodyStiffness> shared() const { return nullptr; }
   /// How many iterations that has cost the last system, of which set_contact() may learn.
   virtual void learn(unsigned int /*n_iterations*/) {}
 

@@ -25,6 +25,11 @@ public:
     hierarchy->set_contact(level, tangent);
   }
   void precondition(Vector &dst, const Vector &src) const override { hierarchy->v_cycle(level, dst, src); }
+  /// Every system sets its T before it asks.
+  std::unique_ptr<BodyStiffness> shared() const override
+  {
+    return std::make_unique<MultigridStiffness>(*this);
+  }
   bool has_coarser_meshes() const override { return hierarchy->coarsest_mesh() + 1 < hierarchy->n_levels(); }
   bool is_coarsest() const override { return level == hierarchy->coarsest_mesh(); }
   std::unique_ptr<BodyStiffness> coarser() const override;
@@ -41,7 +46,7 @@ private:
   const std::shared_ptr<MeshHierarchy> hierarchy;
   const unsigned int level;
   const ElasticMaterial material;
-  const std::unique_ptr<ElasticOperator<double>> elastic;
+  const std::shared_ptr<const ElasticOperator<double>> elastic;
 };
 
 } // namespace stemware::fem

@@ -48,11 +48,13 @@ std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulatio
 } // namespace
 
 SolidBody::SolidBody(Triangulation<3> &triangulation, const ElasticMaterial &material, const Gap &gap,
-                     const SolidOptions &options)
-    : SolidBody(std::make_unique<SolidSystem>(stiffness_of(triangulation, material, options), material, gap,
-                                              options.linear_tolerance),
-                gap)
+                     const SolidOptions &options, const SolidBody *similar)
+    : gap(gap)
 {
+  std::unique_ptr<BodyStiffness> stiffness = similar ? similar->system->shared_stiffness() : nullptr;
+  if (!stiffness)
+    stiffness = stiffness_of(triangulation, material, options);
+  system = std::make_unique<SolidSystem>(std::move(stiffness), material, gap, options.linear_tolerance);
 }
 
 SolidBody::SolidBody(std::unique_ptr<SolidSystem> equations, Gap gap)

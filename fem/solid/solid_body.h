@@ -43,8 +43,11 @@ public:
   /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone. The
   /// triangulation must be one that deal.II distributes over its communicator or a serial one, and must
   /// outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no contact zone.
+  ///
+  /// @p similar is a body of the same triangulation, material and options, solved in turn with this one: they
+  /// share the elements of a multigrid method.
   SolidBody(dealii::Triangulation<3, 3> &triangulation, const ElasticMaterial &material, const Gap &gap,
-            const SolidOptions &options = {});
+            const SolidOptions &options = {}, const SolidBody *similar = nullptr);
   /// A body with the equations @p system, whose contact zone lies @p gap above the table.
   SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
   ~SolidBody() override;

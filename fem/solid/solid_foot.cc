@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -49,6 +50,14 @@ struct FootNumbers
   double hardness = 1000;
   /// How much softer it is on each coarser mesh: what Newton's method hardens in a few steps.
   double softening = 8;
+  /// Penalty of nodal multipliers over E / (cell size), and the share of the residual that a linear solve
+  /// leaves on the way to them. At the penalty 1 an update halves what is left of the highest modes, at 10 it
+  /// leaves a tenth, and at 100 the penalty costs more iterations than it saves updates.
+  double penalty = 10, reduction = 0.1;
+  /// Share of the tolerance before to which multipliers are found next: about what one update leaves.
+  double tighter = 0.1;
+  /// Newton steps on the way to multipliers: more than usual, since each is solved for loosely.
+  unsigned int most_steps = 300;
   /// A mesh of as many equal parts round the axis is one of a body of revolution, as far as it can say.
   unsigned int fewest_repetitions = 12;
 };
@@ -112,16 +121,20 @@ SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, con
   return { mesh, report };
 }
 
-SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup)
+SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar)
     : setup(setup)
     , mesh(mesh)
     , body(std::make_unique<SolidBody>(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile),
-                                       options_of(mesh, setup.options)))
+                                       options_of(mesh, setup.options),
+                                       similar ? similar->body.get() : nullptr))
     , interface(interface_of(setup, *body))
     , softening_of_coarser(is_spring(setup, *body) ? foot_numbers.softening : 1)
-    , law(interface->make(body->contact_surface(), setup.material.young_modulus / body->contact_cell_size()))
+    , law(interface->make(body->contact_surface(),
+                          foot_numbers.penalty * setup.material.young_modulus / body->contact_cell_size()))
     , n_contact_nodes(body->contact_surface().n_nodes_of_whole())
 {
+  if (has_multipliers() && setup.options.linear_tolerance == 0)
+    body->set_linear_tolerance(foot_numbers.reduction);
   if (!setup.checkpoint_folder.empty() && !body->has_hierarchy())
     throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
                                 "Contact/Refinements to at least 1 and Contact/Linear solver = automatic, or "
@@ -194,6 +207,30 @@ ContactSolution SolidFoot::in_mesh_axes(const ContactState &state) const
   return solution;
 }
 
+ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, ContactControl control,
+                                        std::optional<ContactStart> start) const
+{
+  const auto solve = [&](const ContactControl &to)
+  {
+    return solve_contact(*body, *law, conditions, setup.profile.contact_radius, to,
+                         start ? &*start : nullptr);
+  };
+  if (!has_multipliers())
+    return solve(control);
+  // Balance that is closer than multipliers are to their limit is lost again with their next update.
+  control.max_steps = foot_numbers.most_steps;
+  ContactControl loose = control;
+  loose.resultant_tolerance = std::numeric_limits<double>::infinity();
+  for (double share = foot_numbers.tighter; share > control.equilibrium_tolerance;
+       share *= foot_numbers.tighter)
+  {
+    loose.tolerance = loose.equilibrium_tolerance = share;
+    const ContactSolution found = solve(loose);
+    start = { found.motion, found.normal_displacement, found.n_iterations, found.n_linear_iterations };
+  }
+  return solve(control);
+}
+
 ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &slip,
                                  const ContactState *before, ContactControl control) const
 {
@@ -207,7 +244,7 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
       law->start_from(before->solution.forces);
       const ContactSolution nearby = in_mesh_axes(*before);
       const ContactStart start = { nearby.motion, nearby.normal_displacement };
-      const ContactSolution solution = solve_contact(*body, *law, conditions, radius, control, &start);
+      const ContactSolution solution = find_contact(conditions, control, start);
       if (solution.steadiness > 0)
         return solution;
     }
@@ -240,8 +277,7 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
   if (!start)
     start = start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius,
                                     checkpoint ? &*checkpoint : nullptr);
-  const ContactSolution solution =
-    solve_contact(*body, *law, conditions, radius, control, start ? &*start : nullptr);
+  const ContactSolution solution = find_contact(conditions, control, start);
   if (checkpoint)
     checkpoint->remove();
   if (!(solution.steadiness > 0))
@@ -291,7 +327,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
     !mesh.report && setup.profile.shape == GlassShape::step && setup.profile.crown_radius == 0;
   const bool is_narrow =
     !is_at_right_angle && state.outer_radius - state.inner_radius < 2 * body->contact_cell_size();
-  if (setup.table.interface->is_hard() && (softening_of_coarser == 1 || is_narrow))
+  if (has_multipliers() || (setup.table.interface->is_hard() && is_narrow))
     return std::nullopt;
   restore(state);
   const double axis = axis_of(state.slip);

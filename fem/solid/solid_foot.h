@@ -58,8 +58,11 @@ class SolidFoot : public Foot
 {
 public:
   /// Throws std::invalid_argument for a mesh or a setup that is not allowed; its table stands on a rigid
-  /// substrate.
-  SolidFoot(const SolidMesh &mesh, const SolidSetup &setup);
+  /// substrate. @p similar is a foot of the same mesh, material and options that is not asked while this one
+  /// solves: they share what they can.
+  SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
+
+  const SolidMesh &own_mesh() const { return mesh; }
 
   FootDescription description() const override;
   FootCapabilities capabilities() const override;
@@ -86,6 +89,11 @@ private:
   ContactSolution in_mesh_axes(const ContactState &state) const;
   /// Azimuth of the mesh's x axis in the slip frame [rad].
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
+  /// Whether a hard table acts by multipliers at the nodes, since there is no coarser mesh.
+  bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }
+  /// solve_contact() on this body; multipliers are found to one tolerance after the other.
+  ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
+                               std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
                         ContactControl control) const;
 

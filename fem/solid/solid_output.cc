@@ -3,12 +3,14 @@
 #include "fem/solid/solid_system.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -114,20 +116,59 @@ public:
   }
 };
 
-/// The file. Its length is not known before, and a text that grows would take three times the memory: as much
-/// is reserved as numbers without compression take, and what is not written takes none.
-std::string vtu_text(const DataOut<3> &data_out, const DoFHandler<3> &dof_handler)
+/// A picture of the cells of this rank, written piece by piece: that of all cells at once would take more
+/// memory than the equations.
+class Picture : public DataOut<3>
 {
-  constexpr std::size_t n_bytes_a_node = 200;
-  std::string text;
-  text.reserve(n_bytes_a_node * dof_handler.get_triangulation().n_active_cells() *
-               dof_handler.get_fe().n_dofs_per_cell() / 3);
-  boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> stream(
-    boost::iostreams::back_inserter(text));
-  data_out.write_vtu(stream);
-  stream.flush();
-  return text;
-}
+public:
+  Picture(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
+      : mapping(mapping)
+      , dof_handler(dof_handler)
+  {
+    flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
+    flags.compression_level = decltype(flags.compression_level)::best_speed;
+    flags.print_date_and_time = false; // equal runs give equal files
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        cells.push_back(cell->active_cell_index());
+  }
+
+  bool has_cells() const { return !cells.empty(); }
+
+  /// The file. Its length is not known before, and a text that grows would take three times the memory: as
+  /// much is reserved as numbers without compression take, and what is not written takes none.
+  std::string vtu_text()
+  {
+    constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
+    std::string text;
+    text.reserve(n_bytes_a_node * cells.size() * dof_handler.get_fe().n_dofs_per_cell() / 3);
+    boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> stream(
+      boost::iostreams::back_inserter(text));
+    DataOutBase::write_vtu_header(stream, flags);
+    for (std::size_t first = 0; first < cells.size(); first += n_cells_a_piece)
+    {
+      const unsigned int from = cells[first], to = cells[std::min(first + n_cells_a_piece, cells.size()) - 1];
+      const auto is_in_piece = [from, to](const cell_iterator &cell)
+      {
+        return cell->is_active() && cell->is_locally_owned() && cell->active_cell_index() >= from &&
+               cell->active_cell_index() <= to;
+      };
+      set_cell_selection(FilteredIterator<cell_iterator>(is_in_piece));
+      build_patches(mapping, dof_handler.get_fe().degree, curved_inner_cells);
+      DataOutBase::write_vtu_main(get_patches(), get_dataset_names(), get_nonscalar_data_ranges(), flags,
+                                  stream);
+    }
+    DataOutBase::write_vtu_footer(stream);
+    stream.flush();
+    return text;
+  }
+
+private:
+  const Mapping<3> &mapping;
+  const DoFHandler<3> &dof_handler;
+  DataOutBase::VtkFlags flags;
+  std::vector<unsigned int> cells; ///< of this rank, ascending
+};
 
 std::string name_of_piece(unsigned int rank)
 {
@@ -146,17 +187,12 @@ std::string without_comment(std::string record)
 
 /// Files that this rank has to write of a picture that several ranks have parts of. A rank without cells
 /// writes no piece, which ParaView could not read.
-std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, const DoFHandler<3> &dof_handler)
+std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
-  const MPI_Comm &communicator = dof_handler.get_communicator();
-  bool has_cells = false;
-  for (const auto &cell : dof_handler.active_cell_iterators())
-    has_cells = has_cells || cell->is_locally_owned();
   std::vector<FieldFile> files;
-  if (has_cells)
-    files.push_back(
-      { name_of_piece(Utilities::MPI::this_mpi_process(communicator)), vtu_text(data_out, dof_handler) });
-  const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, has_cells);
+  if (picture.has_cells())
+    files.push_back({ name_of_piece(Utilities::MPI::this_mpi_process(communicator)), picture.vtu_text() });
+  const std::vector<bool> have_cells = Utilities::MPI::gather(communicator, picture.has_cells());
   std::vector<std::string> pieces;
   for (unsigned int rank = 0; rank < have_cells.size(); ++rank) // none but on the first
     if (have_cells[rank])
@@ -164,7 +200,7 @@ std::vector<FieldFile> pieces_on_ranks(const DataOut<3> &data_out, const DoFHand
   if (!pieces.empty())
   {
     std::ostringstream record;
-    data_out.write_pvtu_record(record, pieces);
+    picture.write_pvtu_record(record, pieces);
     files.push_back({ "contact.pvtu", without_comment(record.str()) });
   }
   return files;
@@ -186,18 +222,13 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
 
   const GlassFields glass(system->glass(), motion);
   const ContactPressure contact_pressure;
-  DataOut<3> data_out;
-  DataOutBase::VtkFlags flags;
-  flags.write_higher_order_cells = dof_handler.get_fe().degree > 1;
-  flags.compression_level = decltype(flags.compression_level)::best_speed;
-  flags.print_date_and_time = false; // equal runs give equal files
-  data_out.set_flags(flags);
-  data_out.add_data_vector(dof_handler, displacement, glass);
-  data_out.add_data_vector(dof_handler, pressure, contact_pressure);
-  data_out.build_patches(system->mapping(), dof_handler.get_fe().degree, DataOut<3>::curved_inner_cells);
-  if (Utilities::MPI::n_mpi_processes(dof_handler.get_communicator()) == 1)
-    return { { "contact.vtu", vtu_text(data_out, dof_handler) } };
-  return pieces_on_ranks(data_out, dof_handler);
+  Picture picture(system->mapping(), dof_handler);
+  picture.add_data_vector(dof_handler, displacement, glass);
+  picture.add_data_vector(dof_handler, pressure, contact_pressure);
+  const MPI_Comm &communicator = dof_handler.get_communicator();
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return { { "contact.vtu", picture.vtu_text() } };
+  return pieces_on_ranks(picture, communicator);
 }
 
 } // namespace stemware::fem

@@ -58,6 +58,8 @@ public:
   /// Friction along @p traction deforms the body from now on.
   void set_sliding(const SlidingTraction &traction);
 
+  /// BodyStiffness::shared() of this body.
+  std::unique_ptr<BodyStiffness> shared_stiffness() const { return body->shared(); }
   bool has_coarser_meshes() const { return body->has_coarser_meshes(); }
   bool is_coarsest() const { return body->is_coarsest(); }
   /// The system on the next coarser of the meshes that its own was refined from; nothing on the coarsest.

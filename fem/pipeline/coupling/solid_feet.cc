@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
+#include <map>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -27,6 +30,18 @@ fem::SolidMesh mesh_before_goal(const Study &study)
   }
   require_usable_mesh(study);
   return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements, study.contact.mesh_marks);
+}
+
+/// Text that only studies share whose feet have the same mesh, material and elements.
+std::string elements_of(const Study &study)
+{
+  Study bare;
+  bare.glass = study.glass;
+  bare.contact = study.contact;
+  std::string text = study_identity(bare) + fmt::format(FMT_STRING("{}\n"), edge_halvings(study));
+  for (const fem::MarkedCells &marked : study.contact.halved)
+    text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
+  return text;
 }
 
 fem::SolidMesh solid_mesh(const Study &study)
@@ -67,8 +82,19 @@ bool has_solid_feet()
 
 std::shared_ptr<fem::Foot> make_solid_foot(const Study &study)
 {
+  // Variants of a study differ mostly in what lies under the mesh or slides there: such feet, solved one
+  // after another on all ranks, share the elements of the first while one of them is in use.
+  static std::map<std::string, std::weak_ptr<const fem::SolidFoot>> in_use;
+  for (auto one = in_use.begin(); one != in_use.end();)
+    one = one->second.expired() ? in_use.erase(one) : std::next(one);
   const fem::SolidSetup setup = solid_setup(study);
-  return std::make_shared<fem::SolidFoot>(solid_mesh(study), setup);
+  const std::string elements = elements_of(study);
+  const std::shared_ptr<const fem::SolidFoot> similar = in_use[elements].lock();
+  const auto foot =
+    std::make_shared<fem::SolidFoot>(similar ? similar->own_mesh() : solid_mesh(study), setup, similar.get());
+  if (!similar)
+    in_use[elements] = foot;
+  return foot;
 }
 
 } // namespace stemware::pipeline
