@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/refinement/error_bands.h"
 
-#include "fem/contact/contact_load.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/if_balanced.h"
@@ -77,7 +76,7 @@ Torques torques_of(const BalancedLoad &load, const ElasticFoot &foot, const ring
     {
       const unsigned int n =
         load.n_harmonics() < foot.n_harmonics() ? load.n_harmonics() : gathering->n_harmonics;
-      return fem::harmonics_of(foot.body().point_forces(*load.contact(omega)), n, gathering->radii);
+      return foot.body().gather(*load.contact(omega), gathering->radii, n);
     };
     const double friction = gathering ? ring::wrench(motion, gathered(), omega).torque
                                       : ring::wrench(motion, at_spin, omega).torque;
