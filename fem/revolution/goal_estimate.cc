@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -27,6 +29,44 @@ void number_cells(dealii::Triangulation<2> &triangulation)
     cell->set_user_index(cell->active_cell_index() + 1);
 }
 
+double size_of_mode(const ForceModes &forces, Eigen::Index mode)
+{
+  double square = forces.normal.col(mode).squaredNorm();
+  for (const Eigen::MatrixXd *kind : { &forces.radial, &forces.azimuthal })
+    if (kind->size() > 0)
+      square += kind->col(mode).squaredNorm();
+  return std::sqrt(square);
+}
+
+/// The modes that tell the shares of cells in the products of @p forces and @p dual_forces: the others, each
+/// of which would take a factorisation, have no more than a hundredth of all products together.
+std::vector<bool> telling_modes(const ForceModes &forces, const ForceModes &dual_forces)
+{
+  constexpr double negligible = 1e-2;
+  std::vector<std::pair<double, std::size_t>> products;
+  double sum = 0;
+  for (Eigen::Index mode = 0; mode < forces.normal.cols(); ++mode)
+  {
+    products.emplace_back(size_of_mode(forces, mode) * size_of_mode(dual_forces, mode), mode);
+    sum += products.back().first;
+  }
+  std::sort(products.begin(), products.end());
+  std::vector<bool> tells(products.size());
+  double left_out = 0;
+  for (const auto &[product, mode] : products)
+    tells[mode] = (left_out += product) > negligible * sum;
+  return tells;
+}
+
+ForceModes only(const std::vector<bool> &modes, ForceModes forces)
+{
+  for (Eigen::MatrixXd *kind : { &forces.normal, &forces.radial, &forces.azimuthal })
+    for (Eigen::Index mode = 0; mode < kind->cols(); ++mode)
+      if (!modes[static_cast<std::size_t>(mode)])
+        kind->col(mode).setZero();
+  return forces;
+}
+
 /// Sizes of the energy products, on each cell that has been numbered, of the details of the displacements
 /// under @p forces and @p dual_forces.
 std::vector<double> detail_products(const dealii::Triangulation<2> &triangulation,
@@ -34,7 +74,9 @@ std::vector<double> detail_products(const dealii::Triangulation<2> &triangulatio
                                     const ForceModes &forces, const ForceModes &dual_forces)
 {
   const MeridianSpace space(triangulation, material, degree);
-  const MeridianField primal(space, material, forces), dual(space, material, dual_forces);
+  const std::vector<bool> modes = telling_modes(forces, dual_forces);
+  const MeridianField primal(space, material, only(modes, forces)),
+    dual(space, material, only(modes, dual_forces));
   std::vector<double> shares;
   for (const auto &cell : space.dof_handler().cell_iterators())
   {

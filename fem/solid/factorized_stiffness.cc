@@ -1,6 +1,7 @@
 #include "fem/solid/factorized_stiffness.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/elasticity/blas_threads.h"
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
 
@@ -35,6 +36,7 @@ public:
   Factors(const TrilinosWrappers::SparseMatrix &stiffness, const std::vector<ContactNodes::Entry> &contact)
       : solver(control, TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"))
   {
+    hold_blas_to_one_thread();
     matrix.copy_from(stiffness);
     for (const ContactNodes::Entry &entry : contact)
       matrix.add(entry.row, entry.column, entry.value);
