@@ -1,5 +1,6 @@
 #include "ring_model/coulomb_ring.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/friction_law.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/terminal_spin.h"
 #include "ring_model/unilateral_foundation.h"
@@ -96,6 +97,36 @@ TEST(TerminalSpin, PointLoadPivotsAboutItself)
   EXPECT_GT(before, near);
   EXPECT_GT(near, 0.);
   EXPECT_LT(near, 1e-2);
+}
+
+TEST(TerminalSpin, FrictionBrakesUnderAnyLoadOfARimThatTurnsFasterThanItTravels)
+{
+  // Loads that are nowhere negative and nearly a point, wherever it is: Fejer's kernels.
+  constexpr unsigned int n_most = 400;
+  constexpr double turn = boost::math::double_constants::two_pi;
+  const Motion motion;
+  const double radius = 0.03, unit = motion.friction_at_rest() * motion.normal_force() * radius;
+  double least = 1e9;
+  for (const double eps : { 1.05, 1.5, -1.2 })
+  {
+    const double bound = std::sqrt(1 - 1 / (eps * eps));
+    for (int place = 0; place < 90; ++place)
+    {
+      const double mean = motion.normal_force() / turn, theta = turn * place / 90;
+      std::vector<double> a = { mean }, b = { 0 };
+      for (unsigned int n = 1; n <= n_most; ++n)
+      {
+        const double amplitude = 2 * mean * (1 - n / (n_most + 1.));
+        a.push_back(amplitude * std::cos(n * theta));
+        b.push_back(amplitude * std::sin(n * theta));
+      }
+      const double omega = eps * motion.orbit_speed / radius;
+      const double braking = -std::copysign(1., eps) * wrench(motion, RingStack(a, b, radius), omega).torque;
+      EXPECT_GE(braking / unit, bound - 1e-9) << eps << ' ' << place;
+      least = std::min(least, braking / unit / bound);
+    }
+  }
+  EXPECT_LT(least, 1.05); // and no bound could be much larger
 }
 
 TEST(TerminalSpin, FindsAllRootsWithTheirStability)

@@ -125,7 +125,8 @@ struct Reach
 
 /// Whether friction brakes at @p omega and beyond by much more than the lean of the glass could drive it.
 /// Where all of the rim turns faster than it travels, eps = |omega| r / v > 1, friction brakes each place of
-/// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load.
+/// it, and its arm is no less than sqrt(1 - 1 / eps^2) r: so it does under any load that nowhere pulls, such
+/// as a contact's.
 bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &motion)
 {
   constexpr double much = 10;
@@ -134,7 +135,7 @@ bool brakes_beyond(double omega, const BalancedLoad &load, const ring::Motion &m
   for (const auto &ring : at_spin.rings())
     radius = std::min(radius, ring.radius);
   const double eps = std::abs(omega) * radius / motion.orbit_speed;
-  if (!motion.has_constant_friction() || eps <= 1)
+  if (!load.contact(0) || !motion.has_constant_friction() || eps <= 1)
     return false;
   const double least_torque =
     std::sqrt(1 - 1 / (eps * eps)) * motion.friction_at_rest() * motion.normal_force() * radius;
