@@ -31,8 +31,8 @@ struct SpinQuestion
 struct LongRunSpin
 {
   ring::TerminalSpin
-    spin = {}; ///< omega, the mean in the long run; slope and time constant of the mean torque
-  double asked = 0;               ///< SpinZero::asked, or omega [rad/s]
+    spin = {};      ///< omega, the mean in the long run; slope and time constant of the mean torque
+  double asked = 0; ///< SpinZero::asked, or omega [rad/s]
   double zero_of_mean_torque = 0; ///< [rad/s]; omega itself where the phase does not matter
   double ripple = 0;              ///< half of largest minus smallest spin in the long run [rad/s]
   /// Uncertainty of the mean spin [rad/s]: by its average, by the mean of the sampled loads, and by the loads

@@ -79,7 +79,7 @@ void run(const RunOptions &options)
   Results results = is_first_rank() ? tabulate(study, report, spin, bands, goal) : Results();
   if (report.foot)
     results.fields = std::move(report.foot->fields);
-  publish(options, study, results, work.folder, work.stopwatch);
+  publish(options, study, std::move(results), work.folder, work.stopwatch);
 }
 
 } // namespace

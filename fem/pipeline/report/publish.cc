@@ -88,11 +88,12 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
 
 } // namespace
 
-void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
+void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch)
 {
   // The folder is whole before it gets its name.
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
+  results.fields = {}; // large texts, whose check sums are those of the files
   on_first_rank([&] { write_and_publish(options, study, results, stopwatch, folder); });
   if (!is_first_rank())
     return;

@@ -19,7 +19,7 @@ namespace stemware::pipeline
 /// key figures}. Without a study there is neither parameters.prm nor "parameters".
 ///
 /// Throws OutputFailure, and std::runtime_error for a finding that is not finite: JSON has no word for it.
-void publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
+void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch);
 
 } // namespace stemware::pipeline
