@@ -124,8 +124,19 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   finer.push_back({ "mesh", with_smaller_cells(study, 3) });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  add("harmonics", [](ContactSection &contact) { contact.harmonics *= 4; });
-  add("load_harmonics", [](ContactSection &contact) { contact.load_harmonics = 96; });
+  // On as many lines as they take.
+  add("harmonics",
+      [](ContactSection &contact)
+      {
+        contact.harmonics *= 4;
+        contact.azimuth_lines *= 4;
+      });
+  add("load_harmonics",
+      [](ContactSection &contact)
+      {
+        contact.load_harmonics = 96;
+        contact.azimuth_lines *= 4;
+      });
   if (study.table.is_hard())
     add("interface", [](ContactSection &contact) { contact.hardness *= 100; });
   return finer;
