@@ -105,6 +105,7 @@ struct FinerStudy
 {
   std::string axis;
   Study study;
+  Study from; ///< what it is compared with
 };
 
 void stiffen(Study &study)
@@ -118,25 +119,19 @@ std::vector<FinerStudy> finer_on_one_axis(const Study &study)
   std::vector<FinerStudy> finer;
   const auto add = [&](const char *axis, const std::function<void(ContactSection &)> &change)
   {
-    finer.push_back({ axis, study });
+    finer.push_back({ axis, study, study });
     change(finer.back().study.contact);
   };
-  finer.push_back({ "mesh", with_smaller_cells(study, 3) });
+  finer.push_back({ "mesh", with_smaller_cells(study, 3), study });
   add("degree", [](ContactSection &contact) { ++contact.degree; });
   add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
   // On as many lines as they take.
-  add("harmonics",
-      [](ContactSection &contact)
-      {
-        contact.harmonics *= 4;
-        contact.azimuth_lines *= 4;
-      });
-  add("load_harmonics",
-      [](ContactSection &contact)
-      {
-        contact.load_harmonics = 96;
-        contact.azimuth_lines *= 4;
-      });
+  Study on_more_lines = study;
+  on_more_lines.contact.azimuth_lines *= 4;
+  for (const char *axis : { "harmonics", "load_harmonics" })
+    finer.push_back({ axis, on_more_lines, on_more_lines });
+  (finer.end() - 2)->study.contact.harmonics *= 4;
+  finer.back().study.contact.load_harmonics = 96;
   if (study.table.is_hard())
     add("interface", [](ContactSection &contact) { contact.hardness *= 100; });
   return finer;
@@ -269,7 +264,11 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   if (truth == "axes")
   {
     for (const FinerStudy &finer : finer_on_one_axis(study))
-      changed(finer.axis, solve(finer.study, cache, own.omega).omega - own.omega);
+    {
+      const bool is_own = finer.from.contact.azimuth_lines == study.contact.azimuth_lines;
+      const double from = is_own ? own.omega : solve(finer.from, cache, own.omega).omega;
+      changed(finer.axis, solve(finer.study, cache, own.omega).omega - from);
+    }
     changed("rings", change_by_points(study, own));
   }
   else
