@@ -23,7 +23,7 @@ struct SpinQuestion
     0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
   /// The terminal spin of a load much like this one, where it is known.
   std::optional<ring::KnownZero> near = {};
-  bool with_slope = false; ///< whether SpinRow::time_constant is wanted: it takes eight more loads
+  bool with_slope = false; ///< whether SpinRow::time_constant is wanted: it takes two more loads
   bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
 };
 
