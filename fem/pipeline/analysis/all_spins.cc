@@ -1,5 +1,3 @@
-#include "fem/pipeline/analysis/all_spins.h"
-
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/if_balanced.h"
 #include "ring_model/friction_law.h"

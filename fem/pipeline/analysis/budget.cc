@@ -11,14 +11,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The question to models that differ little from the one whose answer is @p complete.
-SpinQuestion near_to(const SpinRow &complete)
-{
-  SpinQuestion question;
-  question.near = known_zero(complete);
-  return question;
-}
-
 std::optional<double> unless_nan(double value)
 {
   return std::isnan(value) ? std::nullopt : std::optional(value);
@@ -129,8 +121,10 @@ std::vector<BudgetRow> budget_rows(const Study &study, const std::shared_ptr<Ela
                                    const std::vector<SpinRow> &by_harmonics, const Executor &executor)
 {
   const std::vector<Variant> models = model_chain(study);
+  SpinQuestion question;
+  question.near = known_zero(by_harmonics.back()); // they differ little from the complete model
   std::vector<SpinRow> answers;
-  for (const LoadedRow &answer : solve_rows(models, foot, near_to(by_harmonics.back()), executor))
+  for (const LoadedRow &answer : solve_rows(models, foot, question, executor))
     answers.push_back(answer.row);
   answers.insert(answers.end(), by_harmonics.begin(), by_harmonics.end());
   for (SpinRow &row : answers)

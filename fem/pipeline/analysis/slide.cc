@@ -56,20 +56,16 @@ FrictionLaw friction_of_load(const BalancedLoad &load, const Study &study)
   };
 }
 
-ring::FreeSlider slider_of(const Study &study, const SlideQuestion &question)
+/// The study of a glass that no hand leads: the moment of friction about the centre of mass is all that the
+/// pressure has to balance (closure full, with the force of the hand at the centre of mass, where it has no
+/// moment).
+Study without_hand(Study study)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  const double radius = study.glass.profile.contact_radius;
-  const auto is_given = [&](const char *entry) { return study.given_entries.count(entry) > 0; };
-  ring::FreeSlider slider{ question.body == SlidingBodyKind::ring
-                             ? ring::SlidingBody::ring(radius)
-                             : ring::SlidingBody::annulus(question.inner_radius, radius),
-                           motion.mass, motion.yaw_inertia, motion.friction_coefficient, motion.gravity };
-  if (!is_given("Motion/Yaw inertia"))
-    slider.yaw_inertia = slider.mass * slider.body.mean_square_radius();
-  if (is_given("Motion/Centre of mass height"))
-    slider.centre_of_mass_height = motion.centre_of_mass_height;
-  return slider;
+  study.motion.closure = ring::Closure::full;
+  study.motion.orbit.force_offset = 0;
+  study.motion.orbit.orbit_acceleration = 0;
+  study.motion.grip_torque = 0;
+  return study;
 }
 
 void require_standing(const SlideStudy &slide, double speed, double omega, const ring::Wrench &friction)
@@ -179,7 +175,16 @@ void slide_glass(const Study &given, SlideStudy &slide, Progress &progress)
 
 void slide_body(const Study &study, SlideStudy &slide)
 {
-  const ring::FreeSlider slider = slider_of(study, slide.question);
+  const ring::Motion &motion = study.motion.orbit;
+  const double radius = study.glass.profile.contact_radius;
+  ring::FreeSlider slider{ slide.question.body == SlidingBodyKind::ring
+                             ? ring::SlidingBody::ring(radius)
+                             : ring::SlidingBody::annulus(slide.question.inner_radius, radius),
+                           motion.mass, motion.yaw_inertia, motion.friction_coefficient, motion.gravity };
+  if (!slide.inertia_is_given)
+    slider.yaw_inertia = slider.mass * slider.body.mean_square_radius();
+  if (slide.height_is_given)
+    slider.centre_of_mass_height = motion.centre_of_mass_height;
   slide.inertia = { slider.mass, slider.yaw_inertia, slider.body.outer_radius() };
   slide.centre_of_mass_height = slider.centre_of_mass_height;
   follow(friction_of_body(slider), ring::slide_to_stop(slider, slide.question.speed, slide.question.spin),
@@ -200,15 +205,6 @@ double SlideStudy::largest_moment_ratio() const
   for (const SlidePoint &point : points)
     largest = std::max(largest, point.moment_ratio);
   return largest;
-}
-
-Study without_hand(Study study)
-{
-  study.motion.closure = ring::Closure::full;
-  study.motion.orbit.force_offset = 0;
-  study.motion.orbit.orbit_acceleration = 0;
-  study.motion.grip_torque = 0;
-  return study;
 }
 
 void check_slide(const Study &study, const SlideQuestion &question)

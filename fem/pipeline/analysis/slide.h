@@ -71,11 +71,6 @@ struct SlideStudy
   bool is_formal() const { return question.body != SlidingBodyKind::glass && largest_moment_ratio() > 1; }
 };
 
-/// The study of a glass that no hand leads: the moment of friction about the centre of mass is all that the
-/// pressure has to balance (closure full, with the force of the hand at the centre of mass, where it has no
-/// moment).
-Study without_hand(Study study);
-
 /// Throws BadInput where @p question cannot be asked of @p study.
 void check_slide(const Study &study, const SlideQuestion &question);
 

@@ -4,9 +4,11 @@
 #include "fem/pipeline/coupling/if_balanced.h"
 #include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
-#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
+#include "fem/pipeline/variants/solve.h"
 #include "ring_model/friction_law.h"
+
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,23 +37,6 @@ double averaging_window(const PhasePeriods &periods, const ring::Motion &motion,
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega)
-{
-  const LeaningLoad leaning = load.at(omega);
-  RingState state = { leaning };
-  const ring::Motion &motion = question.motion;
-  state.friction = ring::wrench(motion, state.load, omega);
-  state.lean_torque = leaning.lean_torque();
-  state.grip_torque = grip_torque(state.friction.torque + state.lean_torque, omega, question.grip_torque);
-  state.moment_ratio = state.load.moment_ratio(question.contact_radius.value_or(state.load.radius()));
-  if (question.with_minima)
-  {
-    state.minimum = state.load.minimum();
-    state.pulling_share = state.minimum < 0 ? state.load.pulling_force() / state.load.normal_force() : 0;
-  }
-  return state;
-}
-
 /// The load between rest and @p terminal, and a little beyond.
 SharedLoad on_the_way_to(double terminal, const BalancedLoad &load)
 {
@@ -70,23 +55,6 @@ std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion
   {
     return std::nullopt;
   }
-}
-
-/// Whether the failure behind @p lost is that the glass tips.
-bool is_tipping(const ring::BalanceLost &lost)
-{
-  try
-  {
-    std::rethrow_if_nested(lost);
-  }
-  catch (const ring::Tipping &)
-  {
-    return true;
-  }
-  catch (const ring::NoBalance &)
-  {
-  }
-  return false;
 }
 
 std::string fall_sentence(const Fall &fall)
@@ -110,7 +78,8 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
   }
   catch (const ring::BalanceLost &lost)
   {
-    if (!is_tipping(lost))
+    const auto *beyond = dynamic_cast<const std::nested_exception *>(&lost);
+    if (!beyond || failed_row(beyond->nested_ptr()).standing != Standing::tips)
       throw;
     row.standing = Standing::tips;
     row.fall = { lost.last_spin, ring_state(load, question, lost.last_spin) };
@@ -131,6 +100,23 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
 }
 
 } // namespace
+
+RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega)
+{
+  const LeaningLoad leaning = load.at(omega);
+  RingState state = { leaning };
+  const ring::Motion &motion = question.motion;
+  state.friction = ring::wrench(motion, state.load, omega);
+  state.lean_torque = leaning.lean_torque();
+  state.grip_torque = grip_torque(state.friction.torque + state.lean_torque, omega, question.grip_torque);
+  state.moment_ratio = state.load.moment_ratio(question.contact_radius.value_or(state.load.radius()));
+  if (question.with_minima)
+  {
+    state.minimum = state.load.minimum();
+    state.pulling_share = state.minimum < 0 ? state.load.pulling_force() / state.load.normal_force() : 0;
+  }
+  return state;
+}
 
 double yaw_torque(const BalancedLoad &load, const ring::Motion &motion, double omega)
 {
@@ -257,81 +243,34 @@ SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
   try
   {
     solve_row(load, question, row);
+    return row;
   }
   catch (...)
   {
     return failed_row(std::current_exception(), row);
   }
-  return row;
 }
 
 SpinRow failed_row(const std::exception_ptr &failure, SpinRow row)
 {
-  const auto because = [&](Standing standing, const std::exception &what)
-  {
-    row.standing = standing;
-    row.reason = what.what();
-    return row;
-  };
   try
   {
     std::rethrow_exception(failure);
   }
-  catch (const ring::Tipping &tipping)
+  catch (const std::runtime_error &why)
   {
-    return because(Standing::tips, tipping);
+    if (!is_of_variant(why))
+      throw;
+    const auto *contact = dynamic_cast<const fem::ContactFailure *>(&why);
+    row.standing = Standing::no_balance;
+    if (dynamic_cast<const ring::Tipping *>(&why) ||
+        (contact && contact->outcome == fem::ContactOutcome::tipping))
+      row.standing = Standing::tips;
+    if (dynamic_cast<const ring::NoTerminalSpin *>(&why))
+      row.standing = Standing::no_terminal_spin;
+    row.reason = why.what();
   }
-  catch (const ring::NoTerminalSpin &no_spin)
-  {
-    return because(Standing::no_terminal_spin, no_spin);
-  }
-  catch (const ring::NoBalance &no_balance)
-  {
-    return because(Standing::no_balance, no_balance);
-  }
-  catch (const fem::ContactFailure &contact)
-  {
-    return because(contact.outcome == fem::ContactOutcome::tipping ? Standing::tips : Standing::no_balance,
-                   contact);
-  }
-  catch (const BadInput &no_model)
-  {
-    return because(Standing::no_balance, no_model);
-  }
-}
-
-void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
-                   SpinRow &row)
-{
-  const ring::Motion &motion = question.motion;
-  const double omega = all.terminal->omega;
-  // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
-  // related.
-  const double scale = motion.orbit_speed / all.at_rest->load.radius();
-  if (row.terminal && std::abs(omega) > 1e-9 * scale)
-    row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
-  row.bound = ring::truncation_bound(motion, whole, row.harmonics, omega);
-  if (row.spin_up.empty() || all.spin_up.empty())
-    return;
-  double largest = 0;
-  for (std::size_t i = 0; i < row.spin_up.size(); ++i)
-    largest = std::max(largest, std::abs(row.spin_up[i] - all.spin_up[i]));
-  row.largest_deviation = largest;
-  row.final_deviation = std::abs(row.spin_up.back() - all.spin_up.back());
-}
-
-std::vector<unsigned int> truncation_orders(unsigned int n_all)
-{
-  std::vector<unsigned int> orders;
-  for (const unsigned int n : { 1u, 2u, 3u })
-    if (n < n_all)
-      orders.push_back(n);
-  for (unsigned int octave = 4; octave < n_all; octave *= 2)
-    for (const unsigned int n : { octave, octave + octave / 2 })
-      if (n < n_all)
-        orders.push_back(n);
-  orders.push_back(n_all);
-  return orders;
+  return row;
 }
 
 std::vector<double> output_times(double end)
@@ -353,6 +292,24 @@ std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motio
                                      const std::vector<double> &times, double grip_torque)
 {
   return spin_up(torque_function(load, motion, grip_torque), motion, times, load.spin_scale(motion));
+}
+
+std::vector<RimSlip> rim_slip(const ring::Motion &motion, double radius, const ring::RingStack &load,
+                              double omega)
+{
+  constexpr unsigned int n_places = 24;
+  const double mean = motion.friction_at_rest() * load.a(0);
+  std::vector<RimSlip> places;
+  for (unsigned int i = 0; i < n_places; ++i)
+  {
+    const double theta = boost::math::double_constants::two_pi * i / n_places;
+    const double slip_x = motion.orbit_speed - omega * radius * std::sin(theta),
+                 slip_y = omega * radius * std::cos(theta), slip = std::hypot(slip_x, slip_y);
+    const double share = slip > 0 ? -motion.friction_at(slip) * std::max(0., load(theta)) / (mean * slip) : 0;
+    places.push_back(
+      { theta, slip_x / motion.orbit_speed, slip_y / motion.orbit_speed, share * slip_x, share * slip_y });
+  }
+  return places;
 }
 
 } // namespace stemware::pipeline

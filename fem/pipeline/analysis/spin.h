@@ -27,6 +27,9 @@ struct SpinQuestion
   bool with_minima = true; ///< whether least loads and pulling forces are wanted: they take a while
 };
 
+/// State of the ring under @p load at the spin @p omega [rad/s]. Throws as the load.
+RingState ring_state(const BalancedLoad &load, const SpinQuestion &question, double omega);
+
 /// The spin that a load drives the ring to.
 struct LongRunSpin
 {
@@ -47,6 +50,14 @@ struct LongRunSpin
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected = 0,
                           bool with_slope = true, double grip_torque = 0,
                           const std::optional<ring::KnownZero> &near = {});
+
+/// All spins within 1.5 v / R of rest at which the torques on the glass balance, lowest first, each with its
+/// stability; those where the fingers hold the glass at rest included (TerminalSpin::held). Two that lie
+/// closer together than v / 32 R may be missed. The search ends on either side where the load has no balance,
+/// and at 1.05 v / R where friction brakes under any load from there on. Nothing where the load depends on
+/// the phase.
+std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, const ring::Motion &motion,
+                                                   double grip_torque = 0);
 
 /// Torque of fingers that resist @p torque, or the spin @p omega [rad/s], with up to @p grip [N m]: at rest
 /// as much as there is to resist.
@@ -84,16 +95,6 @@ SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
 /// or BadInput where a model cannot be made of the study. Throws every other @p failure on.
 SpinRow failed_row(const std::exception_ptr &failure, SpinRow row = {});
 
-/// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
-/// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all
-/// harmonics.
-void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
-                   SpinRow &row);
-
-/// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p
-/// n_all.
-std::vector<unsigned int> truncation_orders(unsigned int n_all);
-
 /// Equally spaced times from 0 to @p end [s]: 201 of them.
 std::vector<double> output_times(double end);
 
@@ -104,5 +105,19 @@ std::vector<ring::YawSample> spin_up(const ring::PhasedTorqueFunction &torque, c
 /// spin_up() under the torque_function() of @p load.
 std::vector<ring::YawSample> spin_up(const BalancedLoad &load, const ring::Motion &motion,
                                      const std::vector<double> &times, double grip_torque = 0);
+
+/// How a place of the rim slips over the table, and the friction on it: x along the direction of travel, y to
+/// the left.
+struct RimSlip
+{
+  double azimuth = 0;                    ///< theta [rad]
+  double slip_x = 0, slip_y = 0;         ///< velocity over the hand's speed
+  double friction_x = 0, friction_y = 0; ///< per angle, over that of the mean load at rest
+};
+
+/// Slip and friction of the load, as far as it presses, at 24 places of a rim of this @p radius [m] that
+/// spins with @p omega [rad/s].
+std::vector<RimSlip> rim_slip(const ring::Motion &motion, double radius, const ring::RingStack &load,
+                              double omega);
 
 } // namespace stemware::pipeline

@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
-#include "fem/pipeline/analysis/all_spins.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/driven_load.h"
 #include "fem/pipeline/coupling/if_balanced.h"
@@ -122,26 +121,14 @@ SpinUpCurves spin_up_curves(const Study &study, const SharedLoad &first, const B
   return curves;
 }
 
-/// All torques at a spin; NaN where there is no balance: the row says what is missing.
-struct SpinTorques
-{
-  ring::Wrench friction;
-  double lean, grip;
-};
-
-SpinTorques torques_or_nan(const BalancedLoad &load, const Study &study, double omega)
+/// The torques on the ring at a spin; NaN where there is no balance: the row says what is missing.
+RingState torques_or_nan(const BalancedLoad &load, const Study &study, double omega)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return if_balanced(
-           [&]
-           {
-             const LeaningLoad at_spin = load.at(omega);
-             const ring::Wrench friction = ring::wrench(study.motion.orbit, at_spin, omega);
-             const double lean = at_spin.lean_torque();
-             return SpinTorques{ friction, lean,
-                                 grip_torque(friction.torque + lean, omega, study.motion.grip_torque) };
-           })
-    .value_or(SpinTorques{ { nan, nan, nan }, nan, nan });
+  SpinQuestion question = spin_question(study);
+  question.with_minima = false;
+  return if_balanced([&] { return ring_state(load, question, omega); })
+    .value_or(RingState{ load.report().rings, { nan, nan, nan }, nan, nan });
 }
 
 /// All terminal spins, that which is reached from rest as @p all has it; nothing where the glass falls over.
@@ -225,11 +212,11 @@ TorqueCurve torque_curve(const Study &study, const std::vector<LoadedRow> &rows,
   for (const double omega : curve.omega)
   {
     curve.slip_ratio.push_back(omega / rows.back().load->spin_scale(motion));
-    const SpinTorques torques = torques_or_nan(*rows.back().load, study, omega);
-    curve.friction.push_back(torques.friction);
-    curve.lean_torque.push_back(torques.lean);
-    curve.grip_torque.push_back(torques.grip);
-    curve.sum.push_back(torques.friction.torque + torques.lean + torques.grip);
+    const RingState state = torques_or_nan(*rows.back().load, study, omega);
+    curve.friction.push_back(state.friction);
+    curve.lean_torque.push_back(state.lean_torque);
+    curve.grip_torque.push_back(state.grip_torque);
+    curve.sum.push_back(state.torque());
   }
   for (std::size_t i = 0; i + 1 < rows.size() && rows[i].row.harmonics <= n_most; ++i)
   {
@@ -249,26 +236,19 @@ std::vector<double> paper_spin_up(const Study &study, const std::vector<double> 
   return spins_of(spin_up(*find_load(paper, nullptr), paper.motion.orbit, times));
 }
 
-/// DrivenSpinUp::interpolation_change and that at the end.
-void add_interpolation_change(const Study &study, const ring::OrbitSpeedTable &speeds, DrivenSpinUp &driven)
+/// omega(t) [rad/s] from rest at @p times while the hand leads the glass with @p speeds.
+std::vector<double> driven_spins(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                 const ring::OrbitSpeedTable &speeds, const std::vector<double> &times,
+                                 double accuracy)
 {
-  Study rigid = study;
-  rigid.load.source = LoadSource::first_harmonic;
-  const ring::Motion &motion = study.motion.orbit;
-  constexpr double accuracy = 1e-7; // acceleration jumps where lines meet
-  const auto spins = [&](const ring::OrbitSpeedTable &table)
-  {
-    const ring::TimedTorqueFunction torque = driven_torque(rigid, nullptr, table);
-    return ring::spin_up([&](double time, double omega)
-                         { return against_grip(torque(time, omega), omega, study.motion.grip_torque); },
-                         motion.yaw_inertia, 0, driven.time, accuracy, spin_unit(study));
-  };
-  const std::vector<ring::SpinSample> cubic = spins(speeds), lines = spins(speeds.joined_by_lines());
-  for (std::size_t i = 0; i < cubic.size(); ++i)
-  {
-    driven.interpolation_change_at_end = std::abs(lines[i].omega - cubic[i].omega);
-    driven.interpolation_change = std::max(driven.interpolation_change, driven.interpolation_change_at_end);
-  }
+  const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
+  const auto torque = [&](double time, double omega)
+  { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };
+  std::vector<double> spins;
+  for (const ring::SpinSample &sample :
+       ring::spin_up(torque, study.motion.orbit.yaw_inertia, 0, times, accuracy, spin_unit(study)))
+    spins.push_back(sample.omega);
+  return spins;
 }
 
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
@@ -278,11 +258,8 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
     return std::nullopt;
   // A contact is known to 1e-10 of its load: the step control is not to chase what lies below.
   const double accuracy = study.load.is_from_contact() ? 1e-9 : 1e-10;
-  const ring::Motion &motion = study.motion.orbit;
+  constexpr double accuracy_of_change = 1e-7; // acceleration jumps where lines meet
   const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
-  const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
-  const auto torque = [&](double time, double omega)
-  { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };
   DrivenSpinUp driven;
   driven.time = times;
   for (const double time : times)
@@ -290,10 +267,16 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
     driven.speed.push_back(speeds.speed(time));
     driven.acceleration.push_back(speeds.acceleration(time));
   }
-  for (const ring::SpinSample &sample :
-       ring::spin_up(torque, motion.yaw_inertia, 0, times, accuracy, spin_unit(study)))
-    driven.omega.push_back(sample.omega);
-  add_interpolation_change(study, speeds, driven);
+  driven.omega = driven_spins(study, foot, speeds, times, accuracy);
+  const Study rigid = first_harmonic_study(study);
+  const std::vector<double> cubic = driven_spins(rigid, nullptr, speeds, times, accuracy_of_change),
+                            lines = driven_spins(rigid, nullptr, speeds.joined_by_lines(), times,
+                                                 accuracy_of_change);
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    driven.interpolation_change_at_end = std::abs(lines[i] - cubic[i]);
+    driven.interpolation_change = std::max(driven.interpolation_change, driven.interpolation_change_at_end);
+  }
   return driven;
 }
 

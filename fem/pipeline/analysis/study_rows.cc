@@ -27,6 +27,29 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
+/// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
+/// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all
+/// harmonics.
+void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
+                   SpinRow &row)
+{
+  const ring::Motion &motion = question.motion;
+  const double omega = all.terminal->omega;
+  // Without a moment the glass does not spin up; rounding makes that a tiny spin, to which nothing can be
+  // related.
+  const double scale = motion.orbit_speed / all.at_rest->load.radius();
+  if (row.terminal && std::abs(omega) > 1e-9 * scale)
+    row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
+  row.bound = ring::truncation_bound(motion, whole, row.harmonics, omega);
+  if (row.spin_up.empty() || all.spin_up.empty())
+    return;
+  double largest = 0;
+  for (std::size_t i = 0; i < row.spin_up.size(); ++i)
+    largest = std::max(largest, std::abs(row.spin_up[i] - all.spin_up[i]));
+  row.largest_deviation = largest;
+  row.final_deviation = std::abs(row.spin_up.back() - all.spin_up.back());
+}
+
 /// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
 void take_worst_phase(const BalancedLoad &whole, const ring::Motion &motion, double omega, SpinRow &row)
 {
@@ -126,6 +149,17 @@ std::string held_by_the_grip(const Study &study, const SpinRow &row)
   return "The fingers hold the glass at rest: the torque there, " +
          to_short_text(row.at_rest->friction.torque) +
          " N m, is no more than Motion/Grip torque = " + to_short_text(study.motion.grip_torque) + " N m.";
+}
+
+std::vector<unsigned int> truncation_orders(unsigned int n_all)
+{
+  std::vector<unsigned int> orders;
+  for (unsigned int octave = 1; octave < n_all; octave *= 2)
+    for (const unsigned int n : { octave, octave + octave / 2 })
+      if (n < n_all && (orders.empty() || n > orders.back()))
+        orders.push_back(n);
+  orders.push_back(n_all);
+  return orders;
 }
 
 SpinQuestion spin_question(const Study &study, SpinQuestion question)

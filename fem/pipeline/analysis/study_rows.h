@@ -54,6 +54,10 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const Executor &executor, Progress &progress = silent_progress(),
                                   const std::string &pieces = "");
 
+/// Numbers of harmonics at which loads are cut off: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p
+/// n_all.
+std::vector<unsigned int> truncation_orders(unsigned int n_all);
+
 /// The terminal spin of @p row as a start for those of models that differ little; nothing where it has none,
 /// or one without a slope.
 std::optional<ring::KnownZero> known_zero(const SpinRow &row);
@@ -68,7 +72,7 @@ struct RowsBeside
 
 /// The answer by the number of harmonics: 1, 2, 3, 4, 6, 8, 12, ... and all, which is the last, the answer of
 /// @p load, find_load() of @p foot; the others each in a balance of its own where loads are two-way, else of
-/// that load cut off; related to the last one by relate_to_all(). A solid body in balance has 1 and all: each
+/// that load cut off; related to the last one by what changes. A solid body in balance has 1 and all: each
 /// of its balances takes minutes; so has any study of which the answer alone is asked. Throws as @p load and
 /// spin_row() where all harmonics have no answer; where the glass falls over on the way, the last row has a
 /// SpinRow::fall and nothing is related to it. What is asked for @p beside them is asked the same question.

@@ -3,8 +3,8 @@
 #include "fem/pipeline/coupling/study_load.h"
 
 #include <cstddef>
-#include <exception>
 #include <functional>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -19,11 +19,12 @@ namespace stemware::pipeline
 struct Executor
 {
   using Work = std::function<void(std::size_t)>;
-  /// Calls work(i) for every i < n, as for_each() says.
-  using Loop = std::function<void(std::size_t n, const Work &work)>;
 
-  /// Without @p side_by_side one after the other.
-  explicit Executor(FootMaker make_foot, Loop side_by_side = {});
+  /// For one thread.
+  explicit Executor(FootMaker make_foot)
+      : make_foot(std::move(make_foot))
+  {
+  }
   /// Feet by make_foot() that share @p cache, one thread unless @p n_threads are given; not in the live cut,
   /// which has neither meshes nor threads.
   Executor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // a cache alone will do
@@ -32,19 +33,22 @@ struct Executor
   /// a thread is free; returns when all are done. After one has thrown, no further ones are begun, and its
   /// exception (that of the least i, if several threw) is thrown here. Parallel loops within @p work do not
   /// mix with each other; they may take the threads that no call needs.
-  void for_each(std::size_t n, const Work &work, bool one_by_one = false) const;
-
-  /// Calls @p work and returns what it has thrown, nothing where it has not. What is no failure of a variant
-  /// is thrown on.
-  std::exception_ptr failure_of(const std::function<void()> &work) const;
+  void for_each(std::size_t n, const Work &work, bool one_by_one = false) const
+  {
+    if (side_by_side && !one_by_one)
+      return side_by_side(n, work);
+    for (std::size_t i = 0; i < n; ++i)
+      work(i);
+  }
 
   FootMaker make_foot;
-  /// Whether any failure is one of the variant, as in a sweep, where the other cases go on. Else bad input,
-  /// contacts and balances that do not exist are; all others end the work.
+  /// Whether any failure is one of the variant, as in a sweep, where the other cases go on. Else those are
+  /// that is_of_variant() knows; all others end the work.
   bool keeps_all_failures = false;
 
 private:
-  Loop side_by_side; ///< nothing: there is one thread
+  /// for_each() on several threads; nothing: there is one.
+  std::function<void(std::size_t n, const Work &work)> side_by_side;
 };
 
 } // namespace stemware::pipeline

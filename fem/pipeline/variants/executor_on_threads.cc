@@ -5,9 +5,9 @@
 
 #include <atomic>
 #include <exception>
-#include <mutex>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -38,9 +38,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
 {
   const ThreadLimit limit(n_threads);
   tbb::task_arena arena(static_cast<int>(n_threads));
-  std::mutex mutex;
-  std::exception_ptr failure;
-  std::size_t failed = n;
+  std::vector<std::exception_ptr> failures(n);
   std::atomic<bool> has_failed = false;
   // An exception that left the loop would cancel what other calls run in parallel inside themselves, such as
   // the tables that deal.II fills: they would go on with half of them.
@@ -54,13 +52,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
     }
     catch (...)
     {
-      const std::lock_guard<std::mutex> lock(mutex);
+      failures[i] = std::current_exception();
       has_failed = true;
-      if (i < failed)
-      {
-        failed = i;
-        failure = std::current_exception();
-      }
     }
   };
   // Without the isolation a thread that waits for a loop within one call could begin another call, and then
@@ -68,8 +61,9 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   std::atomic<std::size_t> next = 0; // in their order, whatever the parts that the loop is cut into
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
-  if (failure)
-    std::rethrow_exception(failure);
+  for (const std::exception_ptr &failure : failures)
+    if (failure)
+      std::rethrow_exception(failure);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "fem/pipeline/support/failures.h"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -15,22 +15,20 @@ namespace
 constexpr unsigned int highest_degree = 4;
 constexpr unsigned int most_halvings = 6;
 
-/// A member of a study, as something that can be set.
-using Parameter = std::function<unsigned int &(Study &)>;
-
-/// Adds the levels @p sizes to @p axis and keeps it unless it is only the study itself.
-void add_axis(RefinementAxis axis, const Study &study, const Parameter &parameter,
-              const std::vector<unsigned int> &sizes, std::vector<RefinementAxis> &axes)
+/// Adds the levels on which @p parameter, a member of @p study, has the @p sizes to @p axis, and keeps that
+/// unless it is only the study itself.
+void add_axis(RefinementAxis axis, const std::vector<unsigned int> &sizes, Study &study,
+              unsigned int &parameter, std::vector<RefinementAxis> &axes)
 {
-  Study copy = study;
-  const unsigned int own = parameter(copy);
+  const unsigned int own = parameter;
   for (const unsigned int size : sizes)
   {
-    parameter(copy) = size;
+    parameter = size;
     if (size == own)
       axis.own = axis.levels.size();
-    axis.levels.push_back({ { axis.key, axis.name, copy }, size });
+    axis.levels.push_back({ { axis.key, axis.name, study }, size });
   }
+  parameter = own;
   if (axis.levels.size() > 1)
     axes.push_back(std::move(axis));
 }
@@ -64,53 +62,43 @@ std::vector<unsigned int> doubled(unsigned int own, unsigned int n, const Allowe
 }
 
 /// The degree below the study's own, its own and those above.
-void add_degree_axis(const Study &study, unsigned int highest, std::vector<RefinementAxis> &axes)
+void add_degree_axis(Study &study, unsigned int highest, std::vector<RefinementAxis> &axes)
 {
-  const unsigned int own = study.contact.degree, lowest = own > 1 ? own - 1 : 1;
-  add_axis(
-    { "degree", "degree of the elements", "degree", false, Decay::spectral, AxisRole::order }, study,
-    [](Study &copy) -> unsigned int & { return copy.contact.degree; },
-    counted(lowest, highest - lowest + 1, highest), axes);
+  unsigned int &degree = study.contact.degree;
+  const unsigned int lowest = degree > 1 ? degree - 1 : 1;
+  add_axis({ "degree", "degree of the elements", "degree", false, Decay::spectral, AxisRole::order },
+           counted(lowest, highest - lowest + 1, highest), study, degree, axes);
 }
 
-std::vector<RefinementAxis> axes_of_revolution(const Study &study, unsigned int n_levels)
+std::vector<RefinementAxis> axes_of_revolution(Study study, unsigned int n_levels)
 {
-  const ContactSection &contact = study.contact;
+  ContactSection &contact = study.contact;
   std::vector<RefinementAxis> axes;
-  add_axis(
-    { "meridional_mesh", "meridional mesh", "halvings of every cell" }, study,
-    [](Study &copy) -> unsigned int & { return copy.contact.refinements; },
-    counted(contact.refinements, n_levels, most_halvings), axes);
+  add_axis({ "meridional_mesh", "meridional mesh", "halvings of every cell" },
+           counted(contact.refinements, n_levels, most_halvings), study, contact.refinements, axes);
   add_degree_axis(study, highest_degree, axes);
-  add_axis(
-    { "harmonics", "elastic harmonics", "harmonics", true, Decay::spectral, AxisRole::azimuth }, study,
-    [](Study &copy) -> unsigned int & { return copy.contact.harmonics; },
-    doubled(contact.harmonics, n_levels, { 1, (contact.azimuth_lines - 1) / 2 }), axes);
-  add_axis(
-    { "azimuth_lines", "azimuth lines", "lines", true, Decay::spectral, AxisRole::azimuth }, study,
-    [](Study &copy) -> unsigned int & { return copy.contact.azimuth_lines; },
-    doubled(contact.azimuth_lines, n_levels, { std::max(16u, 2 * contact.harmonics + 1) }), axes);
+  add_axis({ "harmonics", "elastic harmonics", "harmonics", true, Decay::spectral, AxisRole::azimuth },
+           doubled(contact.harmonics, n_levels, { 1, (contact.azimuth_lines - 1) / 2 }), study,
+           contact.harmonics, axes);
+  add_axis({ "azimuth_lines", "azimuth lines", "lines", true, Decay::spectral, AxisRole::azimuth },
+           doubled(contact.azimuth_lines, n_levels, { std::max(16u, 2 * contact.harmonics + 1) }), study,
+           contact.azimuth_lines, axes);
   return axes;
 }
 
-std::vector<RefinementAxis> axes_of_solid(const Study &study, unsigned int n_levels)
+std::vector<RefinementAxis> axes_of_solid(Study study, unsigned int n_levels)
 {
   std::vector<RefinementAxis> axes;
   // Numbers of cells of a generated mesh.
-  const auto add_cells =
-    [&](const char *key, const char *name, unsigned int fem::FootResolution::*cells, const Allowed &allowed)
-  {
-    add_axis(
-      { key, name, "cells", true }, study,
-      [cells](Study &copy) -> unsigned int & { return copy.contact.resolution.*cells; },
-      doubled(study.contact.resolution.*cells, n_levels, allowed), axes);
+  const auto add_cells = [&](const char *key, const char *name, unsigned int &cells, const Allowed &allowed) {
+    add_axis({ key, name, "cells", true }, doubled(cells, n_levels, allowed), study, cells, axes);
   };
   if (study.contact.mesh_file.empty())
   {
-    add_cells("azimuthal_cells", "cells round the rim", &fem::FootResolution::azimuthal_cells,
-              { 8, 2000, 4 });
-    add_cells("radial_cells", "cells across the land", &fem::FootResolution::radial_cells, { 2, 200, 2 });
-    add_cells("foot_layers", "cells through the foot", &fem::FootResolution::foot_layers, { 1, 100, 1 });
+    fem::FootResolution &resolution = study.contact.resolution;
+    add_cells("azimuthal_cells", "cells round the rim", resolution.azimuthal_cells, { 8, 2000, 4 });
+    add_cells("radial_cells", "cells across the land", resolution.radial_cells, { 2, 200, 2 });
+    add_cells("foot_layers", "cells through the foot", resolution.foot_layers, { 1, 100, 1 });
   }
   add_degree_axis(study, 2, axes);
   return axes;

@@ -34,6 +34,10 @@ struct Solved
   }
 };
 
+/// Whether @p failure is one of the variant that is solved, which has no value then: bad input, or a contact
+/// or a balance that does not exist. All others end the work.
+bool is_of_variant(const std::exception &failure);
+
 /// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path
 /// of its own; else a new one, whose contacts start from what those of @p foot let expect, if that is given.
 /// Throws ring::Tipping for a variant that tips at rest, BadInput for one that is not to be solved, and where
@@ -57,29 +61,19 @@ bool any_is_collective(const std::vector<AnyVariant> &variants)
                      [](const AnyVariant &variant) { return is_collective(variant.study); });
 }
 
-/// Numbers of @p variants in the order in which they are begun: what takes long comes first, for others to be
-/// solved beside it. Variants that are made as they are solved keep their order.
+/// How long a variant takes, beside others: larger for longer. Of variants that are made as they are solved
+/// nothing is known.
 template <typename Variants>
-std::vector<std::size_t> order_of_work(const Variants &variants)
+std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
 {
-  std::vector<std::size_t> order(variants.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  return order;
+  return {};
 }
 template <typename AnyVariant>
-std::vector<std::size_t> order_of_work(const std::vector<AnyVariant> &variants)
+std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
 {
-  const auto cost = [&](std::size_t i)
-  {
-    const Study &study = variants[i].study;
-    return std::pair((variants[i].on_same_foot ? 0 : 1) + (study.table.is_hard() ? 2 : 0),
-                     study.contact.degree + study.contact.halvings_beyond_zone);
-  };
-  std::vector<std::size_t> order(variants.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t one, std::size_t other) { return cost(one) > cost(other); });
-  return order;
+  const Study &study = variants[i].study;
+  return { (variants[i].on_same_foot ? 0 : 1) + (study.table.is_hard() ? 2 : 0),
+           study.contact.degree + study.contact.halvings_beyond_zone };
 }
 
 /// Nobody is told.
@@ -106,26 +100,29 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
   std::mutex mutex;
   const auto solve_one = [&](std::size_t i)
   {
-    solved[i].failure = executor.failure_of(
-      [&]
-      {
-        const auto &variant = variants[i];
-        solved[i].answer = question(variant, foot_of(variant, foot, executor));
-      });
+    try
+    {
+      const auto &variant = variants[i];
+      solved[i].answer = question(variant, foot_of(variant, foot, executor));
+    }
+    catch (const std::exception &failure)
+    {
+      if (!executor.keeps_all_failures && !is_of_variant(failure))
+        throw;
+      solved[i].failure = std::current_exception();
+    }
     const std::lock_guard<std::mutex> lock(mutex);
     done(i, solved[i]);
   };
-  const std::vector<std::size_t> order = order_of_work(variants);
+  std::vector<std::size_t> order(variants.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  // What takes long is begun first, for others to be solved beside it.
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t one, std::size_t other)
+                   { return cost_of(variants, one) > cost_of(variants, other); });
   executor.for_each(
     order.size(), [&](std::size_t i) { solve_one(order[i]); }, any_is_collective(variants));
   return solved;
-}
-
-/// solve() for one variant on a foot of its own. Throws where that fails.
-template <typename Question>
-auto solve_alone(const Study &study, const Question &question, const Executor &executor)
-{
-  return solve(std::vector<Variant>{ { "", "", study } }, nullptr, question, executor).front().value();
 }
 
 } // namespace stemware::pipeline

@@ -76,7 +76,8 @@ GoalError error_of(const Study &study, const Executor &executor)
       terminal_spin(*load, study.motion.orbit, 0, false, study.motion.grip_torque).spin.omega;
     return goal_error(study, *foot, *load, omega, study.contact.goal, true);
   };
-  const auto found = solve_alone(study, error, executor);
+  const auto found =
+    solve(std::vector<Variant>{ { "", "", study } }, nullptr, error, executor).front().value();
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: a rim or table is out of flat, or the "

@@ -79,20 +79,6 @@ struct OpenLevel : RefinementLevel
   std::size_t axis, place; ///< which axis, and which level of it
 };
 
-std::vector<OpenLevel> open_levels(const std::vector<RefinementAxis> &axes)
-{
-  std::vector<OpenLevel> open;
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
-      if (l != axes[a].own)
-        open.push_back({ axes[a].levels[l], a, l });
-  // The finest first: the longest work should not be begun last.
-  std::stable_sort(open.begin(), open.end(),
-                   [&](const OpenLevel &one, const OpenLevel &other)
-                   { return axes[one.axis].role < axes[other.axis].role; });
-  return open;
-}
-
 /// Throws what the level has thrown, with the level named in front.
 void require_solved(const OpenLevel &level, const Solved<Quantities> &solved)
 {
@@ -137,8 +123,7 @@ AxisResult judge(const RefinementAxis &axis, const std::vector<Quantities> &leve
 BandedQuantity combine(const QuantityOfInterest &quantity, std::size_t f, const std::vector<AxisResult> &axes)
 {
   BandedQuantity banded = { quantity, quantity.rounding, quantity.value };
-  double space = 0;
-  double order = 0;
+  double space = 0, order = 0;
   for (const AxisResult &result : axes)
   {
     const RefinementSequence &judged = result.quantities[f].judged;
@@ -206,9 +191,14 @@ RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::v
                               is_estimated ? foot.get() : nullptr);
   };
   std::vector<std::vector<Quantities>> quantities; // of every level of every axis
-  for (const RefinementAxis &axis : axes)
-    quantities.emplace_back(axis.levels.size(), own);
-  const std::vector<OpenLevel> open = open_levels(axes);
+  std::vector<OpenLevel> open;
+  for (std::size_t a = 0; a < axes.size(); ++a)
+  {
+    quantities.emplace_back(axes[a].levels.size(), own);
+    for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
+      if (l != axes[a].own)
+        open.push_back({ axes[a].levels[l], a, l });
+  }
   const auto done =
     [&, tell = counted(progress, "levels", open.size())](std::size_t i, const auto &solved) mutable
   {

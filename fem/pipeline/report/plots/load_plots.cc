@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/rim_slip.h"
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 

@@ -1,5 +1,5 @@
 // Slip and friction round the rim, as a picture shows them.
-#include "fem/pipeline/analysis/rim_slip.h"
+#include "fem/pipeline/analysis/spin.h"
 
 #include <gtest/gtest.h>
 
