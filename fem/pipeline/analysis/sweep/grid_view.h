@@ -15,7 +15,7 @@ struct GridView
 {
   explicit GridView(const SweepPlan &plan);
 
-  /// Of @p values, one for every case, those of one curve.
+  /// Values of one curve, of the @p values of all cases.
   std::vector<double> curve(const std::vector<double> &values, std::size_t number) const;
 
   std::size_t along = 0;    ///< the entry along the axis of curves

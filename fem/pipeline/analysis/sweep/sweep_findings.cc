@@ -70,7 +70,7 @@ Sample sample_of(const FinishedCases &cases, std::size_t quantity)
   return sample;
 }
 
-/// What is rounding beside the larger one of the ends of a range.
+/// Differences that are rounding beside the larger one of the ends of a range.
 double rounding_of(double least, double most)
 {
   return 1e-9 * std::max(std::abs(least), std::abs(most));

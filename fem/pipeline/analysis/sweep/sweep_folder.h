@@ -42,7 +42,7 @@ private:
 /// cannot be cut.
 FinishedCases recover_cases(const std::filesystem::path &log);
 
-/// Those of all logs in a folder, of all ranks.
+/// Cases of all logs in a folder, those of all ranks.
 FinishedCases finished_cases(const std::filesystem::path &folder);
 
 /// How many cases are finished, and how many of them have failed.

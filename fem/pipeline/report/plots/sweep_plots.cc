@@ -84,26 +84,20 @@ struct Drawing
 
 std::vector<Drawing> drawings_of(const FinishedCases &cases)
 {
-  const Values spin = values_of(cases, "terminal spin"),
-               first = values_of(cases, "terminal spin of the first harmonic alone");
+  const Values spin = values_of(cases, "terminal spin");
+  const std::vector<Values> own = { spin },
+                            both = { spin, values_of(cases, "terminal spin of the first harmonic alone") };
   Values torque = values_of(cases, "torque at rest");
   for (double &value : torque)
     value *= 1e3;
-  return { { "terminal_spin",
-             heading_with_unit(quantity_named("omega_terminal")),
-             "Terminal spin under all harmonics of the load",
-             spin,
-             { spin } },
-           { "absolute_harmonic_effect",
-             "harmonic effect (rad/s)",
+  return { { "terminal_spin", heading_with_unit(quantity_named("omega_terminal")),
+             "Terminal spin under all harmonics of the load", spin, own },
+           { "absolute_harmonic_effect", "harmonic effect (rad/s)",
              "What the harmonics of the load beyond the first add to the terminal spin",
-             values_of(cases, "absolute harmonic effect"),
-             { spin, first } },
-           { "harmonic_effect",
-             "harmonic effect (%)",
+             values_of(cases, "absolute harmonic effect"), both },
+           { "harmonic_effect", "harmonic effect (%)",
              "How much faster the harmonics of the load beyond the first make the glass",
-             values_of(cases, "harmonic effect"),
-             { spin, first } },
+             values_of(cases, "harmonic effect"), both },
            { "second_harmonic", "√(a_2² + b_2²) / a_0",
              "Amplitude of the load's second harmonic over its mean", amplitudes_of(cases, "2") },
            { "third_harmonic", "√(a_3² + b_3²) / a_0", "Amplitude of the load's third harmonic over its mean",
