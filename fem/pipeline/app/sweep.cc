@@ -15,7 +15,6 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
-#include <functional>
 #include <memory>
 #include <ostream>
 
@@ -23,7 +22,6 @@ namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 namespace
 {
@@ -46,110 +44,46 @@ std::string interruption_message(const fs::path &folder, std::size_t n_cases)
     n_kept, n_cases, folder.string());
 }
 
-/// Numbers of the cases that are not among those.
-Json unfinished(const FinishedCases &finished, std::size_t n_cases)
+/// Takes the folder of finished cases, on the first rank, which owns it: nothing on the others. An
+/// interruption keeps what is in it from now on.
+std::shared_ptr<SweepFolder> take_folder(const SweepOptions &options, const SweepPlan &plan)
 {
-  Json numbers = Json::array();
-  for (std::size_t index = 0; index < n_cases; ++index)
-    if (finished.count(index) == 0)
-      numbers.push_back(index);
-  return numbers;
+  std::shared_ptr<SweepFolder> folder;
+  on_first_rank(
+    [&]
+    {
+      const PostponedInterruption postponed;
+      folder = std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
+      postponed->clean_up = [folder] { folder->remove_if_empty(); };
+      postponed->sentence = [path = folder->path(), n_cases = plan.cases.size()]
+      { return interruption_message(path, n_cases); };
+    });
+  return folder;
 }
 
-/// The folder of finished cases as all ranks see it; the first one owns it.
-class SharedCases
+/// Removes the folder of finished cases: the results are whole.
+void remove(SweepFolder &folder)
 {
-  std::shared_ptr<SweepFolder> owned; // before what is read from it
-
-public:
-  SharedCases(const SweepOptions &options, const SweepPlan &plan)
-      : path(from_first_rank(
-          [&]
-          {
-            const PostponedInterruption postponed;
-            owned =
-              std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
-            postponed->clean_up = [folder = owned] { folder->remove_if_empty(); };
-            postponed->sentence = [folder = owned->path(), n_cases = plan.cases.size()]
-            { return interruption_message(folder, n_cases); };
-            return owned->path().string();
-          }))
-  {
-    // Told by the first rank: the others may be late, and see cases that are finished after this.
-    const std::string numbers =
-      from_first_rank([&] { return unfinished(owned->finished_cases(), plan.cases.size()).dump(); });
-    to_do = Json::parse(numbers).get<std::vector<std::size_t>>();
-    n_before = plan.cases.size() - to_do.size();
-  }
-
-  /// All cases, on the first rank; nothing on the others.
-  FinishedCases all() const { return owned ? owned->finished_cases() : FinishedCases(); }
-
-  /// Removes the folder of the cases; to be called when the results are whole.
-  void remove()
-  {
-    const PostponedInterruption postponed;
-    postponed->sentence = {};
-    if (owned)
-      owned->remove();
-  }
-
-  const fs::path path;
-  std::vector<std::size_t> to_do; ///< cases that are not finished yet
-  std::size_t n_before = 0;       ///< cases that were finished by an earlier run
-};
-
-/// Every n_ranks()-th case: neighbours on a grid take about equally long, so that each rank gets its share of
-/// the long ones.
-std::vector<std::size_t> share_of_this_rank(const std::vector<std::size_t> &indices)
-{
-  std::vector<std::size_t> share;
-  for (std::size_t i = this_rank(); i < indices.size(); i += n_ranks())
-    share.push_back(indices[i]);
-  return share;
+  const PostponedInterruption postponed;
+  postponed->sentence = {};
+  folder.remove();
 }
 
-/// Shows on the first rank how far all of them have come.
-class SweepWatch
+/// Solves the cases that are not @p finished, and shows on the first rank how far all of them have come.
+void solve(const SweepPlan &plan, const FinishedCases &finished, const fs::path &folder,
+           unsigned int n_threads)
 {
-public:
-  SweepWatch(const SharedCases &cases, std::size_t n_cases)
-      : logs(cases.path)
-      , progress(n_cases, cases.n_before)
-  {
-  }
-
-  void operator()()
+  CaseLog log(SweepFolder::log_of(folder, this_rank()));
+  LogCounter logs(folder);
+  WorkProgress progress(plan.cases.size(), finished.size());
+  const auto watch = [&]
   {
     if (!is_first_rank())
       return;
     const CaseCount &cases = logs.count();
     progress.show(cases.n_finished, cases.n_failed);
-  }
-
-private:
-  LogCounter logs;
-  WorkProgress progress;
-};
-
-/// Cases that each rank solves by itself, and cases for all ranks together.
-std::pair<std::vector<std::size_t>, std::vector<std::size_t>> split(const SweepPlan &plan,
-                                                                    const std::vector<std::size_t> &indices)
-{
-  std::pair<std::vector<std::size_t>, std::vector<std::size_t>> parts;
-  for (const std::size_t index : indices)
-    (needs_all_ranks(plan, index) ? parts.second : parts.first).push_back(index);
-  return parts;
-}
-
-void solve(const SweepPlan &plan, const SharedCases &cases, unsigned int n_threads)
-{
-  const auto [for_one, for_all] = split(plan, cases.to_do);
-  const std::vector<std::size_t> share = share_of_this_rank(for_one);
-  CaseLog log(SweepFolder::log_of(cases.path, this_rank()));
-  SweepWatch watch(cases, plan.cases.size());
-  on_every_rank([&] { solve_cases(plan, share, n_threads, false, log, std::ref(watch)); });
-  solve_cases(plan, for_all, n_threads, true, log, std::ref(watch));
+  };
+  solve_cases(plan, finished, n_threads, log, watch);
 }
 
 /// A sweep without a single answer has failed.
@@ -187,25 +121,30 @@ void sweep(const SweepOptions &options)
   SweepPlan plan = make_plan(options.request);
   plan.base = begin_study(options, true);
   on_first_rank([&] { require_replaceable(options.results_place()); });
-  SharedCases cases(options, plan);
+  const std::shared_ptr<SweepFolder> owned = take_folder(options, plan);
+  const fs::path cases = from_first_rank([&] { return owned->path().string(); });
+  FinishedCases finished;
+  on_every_rank([&] { finished = finished_cases(cases); }); // before any of them goes on
   const unsigned int n_threads = n_threads_of(options);
   console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
-  if (cases.n_before > 0)
-    console() << "          " << cases.n_before << " of them are kept from an interrupted run" << std::endl;
+  if (!finished.empty())
+    console() << "          " << finished.size() << " of them are kept from an interrupted run" << std::endl;
   note_strange_cases(plan);
   stopwatch.finish("input");
 
   // 2. The cases.
-  solve(plan, cases, n_threads);
+  solve(plan, finished, cases, n_threads);
   stopwatch.finish("cases");
 
   // 3. The results, all at once.
   ResultsFolder folder(options.results_place());
-  const FinishedCases finished = reported(cases.all());
+  if (owned)
+    finished = reported(finished_cases(cases));
   const SweepFindings found = find_out(plan, finished);
   const Results results = is_first_rank() ? tabulate(plan, finished, found) : Results();
   publish(options, plan.base, results, folder, stopwatch);
-  cases.remove();
+  if (owned)
+    remove(*owned);
   require_one_solved(finished, found);
 }
 

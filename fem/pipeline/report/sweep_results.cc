@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <set>
 
 namespace stemware::pipeline
 {
@@ -18,36 +20,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-
-bool has_band(const QuantityFindings &about)
-{
-  return about.band.has_value();
-}
-
-std::vector<QuantityFindings> with_bands(std::vector<QuantityFindings> list)
-{
-  list.erase(std::remove_if(list.begin(), list.end(), std::not_fn(has_band)), list.end());
-  return list;
-}
-
-/// Quantities in the tables of the report: the harmonics one by one are for sweep.csv, and so are per cent of
-/// a spin that changes its sign.
-std::vector<QuantityFindings> for_people(const SweepFindings &findings)
-{
-  const bool has_relative = !findings.spin_changes_sign();
-  std::vector<QuantityFindings> list;
-  for (const QuantityFindings &about : findings.quantities)
-    if (about.quantity().name.find("/a_0") == std::string::npos &&
-        (has_relative || about.quantity().unit != "%"))
-      list.push_back(about);
-  return list;
-}
-
-/// First-order share of an entry; nothing where the samples are too few to tell.
-std::optional<double> share_of(const SampleSensitivity &sensitivity, std::size_t entry)
-{
-  return sensitivity.first_order.empty() ? std::nullopt : std::optional(sensitivity.first_order.at(entry));
-}
 
 /// Where a quantity has its least or its largest value, which @p n_same cases share.
 std::string place_of(const SweepPlan &plan, const QuantityFindings &about, std::size_t index,
@@ -59,21 +31,22 @@ std::string place_of(const SweepPlan &plan, const QuantityFindings &about, std::
 }
 
 /// Quantities by row with where they lie: ranges with the values of their cases, and for random samples bands
-/// and sensitivities, those of each entry in two places of a list.
-Json statistics_rows(const SweepPlan &plan, const std::vector<QuantityFindings> &quantities)
+/// and sensitivities: the regression on each entry and its share of the variance, one after the other.
+Json statistics_rows(const SweepPlan &plan, const SweepFindings &found)
 {
   Json rows = Json::array();
-  for (const QuantityFindings &about : quantities)
+  for (const QuantityFindings &about : found.quantities)
   {
     const SweepQuantity &quantity = about.quantity();
-    const auto of_band = [&](double SampleBand::*value)
-    { return about.band ? Json(*about.band.*value) : Json(nullptr); };
-    Json sensitivity = Json::array();
+    const auto &band = about.band;
+    const auto &sensitivity = about.sensitivity;
+    Json weights = Json::array();
     for (std::size_t e = 0; e < plan.entries.size(); ++e)
     {
-      const auto &found = about.sensitivity;
-      sensitivity.push_back(found ? Json(found->regression.at(e)) : Json(nullptr));
-      sensitivity.push_back(found ? share_of(*found, e) : std::nullopt);
+      weights.push_back(sensitivity ? Json(sensitivity->regression[e]) : Json(nullptr));
+      // No shares where the samples are too few to tell.
+      const bool has_share = sensitivity && !sensitivity->first_order.empty();
+      weights.push_back(has_share ? Json(sensitivity->first_order[e]) : Json(nullptr));
     }
     rows.push_back({ { "quantity", quantity.name },
                      { "title", with_unit(quantity.name, quantity.unit, false) },
@@ -85,65 +58,97 @@ Json statistics_rows(const SweepPlan &plan, const std::vector<QuantityFindings> 
                      { "most", about.most },
                      { "most_case", about.most_case + 1 },
                      { "at_most", place_of(plan, about, about.most_case, about.n_most) },
-                     { "mean", of_band(&SampleBand::mean) },
-                     { "standard_deviation", of_band(&SampleBand::deviation) },
-                     { "percentile_2.5", of_band(&SampleBand::lower) },
-                     { "percentile_97.5", of_band(&SampleBand::upper) },
-                     { "r_squared", about.sensitivity ? Json(about.sensitivity->r_squared) : Json(nullptr) },
-                     { "sensitivity", sensitivity } });
+                     { "mean", band ? Json(band->mean) : Json(nullptr) },
+                     { "standard_deviation", band ? Json(band->deviation) : Json(nullptr) },
+                     { "percentile_2.5", band ? Json(band->lower) : Json(nullptr) },
+                     { "percentile_97.5", band ? Json(band->upper) : Json(nullptr) },
+                     { "r_squared", sensitivity ? Json(sensitivity->r_squared) : Json(nullptr) },
+                     { "sensitivity", weights } });
   }
   return rows;
 }
 
-/// Quantities on the console.
-std::vector<QuantityFindings> main_quantities(const SweepFindings &findings)
+/// The rows that are wanted.
+Json chosen(const Json &rows, const std::function<bool(const Json &)> &is_wanted)
 {
-  std::vector<QuantityFindings> list;
-  const std::string relative = "harmonic effect";
-  for (const std::string name :
-       { "moment ratio", "contact fraction", "torque at rest", "terminal spin",
-         "terminal spin of the first harmonic alone", "absolute harmonic effect", "harmonic effect" })
-    if (const QuantityFindings *about = findings.about(name);
-        about != nullptr && !(name == relative && findings.spin_changes_sign()))
-      list.push_back(*about);
-  return list;
+  Json some = Json::array();
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(some), is_wanted);
+  return some;
+}
+
+bool has_band(const Json &row)
+{
+  return !row["mean"].is_null();
+}
+
+/// "statistics.shown" in the report: the harmonics one by one are for sweep.csv, and so are per cent of a
+/// spin that changes its sign; "main" on the console; "banded" in statistics.csv.
+Json statistics_tables(const Json &rows, bool is_random, bool spin_changes_sign)
+{
+  static const std::set<std::string> main_quantities = { "moment ratio",
+                                                         "contact fraction",
+                                                         "torque at rest",
+                                                         "terminal spin",
+                                                         "terminal spin of the first harmonic alone",
+                                                         "absolute harmonic effect",
+                                                         "harmonic effect" };
+  const Json told = chosen(rows, [=](const Json &row) { return !spin_changes_sign || row["unit"] != "%"; });
+  const auto is_shown = [=](const Json &row)
+  {
+    return row["quantity"].get<std::string>().find("/a_0") == std::string::npos &&
+           (!is_random || has_band(row));
+  };
+  return { { "shown", chosen(told, is_shown) },
+           { "main",
+             chosen(told, [](const Json &row) { return main_quantities.count(row["quantity"]) > 0; }) },
+           { "banded", chosen(rows, has_band) } };
+}
+
+/// Sensitivity of the quantity of a row to each entry.
+Json sensitivity_rows(const SweepPlan &plan, const Json &row)
+{
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+    rows.push_back({ { "entry", plan.entries[i].path },
+                     { "regression", row["sensitivity"][2 * i] },
+                     { "first_order", row["sensitivity"][2 * i + 1] } });
+  return rows;
 }
 
 // ---- summary.json
 
-Json quantity_summary(const SweepPlan &plan, const QuantityFindings &about)
+Json quantity_summary(const SweepPlan &plan, const Json &row)
 {
-  const Json row = statistics_rows(plan, { about })[0];
   Json summary = picked(row, "unit values least least_case most most_case");
-  if (about.band)
+  if (has_band(row))
     summary["band"] = picked(row, "mean standard_deviation percentile_2.5 percentile_97.5");
-  if (const auto &sensitivity = about.sensitivity)
-  {
-    Json entries = Json::object();
-    for (std::size_t i = 0; i < plan.entries.size(); ++i)
-      entries[plan.entries[i].path] = { { "regression", sensitivity->regression[i] },
-                                        { "first_order", share_of(*sensitivity, i) } };
-    summary["sensitivity"] = { { "r_squared", sensitivity->r_squared }, { "entries", entries } };
-  }
+  if (row["r_squared"].is_null())
+    return summary;
+  summary["sensitivity"] = { { "r_squared", row["r_squared"] }, { "entries", Json::object() } };
+  for (const Json &entry : sensitivity_rows(plan, row))
+    summary["sensitivity"]["entries"][entry["entry"]] = picked(entry, "regression first_order");
   return summary;
 }
 
-Findings findings_of(const SweepPlan &plan, const SweepFindings &found)
+Findings findings_of(const SweepPlan &plan, const SweepFindings &found, const Json &rows)
 {
-  Json quantities = Json::object();
-  for (const QuantityFindings &about : found.quantities)
-    quantities[about.quantity().name] = quantity_summary(plan, about);
+  static const std::map<std::string, std::string> keys = { { "terminal spin", "omega_terminal" },
+                                                           { "absolute harmonic effect", "harmonic_effect" },
+                                                           { "harmonic effect", "harmonic_effect_percent" } };
   Json sweep = plan_as_json(plan);
   sweep["failed"] = found.n_failed;
   Findings findings;
-  findings.summary = { { "sweep", sweep }, { "quantities", quantities } };
+  findings.summary = { { "sweep", sweep }, { "quantities", Json::object() } };
   findings.key_figures = { { "cases", found.n_cases }, { "failed", found.n_failed } };
-  for (const auto &[key, quantity] : { std::pair("omega_terminal", "terminal spin"),
-                                       std::pair("harmonic_effect", "absolute harmonic effect"),
-                                       std::pair("harmonic_effect_percent", "harmonic effect") })
-    if (const QuantityFindings *about = found.about(quantity))
-      findings.key_figures[key] =
-        about->band ? Json{ about->band->lower, about->band->upper } : Json{ about->least, about->most };
+  for (const Json &row : rows)
+  {
+    const std::string quantity = row["quantity"];
+    findings.summary["quantities"][quantity] = quantity_summary(plan, row);
+    if (const auto key = keys.find(quantity); key != keys.end())
+      findings.key_figures[key->second] = has_band(row)
+                                            ? Json{ row["percentile_2.5"], row["percentile_97.5"] }
+                                            : Json{ row["least"], row["most"] };
+  }
   return findings;
 }
 
@@ -224,21 +229,22 @@ Json plan_rows(const SweepPlan &plan)
   return rows;
 }
 
-/// Sensitivity of a quantity to each entry, for people.
-Json sensitivity_rows(const SweepPlan &plan, const SampleSensitivity &sensitivity)
+/// Adds what the terminal spin and the harmonic effect depend on.
+void add_sensitivities(const SweepPlan &plan, const Json &rows, Json &facts)
 {
   constexpr double rounding = 5e-4;
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < plan.entries.size(); ++i)
+  facts["sensitivities"] = Json::array();
+  for (const Json &row : rows)
   {
-    rows.push_back({ { "entry", plan.entries[i].path }, { "regression", sensitivity.regression.at(i) } });
-    if (const auto share = share_of(sensitivity, i))
-      rows.back()["first_order"] = *share;
+    const std::string quantity = row["quantity"];
+    if (row["r_squared"].is_null() || !(quantity == "terminal spin" || quantity == "harmonic effect"))
+      continue;
+    const bool has_shares = !row["sensitivity"][1].is_null();
+    const std::string weights = has_shares ? "regression first_order" : "regression";
+    Json &shown = facts["sensitivity"][quantity] = picked(sensitivity_rows(plan, row), "entry " + weights);
+    leave_out_rounding(shown, weights, rounding);
+    facts["sensitivities"].push_back({ { "quantity", quantity }, { "r_squared", row["r_squared"] } });
   }
-  leave_out_rounding(rows, "regression", rounding);
-  if (!sensitivity.first_order.empty())
-    leave_out_rounding(rows, "first_order", rounding);
-  return rows;
 }
 
 /// The reasons why cases failed: each is listed once, with the first case that met it.
@@ -269,8 +275,7 @@ Json case_rows(const SweepPlan &plan, const FinishedCases &cases)
     for (std::size_t e = 0; e < plan.entries.size(); ++e)
       row[with_unit(plan.entries[e].path, plan.entries[e].unit)] = plan.cases[i].at(e);
     for (std::size_t q = 0; q < sweep_quantities().size(); ++q)
-      row[with_unit(sweep_quantities()[q].name, sweep_quantities()[q].unit)] =
-        result.is_solved() ? result.values.at(q) : std::nullopt;
+      row[with_unit(sweep_quantities()[q].name, sweep_quantities()[q].unit)] = result.value(q);
     row["contact outcome"] = result.outcome;
     row["status"] = result.falls_over() ? "tips" : result.is_solved() ? "ok" : "failed";
     row["message"] = result.message;
@@ -295,20 +300,19 @@ Json sensitivity_quantities(const SweepPlan &plan)
 
 Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings)
 {
-  const std::vector<QuantityFindings> main = main_quantities(findings), people = for_people(findings);
+  const Json rows = statistics_rows(plan, findings);
   const std::size_t n = plan.cases.size();
   const std::map<std::string, std::string> swept = swept_words(plan);
   const bool has_shares = findings.n_cases - findings.n_failed >= least_samples_of_shares;
-  Document document = { findings_of(plan, findings), sweep_facts(plan, findings) };
-  document.facts.update(
-    { { "sweep_size", std::to_string(n) + (plan.is_random() ? " random samples" : " cases") },
-      { "random", plan.is_random() },
-      { "seed", plan.seed },
-      { "n_samples", n },
-      { "share_error", has_shares ? Json(1 / std::sqrt(static_cast<double>(n))) : Json(nullptr) },
-      { "samples_of_shares", least_samples_of_shares },
-      { "has_bands", std::any_of(main.begin(), main.end(), has_band) },
-      { "sensitivities", Json::array() } });
+  Document document = { findings_of(plan, findings, rows), sweep_facts(plan, findings) };
+  document.facts.update({
+    { "sweep_size", std::to_string(n) + (plan.is_random() ? " random samples" : " cases") },
+    { "random", plan.is_random() },
+    { "seed", plan.seed },
+    { "n_samples", n },
+    { "share_error", has_shares ? Json(1 / std::sqrt(static_cast<double>(n))) : Json(nullptr) },
+    { "samples_of_shares", least_samples_of_shares },
+  });
   add_study(plan.base, extreme_glasses(plan, findings), document, {}, swept);
   Json varied = Json::array();
   for (const auto &[path, words] : swept)
@@ -316,20 +320,12 @@ Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepF
   document.facts["varied"] = varied;
   document.facts["has_orbits"] = !document.facts["orbits"]["glasses"].empty();
   add_sweep_plots(plan, cases, findings, document);
-  for (const char *quantity : { "terminal spin", "harmonic effect" })
-    if (const QuantityFindings *about = findings.about(quantity);
-        plan.is_random() && about != nullptr && about->sensitivity)
-    {
-      document.facts["sensitivity"][quantity] = sensitivity_rows(plan, *about->sensitivity);
-      document.facts["sensitivities"].push_back(
-        { { "quantity", quantity }, { "r_squared", about->sensitivity->r_squared } });
-    }
+  add_sensitivities(plan, rows, document.facts);
   document.facts["plan"] = plan_rows(plan);
   document.facts["failures"] = failure_rows(plan, cases);
-  document.facts["statistics"] = { { "shown",
-                                     statistics_rows(plan, plan.is_random() ? with_bands(people) : people) },
-                                   { "main", statistics_rows(plan, main) },
-                                   { "banded", statistics_rows(plan, with_bands(findings.quantities)) } };
+  document.facts["statistics"] = statistics_tables(rows, plan.is_random(), findings.spin_changes_sign());
+  const Json &main = document.facts["statistics"]["main"];
+  document.facts["has_bands"] = std::any_of(main.begin(), main.end(), has_band);
   document.facts["case_table"] = case_rows(plan, cases);
   document.quantities["statistics"]["sensitivity[]"] = sensitivity_quantities(plan);
   document.texts["plan_json"] = plan_as_json(plan).dump(2) + "\n";

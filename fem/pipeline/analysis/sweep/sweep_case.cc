@@ -155,6 +155,45 @@ catch (...)
   return { "", failure_sentence(), {} };
 }
 
+/// Whether a case is one that all ranks solve together, after another: a solid body. False for cases that
+/// cannot even be read.
+bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
+try
+{
+  return is_collective(plan.study_of(index));
+}
+catch (const BadInput &)
+{
+  return false;
+}
+
+/// Solves cases of this rank, or of all ranks @p together.
+void solve_part(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
+                bool together, CaseLog &log, const std::function<void()> &watch)
+{
+  fem::ComplianceCache cache;
+  const Executor within_case(cache);
+  Executor executor(cache, together ? 1 : n_threads);
+  executor.keeps_all_failures = !together || n_ranks() == 1;
+  auto last_watched = std::chrono::steady_clock::now();
+  const auto finish = [&](std::size_t i, const Solved<CaseResult> &solved)
+  {
+    const CaseResult result = solved.answer ? *solved.answer : failed_case(solved.failure);
+    const auto append = [&] { log.append(indices[i], result); };
+    together ? on_first_rank(append) : append();
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_watched < std::chrono::milliseconds(200))
+      return;
+    last_watched = now;
+    watch();
+  };
+  const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
+  { return case_result(variant.study, foot, within_case); };
+  watch();
+  solve(Cases{ plan, indices, within_case }, nullptr, result_of, executor, finish);
+  watch();
+}
+
 } // namespace
 
 const std::vector<SweepQuantity> &sweep_quantities()
@@ -171,9 +210,14 @@ std::size_t quantity_index(const std::string &name)
   throw std::logic_error("a sweep has no quantity " + name);
 }
 
+std::optional<double> CaseResult::value(std::size_t quantity) const
+{
+  return is_solved() ? values.at(quantity) : std::nullopt;
+}
+
 bool CaseResult::falls_over() const
 {
-  return is_solved() && values.at(quantity_index(spin_of_fall)).has_value();
+  return value(quantity_index(spin_of_fall)).has_value();
 }
 
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor)
@@ -201,40 +245,20 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return result;
 }
 
-bool needs_all_ranks(const SweepPlan &plan, std::size_t index)
-try
+void solve_cases(const SweepPlan &plan, const FinishedCases &finished, unsigned int n_threads, CaseLog &log,
+                 const std::function<void()> &watch)
 {
-  return is_collective(plan.study_of(index));
-}
-catch (const BadInput &)
-{
-  return false;
-}
-
-void solve_cases(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
-                 bool together, CaseLog &log, const std::function<void()> &watch)
-{
-  fem::ComplianceCache cache;
-  const Executor within_case(cache);
-  Executor executor(cache, together ? 1 : n_threads);
-  executor.keeps_all_failures = !together || n_ranks() == 1;
-  auto last_watched = std::chrono::steady_clock::now();
-  const auto finish = [&](std::size_t i, const Solved<CaseResult> &solved)
-  {
-    const CaseResult result = solved.answer ? *solved.answer : failed_case(solved.failure);
-    const auto append = [&] { log.append(indices[i], result); };
-    together ? on_first_rank(append) : append();
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_watched < std::chrono::milliseconds(200))
-      return;
-    last_watched = now;
-    watch();
-  };
-  const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
-  { return case_result(variant.study, foot, within_case); };
-  watch();
-  solve(Cases{ plan, indices, within_case }, nullptr, result_of, executor, finish);
-  watch();
+  std::vector<std::size_t> own, common;
+  std::size_t n_single = 0;
+  for (std::size_t index = 0; index < plan.cases.size(); ++index)
+    if (finished.count(index) > 0)
+      continue;
+    else if (needs_all_ranks(plan, index))
+      common.push_back(index);
+    else if (n_single++ % n_ranks() == this_rank()) // neighbours take about equally long
+      own.push_back(index);
+  on_every_rank([&] { solve_part(plan, own, n_threads, false, log, watch); });
+  solve_part(plan, common, n_threads, true, log, watch);
 }
 
 } // namespace stemware::pipeline

@@ -3,6 +3,7 @@
 #include "fem/pipeline/variants/solve.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,7 +41,8 @@ struct CaseResult
   std::vector<std::optional<double>> values; ///< of sweep_quantities(); empty where the case failed
 
   bool is_solved() const { return message.empty(); }
-  bool falls_over() const; ///< an answer: there is no terminal spin
+  std::optional<double> value(std::size_t quantity) const; ///< its number in sweep_quantities()
+  bool falls_over() const;                                 ///< an answer: there is no terminal spin
 };
 
 /// The result of a study on @p foot, its own, that nobody has asked: equal studies have equal results,
@@ -49,16 +51,16 @@ struct CaseResult
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        const Executor &executor);
 
-/// Whether a case is one that all ranks solve together, after another: a solid body. False for cases that
-/// cannot even be read.
-bool needs_all_ranks(const SweepPlan &plan, std::size_t index);
+/// Finished cases by their number, from 0.
+using FinishedCases = std::map<std::size_t, CaseResult>;
 
-/// Solves cases, at most @p n_threads at a time, and logs each as soon as it is finished, whatever becomes of
-/// it: trouble with a case ends up in its result's message. Cases that need all ranks are solved @p together,
-/// one after another, and logged by the first rank. Meanwhile @p watch is called by one thread at a time, a
-/// few times a second. Throws OutputFailure when the log does, and what perhaps one of several ranks alone
-/// has met in a case that they solve together.
-void solve_cases(const SweepPlan &plan, const std::vector<std::size_t> &indices, unsigned int n_threads,
-                 bool together, CaseLog &log, const std::function<void()> &watch);
+/// Solves the cases that are not @p finished, at most @p n_threads at a time, and logs each as soon as it is
+/// finished, whatever becomes of it: trouble with a case ends up in its result's message. Collective: the
+/// ranks share the cases, but those of a solid body they solve together, one after another, logged by the
+/// first one. Meanwhile @p watch is called by one thread at a time, a few times a second. Throws
+/// OutputFailure when the log does, and what perhaps one of several ranks alone has met in a case that they
+/// solve together.
+void solve_cases(const SweepPlan &plan, const FinishedCases &finished, unsigned int n_threads, CaseLog &log,
+                 const std::function<void()> &watch);
 
 } // namespace stemware::pipeline

@@ -58,13 +58,6 @@ double first_order_share(const std::vector<double> &input, const std::vector<dou
   return products / centred.squaredNorm();
 }
 
-/// The value of an entry as it counts for sensitivities.
-double score_of(const SweepPlan &plan, std::size_t index, std::size_t entry)
-{
-  const double value = parse_number(plan.cases.at(index)[entry]).value();
-  return plan.spreads[entry].is_by_factors() ? std::log(value) : value;
-}
-
 /// The values of a quantity by the cases that have it.
 using Sample = std::map<std::size_t, double>;
 
@@ -72,54 +65,63 @@ Sample sample_of(const FinishedCases &cases, std::size_t quantity)
 {
   Sample sample;
   for (const auto &[index, result] : cases)
-    if (result.is_solved() && result.values[quantity])
-      sample.emplace(index, *result.values[quantity]);
+    if (const auto value = result.value(quantity))
+      sample.emplace(index, *value);
   return sample;
 }
 
-/// Where the least and the largest value of a sample are.
-std::pair<Sample::const_iterator, Sample::const_iterator> extremes_of(const Sample &sample)
+/// Differences that are rounding beside the larger one of the ends of a range.
+double rounding_of(double least, double most)
 {
-  return std::minmax_element(sample.begin(), sample.end(),
-                             [](const auto &one, const auto &other) { return one.second < other.second; });
+  return 1e-9 * std::max(std::abs(least), std::abs(most));
 }
 
-/// Whether values from @p least to @p most have both signs, beyond rounding.
-bool has_both_signs(double least, double most)
+/// Findings about a quantity; @p sample is not empty.
+QuantityFindings range_of(std::size_t quantity, const Sample &sample)
 {
-  const double rounding = 1e-9 * std::max(std::abs(least), std::abs(most));
-  return least < -rounding && rounding < most;
-}
-
-/// @p sample is not empty.
-QuantityFindings find_out(const SweepPlan &plan, std::size_t quantity, const Sample &sample)
-{
-  const auto [least, most] = extremes_of(sample);
+  const auto [least, most] =
+    std::minmax_element(sample.begin(), sample.end(),
+                        [](const auto &one, const auto &other) { return one.second < other.second; });
   QuantityFindings findings;
   findings.index = quantity;
   findings.n_values = sample.size();
   findings.first_case = sample.begin()->first;
   std::tie(findings.least_case, findings.least) = *least;
   std::tie(findings.most_case, findings.most) = *most;
-  const double same = 1e-9 * std::max(std::abs(findings.least), std::abs(findings.most));
-  std::vector<double> values;
+  const double same = rounding_of(findings.least, findings.most);
   for (const auto &[index, value] : sample)
   {
-    values.push_back(value);
     findings.n_least += std::abs(value - findings.least) <= same ? 1 : 0;
     findings.n_most += std::abs(value - findings.most) <= same ? 1 : 0;
   }
-  if (!plan.is_random() || values.size() < 2)
-    return findings;
-  findings.band = band_of(values);
+  return findings;
+}
+
+/// Adds what random samples tell about a quantity.
+void add_statistics(const SweepPlan &plan, const Sample &sample, QuantityFindings &findings)
+{
+  std::vector<double> values;
   std::vector<std::vector<double>> inputs(plan.entries.size());
-  for (std::size_t entry = 0; entry < inputs.size(); ++entry)
-    for (const auto &[index, value] : sample)
-      inputs[entry].push_back(score_of(plan, index, entry));
+  for (const auto &[index, value] : sample)
+  {
+    values.push_back(value);
+    for (std::size_t entry = 0; entry < inputs.size(); ++entry)
+    {
+      const double input = parse_number(plan.cases.at(index)[entry]).value();
+      inputs[entry].push_back(plan.spreads[entry].is_by_factors() ? std::log(input) : input);
+    }
+  }
+  findings.band = band_of(values);
   findings.sensitivity = sensitivity_of(inputs, values);
   if (findings.sensitivity && values.size() < least_samples_of_shares)
     findings.sensitivity->first_order.clear();
-  return findings;
+}
+
+/// Whether the values have both signs, beyond rounding.
+bool has_both_signs(const QuantityFindings &about)
+{
+  const double rounding = rounding_of(about.least, about.most);
+  return about.least < -rounding && rounding < about.most;
 }
 
 } // namespace
@@ -130,7 +132,6 @@ SampleBand band_of(std::vector<double> values)
     throw std::invalid_argument("a band needs at least two values");
   std::sort(values.begin(), values.end());
   SampleBand band;
-  band.n_values = values.size();
   band.mean = boost::math::statistics::mean(values);
   band.deviation = std::sqrt(boost::math::statistics::sample_variance(values));
   band.lower = percentile(values, 0.025);
@@ -172,17 +173,17 @@ const QuantityFindings *SweepFindings::about(const std::string &quantity) const
 bool SweepFindings::spin_changes_sign() const
 {
   const QuantityFindings *spin = about("terminal spin");
-  return spin != nullptr && has_both_signs(spin->least, spin->most);
+  return spin != nullptr && has_both_signs(*spin);
 }
 
 FinishedCases reported(FinishedCases cases)
 {
-  const Sample spins = sample_of(cases, quantity_index("terminal spin"));
-  const auto [least, most] = extremes_of(spins);
-  if (!spins.empty() && has_both_signs(least->second, most->second))
+  const std::size_t spin = quantity_index("terminal spin"), effect = quantity_index("closure effect");
+  const Sample spins = sample_of(cases, spin);
+  if (!spins.empty() && has_both_signs(range_of(spin, spins)))
     for (auto &[index, result] : cases)
       if (result.is_solved())
-        result.values[quantity_index("closure effect")].reset();
+        result.values[effect].reset();
   return cases;
 }
 
@@ -191,15 +192,17 @@ SweepFindings find_out(const SweepPlan &plan, const FinishedCases &cases)
   SweepFindings findings;
   findings.n_cases = plan.cases.size();
   for (const auto &[index, result] : cases)
-    if (!result.is_solved())
-    {
-      ++findings.n_failed;
-      if (!findings.first_failure)
-        findings.first_failure = index;
-    }
+    if (!result.is_solved() && findings.n_failed++ == 0)
+      findings.first_failure = index;
   for (std::size_t quantity = 0; quantity < sweep_quantities().size(); ++quantity)
-    if (const Sample sample = sample_of(cases, quantity); !sample.empty())
-      findings.quantities.push_back(find_out(plan, quantity, sample));
+  {
+    const Sample sample = sample_of(cases, quantity);
+    if (sample.empty())
+      continue;
+    findings.quantities.push_back(range_of(quantity, sample));
+    if (plan.is_random() && sample.size() >= 2)
+      add_statistics(plan, sample, findings.quantities.back());
+  }
   return findings;
 }
 

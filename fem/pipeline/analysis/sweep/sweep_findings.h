@@ -13,7 +13,6 @@ namespace stemware::pipeline
 /// Where the values of a sample lie.
 struct SampleBand
 {
-  std::size_t n_values = 0;
   double mean = 0;
   double deviation = 0; ///< standard deviation, with n - 1
   double lower = 0;     ///< 2.5 % of the values are smaller

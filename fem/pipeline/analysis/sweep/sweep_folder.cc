@@ -143,24 +143,28 @@ void CaseLog::append(std::size_t index, const CaseResult &result)
 FinishedCases recover_cases(const fs::path &log)
 {
   FinishedCases cases;
-  std::ifstream stream(log, std::ios::binary);
-  if (!stream)
-    return cases;
-  std::uintmax_t n_good = 0;
-  for (std::string line; std::getline(stream, line) && !stream.eof(); n_good += line.size() + 1)
+  std::error_code error;
+  const std::string text = read_text_file(log);
+  std::size_t n_good = 0;
+  for (std::size_t end; (end = text.find('\n', n_good)) != std::string::npos; n_good = end + 1)
   {
-    const auto finished = case_of(line);
+    const auto finished = case_of(text.substr(n_good, end - n_good));
     if (!finished)
       break;
     cases.insert(*finished);
   }
-  std::error_code error;
-  if (!stream.bad() && n_good < fs::file_size(log))
-    fs::resize_file(log, n_good, error);
-  errno = error.value();
-  if (error)
+  const bool is_all = text.size() == fs::file_size(log, error); // else it could not be read
+  if (is_all && n_good < text.size() && ::truncate(log.c_str(), static_cast<off_t>(n_good)) != 0)
     fail_to_keep(log);
   return cases;
+}
+
+FinishedCases finished_cases(const fs::path &folder)
+{
+  FinishedCases all;
+  for (const fs::path &log : logs_that_are_in(folder))
+    all.merge(recover_cases(log));
+  return all;
 }
 
 const CaseCount &LogCounter::count()
@@ -243,7 +247,7 @@ void SweepFolder::adopt(const Json &identity, bool restart)
   const std::string kept = read_text_file(plan);
   if (!restart && kept == wanted)
     return;
-  const std::size_t n_finished = restart ? 0 : finished_cases().size();
+  const std::size_t n_finished = restart ? 0 : finished_cases(folder).size();
   if (n_finished > 0)
     throw OutputFailure(fmt::format(FMT_STRING("The folder {} keeps {} finished cases of {}; choose another "
                                                "folder with --output, or add --restart to throw them away."),
@@ -257,14 +261,6 @@ void SweepFolder::adopt(const Json &identity, bool restart)
 fs::path SweepFolder::log_of(const fs::path &path, unsigned int rank)
 {
   return path / fmt::format(FMT_STRING("cases-{}.jsonl"), rank);
-}
-
-FinishedCases SweepFolder::finished_cases() const
-{
-  FinishedCases all;
-  for (const fs::path &log : logs_that_are_in(folder))
-    all.merge(recover_cases(log));
-  return all;
 }
 
 void SweepFolder::remove() noexcept

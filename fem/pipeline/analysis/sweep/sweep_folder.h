@@ -15,9 +15,6 @@
 namespace stemware::pipeline
 {
 
-/// Finished cases by their number, from 0.
-using FinishedCases = std::map<std::size_t, CaseResult>;
-
 /// A file that grows by one line of JSON for every finished case, in the order in which they are finished.
 ///
 /// A line is written whole, so that a program that is killed leaves at most its last line unfinished; the
@@ -44,6 +41,9 @@ private:
 /// off with all that follows it. A file that is not there holds no cases. Throws OutputFailure when the file
 /// cannot be cut.
 FinishedCases recover_cases(const std::filesystem::path &log);
+
+/// Cases of all logs in a folder, those of all ranks.
+FinishedCases finished_cases(const std::filesystem::path &folder);
 
 /// How many cases are finished, and how many of them have failed.
 struct CaseCount
@@ -92,9 +92,6 @@ public:
 
   /// The log of one rank in the folder @p path.
   static std::filesystem::path log_of(const std::filesystem::path &path, unsigned int rank);
-
-  /// Cases that all ranks have finished so far.
-  FinishedCases finished_cases() const;
 
   /// Removes the plan and the logs, and the folder if nothing else is in it.
   void remove() noexcept;

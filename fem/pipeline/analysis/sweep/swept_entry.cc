@@ -56,24 +56,18 @@ std::pair<std::string, std::string> split_assignment(const GivenOption &given)
   return { boost::trim_copy(text.substr(0, equal_sign)), boost::trim_copy(text.substr(equal_sign + 1)) };
 }
 
-/// Two texts of numbers in one unit, of which that behind the second one holds for both.
-struct TwoNumbers
+/// The number of a text in @p unit. Throws BadInput, with @p where in front, for a unit of another dimension.
+std::optional<double> number_of(const std::string &text, const std::string &unit, const std::string &where)
 {
-  std::optional<double> first, second;
-  bool has_half_a_unit = false; ///< behind the first one only
-};
+  const std::string trouble = trouble_with_unit(text, unit);
+  require(trouble.empty(), where + shortened(text) + trouble);
+  return parse_quantity(text, unit);
+}
 
-/// Throws BadInput, with @p where in front, for a unit that is not of the dimension of @p unit.
-TwoNumbers parse_two(const std::vector<std::string> &texts, const std::string &unit, const std::string &where)
+/// Whether a unit is behind the first of two numbers only: one behind the second holds for both.
+bool have_half_a_unit(const std::vector<std::string> &texts)
 {
-  const std::vector<std::string> numbers = with_shared_unit(texts);
-  for (const std::string &number : numbers)
-  {
-    const std::string trouble = trouble_with_unit(number, unit);
-    require(trouble.empty(), where + shortened(number) + trouble);
-  }
-  return { parse_quantity(numbers[0], unit), parse_quantity(numbers[1], unit),
-           unit_behind(numbers[1]).empty() && !unit_behind(numbers[0]).empty() };
+  return unit_behind(texts[1]).empty() && !unit_behind(texts[0]).empty();
 }
 
 std::vector<std::string> pieces(const std::string &text, char separator)
@@ -103,8 +97,10 @@ std::vector<std::string> range_values(const GivenOption &given, const std::vecto
   given.require(parts.size() != 2,
                 "is not a range (did you mean \"" + shortened(given.text) + ":5\", five values?)");
   given.require(parts.size() == 3 || is_log, "is not a range");
-  const auto [first, last, has_half_a_unit] = parse_two({ parts[0], parts[1] }, unit, given.quoted() + ": ");
-  given.require(!has_half_a_unit, "has a unit behind its first number only");
+  const std::vector<std::string> ends = with_shared_unit({ parts[0], parts[1] });
+  const auto first = number_of(ends[0], unit, given.quoted() + ": "),
+             last = number_of(ends[1], unit, given.quoted() + ": ");
+  given.require(!have_half_a_unit(ends), "has a unit behind its first number only");
   const auto number = parse_count(parts[2]);
   given.require(first && last, "does not range from one number to another");
   given.require(number && *number >= 2 && *number <= most_values,
@@ -148,11 +144,10 @@ Spread spread_of(const GivenOption &given, Spread::Kind kind, const std::string 
 {
   const bool is_normal = kind == Spread::Kind::normal;
   const bool second_is_pure = kind == Spread::Kind::lognormal || (is_normal && has_tail);
-  TwoNumbers numbers = parse_two({ first, second_is_pure ? first : second }, unit, given.option + ": ");
-  if (second_is_pure)
-    numbers.second = parse_two({ second, second }, "1", given.option + ": ").second;
-  const auto [a, b, has_half_a_unit] = numbers;
-  require(second_is_pure || !has_half_a_unit,
+  const std::vector<std::string> texts = { first, second }, shared = with_shared_unit(texts);
+  const auto a = number_of(second_is_pure ? first : shared[0], unit, given.option + ": "),
+             b = number_of(second, second_is_pure ? "1" : unit, given.option + ": ");
+  require(second_is_pure || !have_half_a_unit(texts),
           given.option + ": \"" + shortened(given.text) +
             "\" has a unit behind its first number only; put it behind the second one.");
   if (is_normal)

@@ -1,10 +1,11 @@
-#include "fem/pipeline/analysis/sweep/curve_gaps.h"
+#include "fem/pipeline/analysis/sweep/grid_view.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stemware::pipeline
 {
@@ -23,11 +24,6 @@ std::string name_of(const SweptEntry &entry)
 std::string label_of(const SweptEntry &entry)
 {
   return with_unit(name_of(entry), entry.unit, false);
-}
-
-bool is_numeric(const SweptEntry &entry)
-{
-  return !entry.unit.empty() && entry.values.size() > 1;
 }
 
 /// Numbers of an entry of numbers.
@@ -57,6 +53,25 @@ void add_picture(const std::string &name, const std::string &source, const std::
 
 // ---- grids
 
+Values values_of(const FinishedCases &cases, const std::string &quantity)
+{
+  const std::size_t index = quantity_index(quantity);
+  Values values;
+  for (const auto &[number, result] : cases)
+    values.push_back(result.value(index).value_or(std::nan("")));
+  return values;
+}
+
+/// sqrt(a_n^2 + b_n^2) / a_0 of the harmonic @p n.
+Values amplitudes_of(const FinishedCases &cases, const std::string &n)
+{
+  Values a = values_of(cases, "a_" + n + "/a_0");
+  const Values b = values_of(cases, "b_" + n + "/a_0");
+  std::transform(a.begin(), a.end(), b.begin(), a.begin(),
+                 [](double x, double y) { return std::hypot(x, y); });
+  return a;
+}
+
 /// Something to draw: a quantity of the table, or a harmonic's amplitude.
 struct Drawing
 {
@@ -64,7 +79,34 @@ struct Drawing
   std::string label; ///< of the axis, with its unit
   std::string caption;
   Values values;
+  std::vector<Values> spins = {}; ///< that it shows or is computed from
 };
+
+std::vector<Drawing> drawings_of(const FinishedCases &cases)
+{
+  const Values spin = values_of(cases, "terminal spin");
+  const std::vector<Values> own = { spin },
+                            both = { spin, values_of(cases, "terminal spin of the first harmonic alone") };
+  Values torque = values_of(cases, "torque at rest");
+  for (double &value : torque)
+    value *= 1e3;
+  return { { "terminal_spin", heading_with_unit(quantity_named("omega_terminal")),
+             "Terminal spin under all harmonics of the load", spin, own },
+           { "absolute_harmonic_effect", "harmonic effect (rad/s)",
+             "What the harmonics of the load beyond the first add to the terminal spin",
+             values_of(cases, "absolute harmonic effect"), both },
+           { "harmonic_effect", "harmonic effect (%)",
+             "How much faster the harmonics of the load beyond the first make the glass",
+             values_of(cases, "harmonic effect"), both },
+           { "second_harmonic", "√(a_2² + b_2²) / a_0",
+             "Amplitude of the load's second harmonic over its mean", amplitudes_of(cases, "2") },
+           { "third_harmonic", "√(a_3² + b_3²) / a_0", "Amplitude of the load's third harmonic over its mean",
+             amplitudes_of(cases, "3") },
+           { "contact_fraction", "share of the rim that carries load", "Share of the rim that carries load",
+             values_of(cases, "contact fraction") },
+           { "torque_at_rest", "τ_z at rest (mN m)", "Torque of friction on the glass that does not spin yet",
+             torque } };
+}
 
 /// A curve of a picture. Its gaps are its own jumps and those of the spins that it shows or is computed from.
 struct CaseCurve
@@ -75,234 +117,151 @@ struct CaseCurve
   bool is_points = false; ///< which belong to the end of a list of curves
 };
 
-/// The pictures of a grid of one or two entries.
-class Grid
+/// The models whose terminal spins a sweep of one entry shows in one picture.
+std::vector<CaseCurve> spin_curves(const FinishedCases &cases)
 {
-public:
-  Grid(const SweepPlan &plan, const FinishedCases &cases)
-      : entries(plan.entries)
-      , cases(cases)
-      , n_cases(plan.cases.size())
-      , has_two(plan.entries.size() == 2)
+  std::vector<CaseCurve> curves = {
+    { "all harmonics", values_of(cases, "terminal spin") },
+    { "first harmonic alone", values_of(cases, "terminal spin of the first harmonic alone") },
+    { "first harmonic on a ring", values_of(cases, "terminal spin of the closure's first harmonic") }
+  };
+  for (CaseCurve &curve : curves)
+    curve.spins = { curve.values };
+  if (std::any_of(cases.begin(), cases.end(), [](const auto &one) { return one.second.falls_over(); }))
+    curves.push_back({ "falls over at", values_of(cases, spin_of_fall), {}, true });
+  return curves;
+}
+
+std::vector<CaseCurve> curves_of(const SweepPlan &plan, const GridView &view, const Drawing &drawing)
+{
+  std::vector<CaseCurve> curves;
+  for (std::size_t i = 0; i < view.n_curves; ++i)
   {
-    constexpr std::size_t most_curves = 7, least_of_map = 4;
-    const auto n = [&](std::size_t i) { return entries[i].values.size(); };
-    const bool are_numeric = has_two && is_numeric(entries[0]) && is_numeric(entries[1]);
-    if (has_two && (!is_numeric(entries[0]) || (are_numeric && n(0) <= most_curves && n(0) < n(1))))
-      along = 1;
-    is_map = are_numeric && (n(1 - along) > most_curves || std::min(n(0), n(1)) >= least_of_map);
+    curves.push_back(
+      { view.has_two ? rounded(plan.entries[1 - view.along].values[i]) : "", view.curve(drawing.values, i) });
+    for (const Values &spin : drawing.spins)
+      curves.back().spins.push_back(view.curve(spin, i));
   }
+  return curves;
+}
 
-  bool can_be_drawn() const { return is_numeric(entries[along]); }
-  bool has_legend() const { return has_two && !is_map; }
-
-  /// Things to draw that have values, and not the same in all cases.
-  std::vector<Drawing> drawings() const
+/// Curves over one entry, with gaps where they jump and where a spin changes its sign.
+void add_curves(const SweptEntry &axis, const std::vector<CaseCurve> &curves, const Drawing &drawing,
+                const std::string &words, bool has_legend, Document &document)
+{
+  const Values x = numbers_of(axis);
+  std::string caption = drawing.caption;
+  Json titles = Json::array();
+  std::vector<Table> blocks;
+  double n_points = 0;
+  bool hides_change_of_sign = false;
+  for (const CaseCurve &curve : curves)
   {
-    std::vector<Drawing> all = {
-      { "terminal_spin", heading_with_unit(quantity_named("omega_terminal")),
-        "Terminal spin under all harmonics of the load", values_of("terminal spin") },
-      { "absolute_harmonic_effect", "harmonic effect (rad/s)",
-        "What the harmonics of the load beyond the first add to the terminal spin",
-        values_of("absolute harmonic effect") },
-      { "harmonic_effect", "harmonic effect (%)",
-        "How much faster the harmonics of the load beyond the first make the glass",
-        values_of("harmonic effect") },
-      { "second_harmonic", "√(a_2² + b_2²) / a_0", "Amplitude of the load's second harmonic over its mean",
-        amplitudes("2/a_0") },
-      { "third_harmonic", "√(a_3² + b_3²) / a_0", "Amplitude of the load's third harmonic over its mean",
-        amplitudes("3/a_0") },
-      { "contact_fraction", "share of the rim that carries load", "Share of the rim that carries load",
-        values_of("contact fraction") },
-      { "torque_at_rest", "τ_z at rest (mN m)", "Torque of friction on the glass that does not spin yet",
-        values_of("torque at rest", 1e3) }
-    };
-    const auto is_dull = [](const Drawing &drawing)
+    const CurveGaps gaps = gaps_of(curve.values, curve.spins);
+    hides_change_of_sign = hides_change_of_sign || gaps.hides_change_of_sign;
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < x.size(); ++i)
     {
-      const Values found = finite(drawing.values);
-      const auto [least, most] = std::minmax_element(found.begin(), found.end());
-      return found.empty() || !(*most - *least > 1e-9 * std::max(std::abs(*most), std::abs(*least)));
-    };
-    all.erase(std::remove_if(all.begin(), all.end(), is_dull), all.end());
-    return all;
+      rows.push_back({ x[i], curve.values[i] });
+      if (!curve.is_points && gaps.at[i])
+        rows.push_back({ (x[i] + x[i + 1]) / 2, std::nan("") });
+    }
+    titles.push_back(curve.title);
+    blocks.push_back(number_rows(curve.title.empty() ? caption : curve.title,
+                                 { { name_of(axis), axis.unit }, { drawing.label, "1" } }, rows));
+    n_points += curve.is_points;
   }
+  if (hides_change_of_sign)
+    caption += std::string(caption.back() == '.' ? "" : ".") +
+               " Points without a line: the spin changes its sign between them, and they are too far apart "
+               "to tell how.";
+  add_picture(drawing.name, "curves", words,
+              { { "caption", caption },
+                { "x_label", label_of(axis) },
+                { "y_label", drawing.label },
+                { "is_logarithmic", axis.by_factors },
+                { "style", x.size() <= 30 ? "linespoints" : "lines" }, // few values are marked
+                { "curve", titles },
+                { "n_points", n_points },
+                { "has_legend", has_legend } },
+              data_tables(blocks), document);
+}
 
-  void add(const Drawing &drawing, Document &document) const
+void add_map(const std::vector<SweptEntry> &entries, const Drawing &drawing, const std::string &words,
+             Document &document)
+{
+  const Values x = numbers_of(entries[0]), y = numbers_of(entries[1]);
+  std::vector<std::vector<std::vector<double>>> lines(y.size());
+  for (std::size_t j = 0; j < y.size(); ++j)
+    for (std::size_t i = 0; i < x.size(); ++i)
+      lines[j].push_back({ x[i], y[j], drawing.values[i * y.size() + j] });
+  const std::string x_label = label_of(entries[0]), y_label = label_of(entries[1]);
+  add_picture(drawing.name, "map", words,
+              { { "caption", drawing.caption },
+                { "x_label", x_label },
+                { "y_label", y_label },
+                { "x_at", x },
+                { "y_at", y },
+                { "x_logarithmic", entries[0].by_factors },
+                { "y_logarithmic", entries[1].by_factors },
+                { "colour_label", drawing.label } },
+              grouped_data(drawing.caption, { x_label, y_label, drawing.label }, lines), document);
+}
+
+/// The names of the curves under that of the @p entry which tells them apart.
+Json legend_of(const SweptEntry &entry)
+{
+  constexpr unsigned int n_columns = 4, width = 120, height = 24;
+  Json curves = Json::array();
+  std::string words;
+  for (unsigned int i = 0; i < entry.values.size(); ++i)
   {
-    const Values found = finite(drawing.values);
+    const std::string text = rounded(entry.values[i]);
+    curves.push_back({ { "type", 1 + i % 8 },
+                       { "x", i % n_columns * width },
+                       { "y", 46 + i / n_columns * height },
+                       { "text", text } });
+    words += (words.empty() ? "" : ", ") + text;
+  }
+  const auto n_rows = (entry.values.size() + n_columns - 1) / n_columns;
+  return {
+    { "entry", label_of(entry) }, { "curves", curves }, { "words", words }, { "height", 36 + n_rows * height }
+  };
+}
+
+/// The pictures of a grid: of what has values, and not the same in all cases.
+void add_grid(const SweepPlan &plan, const FinishedCases &cases, bool spin_changes_sign, Document &document)
+{
+  const GridView view(plan);
+  if (!view.can_be_drawn)
+    return;
+  const bool has_legend = view.has_two && !view.is_map;
+  if (has_legend)
+    document.facts["legend"] = legend_of(plan.entries[1 - view.along]);
+  for (Drawing drawing : drawings_of(cases))
+  {
+    Values found = drawing.values;
+    found.erase(
+      std::remove_if(found.begin(), found.end(), [](double value) { return !std::isfinite(value); }),
+      found.end());
     const auto [least, most] = std::minmax_element(found.begin(), found.end());
+    if (found.empty() || !(*most - *least > 1e-9 * std::max(std::abs(*most), std::abs(*least))) ||
+        (spin_changes_sign && drawing.name == "harmonic_effect"))
+      continue;
     const std::string words = fmt::format(FMT_STRING("{} from {:.4g} to {:.4g} in {} cases"), drawing.label,
                                           *least, *most, found.size());
-    if (is_map)
-      add_map(drawing, words, document);
+    const bool shows_models = !view.has_two && drawing.name == "terminal_spin";
+    if (shows_models)
+      drawing.caption +=
+        ", under the first alone, and of a first harmonic on a ring of the contact radius. A "
+        "curve is interrupted where it jumps.";
+    if (view.is_map)
+      add_map(plan.entries, drawing, words, document);
     else
-      add_curves(drawing, words, document);
+      add_curves(plan.entries[view.along], shows_models ? spin_curves(cases) : curves_of(plan, view, drawing),
+                 drawing, words, has_legend, document);
   }
-
-  /// The names of the curves under that of the entry which tells them apart.
-  Json legend() const
-  {
-    constexpr unsigned int n_columns = 4, width = 120, height = 24;
-    const SweptEntry &entry = entries[1 - along];
-    Json curves = Json::array();
-    std::string words;
-    for (unsigned int i = 0; i < entry.values.size(); ++i)
-    {
-      const std::string text = rounded(entry.values[i]);
-      curves.push_back({ { "type", 1 + i % 8 },
-                         { "x", i % n_columns * width },
-                         { "y", 46 + i / n_columns * height },
-                         { "text", text } });
-      words += (words.empty() ? "" : ", ") + text;
-    }
-    const auto n_rows = (entry.values.size() + n_columns - 1) / n_columns;
-    return { { "entry", label_of(entry) },
-             { "curves", curves },
-             { "words", words },
-             { "height", 36 + n_rows * height } };
-  }
-
-private:
-  static Values finite(Values values)
-  {
-    values.erase(
-      std::remove_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); }),
-      values.end());
-    return values;
-  }
-
-  Values values_of(const std::string &quantity, double scale = 1) const
-  {
-    Values values(n_cases, std::nan(""));
-    for (const auto &[index, result] : cases)
-      if (const auto q = quantity_index(quantity); result.is_solved() && result.values[q])
-        values[index] = scale * *result.values[q];
-    return values;
-  }
-
-  Values amplitudes(const std::string &tail) const
-  {
-    Values a = values_of("a_" + tail);
-    const Values b = values_of("b_" + tail);
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(),
-                   [](double x, double y) { return std::hypot(x, y); });
-    return a;
-  }
-
-  /// The values over the entry along the axis, at the value @p across of the other.
-  Values cut(const Values &values, std::size_t across) const
-  {
-    Values line;
-    for (std::size_t i = 0; i < entries[along].values.size(); ++i)
-      line.push_back(!has_two     ? values[i]
-                     : along == 0 ? values[i * entries[1].values.size() + across]
-                                  : values[across * entries[1].values.size() + i]);
-    return line;
-  }
-
-  std::vector<CaseCurve> curves_of(const Drawing &drawing) const
-  {
-    const bool is_spin = drawing.name == "terminal_spin";
-    std::vector<Values> spins;
-    if (is_spin)
-      spins = { drawing.values };
-    else if (drawing.name.find("harmonic_effect") != std::string::npos) // a difference of two spins
-      spins = { values_of("terminal spin"), values_of("terminal spin of the first harmonic alone") };
-    std::vector<CaseCurve> curves;
-    if (!has_two && is_spin)
-    {
-      curves = { { "all harmonics", drawing.values },
-                 { "first harmonic alone", values_of("terminal spin of the first harmonic alone") },
-                 { "first harmonic on a ring", values_of("terminal spin of the closure's first harmonic") } };
-      for (CaseCurve &curve : curves)
-        curve.spins = { curve.values };
-      if (const Values falls = values_of(spin_of_fall); !finite(falls).empty())
-        curves.push_back({ "falls over at", falls, {}, true });
-    }
-    else if (!has_two)
-      curves = { { "", drawing.values, spins } };
-    for (std::size_t i = 0; has_two && i < entries[1 - along].values.size(); ++i)
-    {
-      curves.push_back({ rounded(entries[1 - along].values[i]), cut(drawing.values, i) });
-      for (const Values &spin : spins)
-        curves.back().spins.push_back(cut(spin, i));
-    }
-    return curves;
-  }
-
-  /// Curves over one entry, with gaps where they jump and where a spin changes its sign.
-  void add_curves(const Drawing &drawing, const std::string &words, Document &document) const
-  {
-    const SweptEntry &axis = entries[along];
-    const Values x = numbers_of(axis);
-    std::string caption = drawing.caption;
-    if (!has_two && drawing.name == "terminal_spin")
-      caption +=
-        ", under the first alone, and of a first harmonic on a ring of the contact radius. A curve is "
-        "interrupted where it jumps.";
-    Json titles = Json::array();
-    std::vector<Table> blocks;
-    double n_points = 0;
-    bool hides_change_of_sign = false;
-    for (const CaseCurve &curve : curves_of(drawing))
-    {
-      const CurveGaps gaps = gaps_of(curve.values, curve.spins);
-      hides_change_of_sign = hides_change_of_sign || gaps.hides_change_of_sign;
-      std::vector<std::vector<double>> rows;
-      for (std::size_t i = 0; i < x.size(); ++i)
-      {
-        rows.push_back({ x[i], curve.values[i] });
-        if (!curve.is_points && i < gaps.at.size() && gaps.at[i])
-          rows.push_back({ (x[i] + x[i + 1]) / 2, std::nan("") });
-      }
-      titles.push_back(curve.title);
-      blocks.push_back(number_rows(curve.title.empty() ? caption : curve.title,
-                                   { { name_of(axis), axis.unit }, { drawing.label, "1" } }, rows));
-      n_points += curve.is_points;
-    }
-    if (hides_change_of_sign)
-      caption += std::string(caption.back() == '.' ? "" : ".") +
-                 " Points without a line: the spin changes its sign between them, and they are too far apart "
-                 "to tell how.";
-    add_picture(drawing.name, "curves", words,
-                { { "caption", caption },
-                  { "x_label", label_of(axis) },
-                  { "y_label", drawing.label },
-                  { "is_logarithmic", axis.by_factors },
-                  { "style", x.size() <= 30 ? "linespoints" : "lines" }, // few values are marked
-                  { "curve", titles },
-                  { "n_points", n_points },
-                  { "has_legend", has_legend() } },
-                data_tables(blocks), document);
-  }
-
-  void add_map(const Drawing &drawing, const std::string &words, Document &document) const
-  {
-    const Values x = numbers_of(entries[0]), y = numbers_of(entries[1]);
-    std::vector<std::vector<std::vector<double>>> lines(y.size());
-    for (std::size_t j = 0; j < y.size(); ++j)
-      for (std::size_t i = 0; i < x.size(); ++i)
-        lines[j].push_back({ x[i], y[j], drawing.values[i * y.size() + j] });
-    const std::string x_label = label_of(entries[0]), y_label = label_of(entries[1]);
-    add_picture(drawing.name, "map", words,
-                { { "caption", drawing.caption },
-                  { "x_label", x_label },
-                  { "y_label", y_label },
-                  { "x_at", x },
-                  { "y_at", y },
-                  { "x_logarithmic", entries[0].by_factors },
-                  { "y_logarithmic", entries[1].by_factors },
-                  { "colour_label", drawing.label } },
-                grouped_data(drawing.caption, { x_label, y_label, drawing.label }, lines), document);
-  }
-
-  const std::vector<SweptEntry> &entries;
-  const FinishedCases &cases;
-  const std::size_t n_cases;
-  const bool has_two;
-  std::size_t along = 0; ///< the entry along the axis of curves
-  bool is_map = false;
-};
+}
 
 // ---- random samples
 
@@ -314,15 +273,11 @@ void add_samples(const SweepPlan &plan, const FinishedCases &cases, const std::s
   const SweepQuantity &quantity = about.quantity();
   const std::string label = with_unit(quantity.name, quantity.unit);
   const std::vector<double> &weights = about.sensitivity->regression;
-  std::vector<std::size_t> order; // entries from the weakest to the strongest
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    order.push_back(i);
+  std::vector<std::size_t> order(weights.size()); // entries from the weakest to the strongest
+  std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return std::abs(weights[i]) < std::abs(weights[j]); });
-  const std::size_t strongest =
-    static_cast<std::size_t>(std::max_element(weights.begin(), weights.end(),
-                                              [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-                             weights.begin());
+  const std::size_t strongest = order.back();
   const SweptEntry &along = plan.entries[strongest];
   std::vector<std::string> names;
   std::vector<double> changes;
@@ -333,8 +288,8 @@ void add_samples(const SweepPlan &plan, const FinishedCases &cases, const std::s
   }
   std::vector<std::vector<double>> rows;
   for (const auto &[index, result] : cases)
-    if (result.is_solved() && result.values[about.index])
-      rows.push_back({ parse_number(plan.cases[index][strongest]).value(), *result.values[about.index] });
+    if (const auto value = result.value(about.index))
+      rows.push_back({ parse_number(plan.cases[index][strongest]).value(), *value });
   add_picture(name + "_histogram", "histogram", "",
               { { "x_label", label }, { "what", quantity.name }, { "samples", name + "_samples" } }, "",
               document);
@@ -368,23 +323,13 @@ void add_sweep_plots(const SweepPlan &plan, const FinishedCases &cases, const Sw
   document.facts["falls_over"] =
     !plan.is_random() &&
     std::any_of(cases.begin(), cases.end(), [](const auto &one) { return one.second.falls_over(); });
-  if (plan.is_random())
-  {
-    for (const auto &[name, quantity] :
-         { std::pair("terminal_spin", "terminal spin"), std::pair("harmonic_effect", "harmonic effect") })
-      if (const QuantityFindings *about = findings.about(quantity);
-          about != nullptr && about->sensitivity) // else nothing varies
-        add_samples(plan, cases, name, *about, document);
-    return;
-  }
-  const Grid grid(plan, cases);
-  if (!grid.can_be_drawn())
-    return;
-  if (grid.has_legend())
-    document.facts["legend"] = grid.legend();
-  for (const Drawing &drawing : grid.drawings())
-    if (drawing.name != "harmonic_effect" || !findings.spin_changes_sign())
-      grid.add(drawing, document);
+  if (!plan.is_random())
+    add_grid(plan, cases, findings.spin_changes_sign(), document);
+  for (const auto &[name, quantity] :
+       { std::pair("terminal_spin", "terminal spin"), std::pair("harmonic_effect", "harmonic effect") })
+    if (const QuantityFindings *about = findings.about(quantity);
+        about != nullptr && about->sensitivity) // of random samples; else nothing varies
+      add_samples(plan, cases, name, *about, document);
 }
 
 } // namespace stemware::pipeline

@@ -124,7 +124,7 @@ TEST(SweepFolder, KeepsCasesForTheSameSweepOnly)
     CaseLog(SweepFolder::log_of(folder.path(), 0)).append(0, solved(1));
     CaseLog(SweepFolder::log_of(folder.path(), 3)).append(7, solved(2));
   }
-  EXPECT_EQ(SweepFolder(scratch / "results", plan, false).finished_cases().size(), 2u);
+  EXPECT_EQ(finished_cases(SweepFolder(scratch / "results", plan, false).path()).size(), 2u);
   for (const auto &[identity, expected] :
        { std::pair(other, "another sweep"), std::pair(newer, "another version") })
     try
@@ -139,8 +139,8 @@ TEST(SweepFolder, KeepsCasesForTheSameSweepOnly)
       EXPECT_NE(sentence.find(expected), std::string::npos) << sentence;
       EXPECT_NE(sentence.find("--restart"), std::string::npos) << sentence;
     }
-  EXPECT_EQ(SweepFolder(scratch / "results", plan, false).finished_cases().size(), 2u);
-  EXPECT_TRUE(SweepFolder(scratch / "results", other, true).finished_cases().empty());
+  EXPECT_EQ(finished_cases(SweepFolder(scratch / "results", plan, false).path()).size(), 2u);
+  EXPECT_TRUE(finished_cases(SweepFolder(scratch / "results", other, true).path()).empty());
   EXPECT_TRUE(test::names_in(scratch.path()).empty()); // nothing finished, nothing kept
 }
 

@@ -53,12 +53,12 @@ TEST(SweepFolder, KeepsFinishedCasesForTheSameSweep)
   leave_one_case(scratch);
   {
     SweepFolder again(scratch / "results", one_sweep, false);
-    EXPECT_EQ(again.finished_cases().count(1), 1u);
+    EXPECT_EQ(finished_cases(again.path()).count(1), 1u);
     EXPECT_NE(refusal(scratch).find("Another sweep is computing into"), std::string::npos);
   }
   EXPECT_NE(refusal(scratch, another_sweep).find("keeps 1 finished cases of another sweep"),
             std::string::npos);
-  EXPECT_EQ(SweepFolder(scratch / "results", one_sweep, false).finished_cases().size(), 1u);
+  EXPECT_EQ(finished_cases(SweepFolder(scratch / "results", one_sweep, false).path()).size(), 1u);
   EXPECT_EQ(refusal(scratch, another_sweep, true), ""); // --restart
   EXPECT_EQ(names_in(scratch.path()), Names{});         // nothing was finished
 }
