@@ -1,6 +1,5 @@
 #include "fem/pipeline/report/gnuplot.h"
 
-#include "fem/pipeline/report/formula_text.h"
 #include "fem/pipeline/support/child_process.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/shared_files.h"
@@ -87,23 +86,6 @@ std::string draw_alone(const std::string &gnuplot, const std::string &format, co
          "). ";
 }
 
-/// Text within gnuplot's double quotes without what means something there or to its markup.
-std::string quotable(const std::string &text)
-{
-  std::string quoted;
-  for (const char character : text)
-  {
-    if (std::string("_^{}@&~").find(character) != std::string::npos)
-      quoted += "\\\\"; // once for the string, once for the markup
-    else if (character == '"')
-      quoted += '\\';
-    else if (character == '\\')
-      quoted += "\\\\\\";
-    quoted += character;
-  }
-  return quoted;
-}
-
 /// The hour at which a PDF was made is the only thing in it that differs between equal runs: blanks instead.
 void remove_date(const fs::path &pdf)
 {
@@ -163,11 +145,6 @@ std::string draw_plots(const std::vector<Plot> &pictures, const fs::path &folder
     if (const fs::path pdf = folder / plot_file(plot, "pdf"); fs::exists(pdf))
       remove_date(pdf);
   return trouble;
-}
-
-std::string gnuplot_text(const std::string &text)
-{
-  return '"' + with_subscripts(text, quotable, "_{", "}") + '"';
 }
 
 } // namespace stemware::pipeline

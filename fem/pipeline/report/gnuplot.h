@@ -23,8 +23,4 @@ std::string plot_file_text(const std::string &name);
 /// Throws OutputFailure.
 std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
 
-/// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with the
-/// subscripts of with_subscripts().
-std::string gnuplot_text(const std::string &text);
-
 } // namespace stemware::pipeline

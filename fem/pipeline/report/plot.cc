@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/report/filled_text.h"
 #include "fem/pipeline/report/gnuplot.h"
-#include "fem/pipeline/report/render/html_page.h"
+#include "fem/pipeline/report/render/marked_text.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 

@@ -42,7 +42,7 @@ using Content = std::variant<std::monostate, Table, std::string>;
 ///
 /// Facts are @p facts, with the picture's own @p values before them, and "plot", its name. The @p values
 /// stand before the script, too, as variables of gnuplot; a list x comes with its length n_x. Words show the
-/// characters that they have, with the subscripts of with_subscripts(). A template that asks for something
+/// characters that they have, with the subscripts of gnuplot_text(). A template that asks for something
 /// which there is not makes a plot that gnuplot refuses with a sentence about it; std::logic_error is thrown
 /// where there is no template.
 Plot plot_from(const std::string &name, const std::string &source, nlohmann::ordered_json facts,
