@@ -1,9 +1,7 @@
-#include "fem/pipeline/report/render/report.h"
-
 #include "fem/pipeline/report/filled_text.h"
-#include "fem/pipeline/report/gnuplot.h"
 #include "fem/pipeline/report/render/marked_text.h"
 #include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/results.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/text_file.h"
 
@@ -13,6 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <regex>
 
 namespace stemware::pipeline
 {
@@ -23,38 +22,23 @@ using Json = nlohmann::ordered_json;
 namespace
 {
 
-std::string attribute(const std::string &tag, const std::string &name)
-{
-  const auto begin = tag.find(" " + name + "=\"");
-  if (begin == std::string::npos)
-    return "";
-  const auto value = begin + name.size() + 3;
-  return tag.substr(value, tag.find('"', value) - value);
-}
-
-/// Removes the first element with this tag.
-void remove_element(std::string &text, const std::string &tag)
-{
-  const auto begin = text.find("<" + tag + ">");
-  const auto end = text.find("</" + tag + ">", begin);
-  if (begin != std::string::npos && end != std::string::npos)
-    text.erase(begin, end + tag.size() + 3 - begin);
-}
-
 /// An SVG document of gnuplot as an element of a page: as wide as the page allows, with ids that begin with
 /// @p name so that pictures do not borrow each other's parts, and with @p label as its name.
 std::string inline_svg(const std::string &svg, const std::string &name, const std::string &label)
 {
   const std::size_t root = std::min(svg.find("<svg"), svg.size()); // after the document's own beginning
   const std::size_t content = std::min(svg.find('>', root), svg.size() - 1) + 1;
+  static const std::regex view_box(" viewBox=\"[^\"]*\"");
+  std::smatch box;
   const std::string tag = svg.substr(root, content - root);
+  std::regex_search(tag, box, view_box);
   std::string body = svg.substr(content);
-  remove_element(body, "title"); // browsers would show these when the mouse rests
-  remove_element(body, "desc");
+  for (const char *words : { "<title>[^<]*</title>", "<desc>[^<]*</desc>" }) // shown where the mouse rests
+    body = std::regex_replace(body, std::regex(words), "", std::regex_constants::format_first_only);
   for (const std::string beginning : { " id='", " id=\"", "href='#", "href=\"#", "url(#" })
     boost::replace_all(body, beginning, beginning + name + "-");
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"" +
-         attribute(tag, "viewBox") + "\" role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"" +
+         box.str() + " role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
 }
 
 /// Pictures for the template figures.html; those that were drawn have the SVG of their file in @p folder.
@@ -82,7 +66,7 @@ Json section_of(const ReportSection &section, const fs::path &folder)
   Json tables = Json::array(), files = Json::array();
   for (const Table &table : section.tables)
     tables.push_back(table_facts(table));
-  for (const FileNote &file : section.files)
+  for (const ResultFile &file : section.files)
     files.push_back({ { "name", file.name }, { "description", file.description } });
   return { { "heading", section.heading }, { "folded", section.folded },
            { "paragraphs", paragraphs },   { "figures", figures_of(section.plots, folder) },
