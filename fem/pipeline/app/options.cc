@@ -1,7 +1,7 @@
 #include "fem/pipeline/app/options.h"
 
 #include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/report/gnuplot.h"
+#include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"

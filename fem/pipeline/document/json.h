@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -40,9 +41,17 @@ inline std::optional<std::string> if_said(const std::string &text)
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-/// The name of a member as a key: without the n_ of a count.
-inline std::string key_of_member(const std::string &name)
+/// A @p value of what may not exist, a member or a function of it; null where it does not.
+template <typename Thing, typename Value>
+nlohmann::ordered_json if_there(const std::optional<Thing> &thing, Value value)
 {
+  return thing ? nlohmann::ordered_json(std::invoke(value, *thing)) : nlohmann::ordered_json(nullptr);
+}
+
+/// The name of a member as a key: without the members that it belongs to, and the n_ of a count.
+inline std::string key_of_member(const std::string &path)
+{
+  const std::string name = path.substr(path.rfind('.') + 1);
   return name.rfind("n_", 0) == 0 ? name.substr(2) : name;
 }
 
@@ -54,7 +63,8 @@ nlohmann::ordered_json picked(const nlohmann::ordered_json &json, const std::str
 
 #define STEMWARE_JSON_MEMBER(member) json[stemware::pipeline::key_of_member(#member)] = object.member;
 
-/// The JSON object of members of a plain struct, by their names: STEMWARE_JSON(phases, spin_ripple, n_spins).
+/// The JSON object of members of a plain struct, by their names: STEMWARE_JSON(point, state.time,
+/// slip_ratio).
 #define STEMWARE_JSON(plain_struct, ...)                                                                     \
   [](const auto &object)                                                                                     \
   {                                                                                                          \

@@ -1,6 +1,8 @@
 #include "fem/pipeline/document/number_format.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace stemware::pipeline::format
 {
@@ -37,8 +39,10 @@ std::string number(double value, const std::string &digits)
     return number(value * std::stod(digits.substr(0, star)), digits.substr(star + 1));
   if (!digits.empty() && digits.back() == '%')
     return number(100 * value, digits.substr(0, digits.size() - 1)) + " %";
+  if (!std::isfinite(value))
+    return missing;
   const bool is_nothing = value == 0 && (digits.front() == '+' || digits.back() == 'e') && digits[0] != '#';
-  return is_nothing ? "0" : fmt::format(fmt::runtime("{:" + digits + "}"), Number{ value });
+  return is_nothing ? "0" : fmt::format(fmt::runtime("{:" + digits + "}"), value);
 }
 
 int decimals_of(double spread)
@@ -49,7 +53,7 @@ int decimals_of(double spread)
 
 std::string to_spread(double value, double spread)
 {
-  return fmt::format(FMT_STRING("{:.{}f}"), Number{ value }, decimals_of(spread));
+  return number(value, "." + std::to_string(decimals_of(spread)) + "f");
 }
 
 std::string with_error(double value, double error)

@@ -13,30 +13,7 @@ namespace stemware::pipeline::format
 /// Text in the place of a number that does not exist.
 inline constexpr char missing[] = "–";
 
-/// A number of a sentence or table, under the formats of fmt: "{:.3g}" writes missing where it is not finite.
-struct Number
-{
-  double value;
-};
-
-} // namespace stemware::pipeline::format
-
-template <>
-struct fmt::formatter<stemware::pipeline::format::Number> : fmt::formatter<double>
-{
-  template <typename Context>
-  auto format(const stemware::pipeline::format::Number &number, Context &context) const
-  {
-    if (std::isfinite(number.value))
-      return fmt::formatter<double>::format(number.value, context);
-    return fmt::format_to(context.out(), "{}", stemware::pipeline::format::missing);
-  }
-};
-
-namespace stemware::pipeline::format
-{
-
-/// @p value as fmt writes it with @p digits, ".6g", and more:
+/// @p value as fmt writes it with @p digits, ".6g", missing where it is not finite, and more:
 ///
 ///   1e3*.4g   a factor in front
 ///   .1f%      per cent: "25.0 %"

@@ -2,8 +2,8 @@
 
 #include "fem/pipeline/document/table.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace stemware::pipeline
 {
@@ -12,13 +12,6 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-
-/// A number of a row's load in some state; null where there is no such load.
-template <typename Value>
-Json number_of(const std::optional<RingState> &state, Value value)
-{
-  return state ? Json(std::invoke(value, *state)) : Json(nullptr);
-}
 
 double torque_of(const RingState &state)
 {
@@ -38,6 +31,14 @@ Json load_of(const RingState &state)
   return summary;
 }
 
+/// "formal", or why something is missing; empty for what stands as it is.
+std::string state_of(const BudgetRow &row)
+{
+  if (!row.reason.empty())
+    return row.reason;
+  return row.omega_terminal && row.standing != Standing::formal ? "" : to_string(row.standing);
+}
+
 } // namespace
 
 Json spin_rows(const std::vector<SpinRow> &rows)
@@ -54,15 +55,15 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "harmonics", row.harmonics },
                      { "all_harmonics", row.all_harmonics },
                      { "amplitude", row.amplitude() },
-                     { "tau_at_rest", number_of(rest, torque_of) },
-                     { "lean_torque_at_rest", number_of(rest, &RingState::lean_torque) },
+                     { "tau_at_rest", if_there(rest, torque_of) },
+                     { "lean_torque_at_rest", if_there(rest, &RingState::lean_torque) },
                      { "torque", torques },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
-                     { "tau_at_terminal", number_of(end, torque_of) },
-                     { "lean_torque_at_terminal", number_of(end, &RingState::lean_torque) },
-                     { "grip_torque_at_terminal", number_of(end, &RingState::grip_torque) },
-                     { "force_at_terminal", number_of(end, force_of) },
+                     { "tau_at_terminal", if_there(end, torque_of) },
+                     { "lean_torque_at_terminal", if_there(end, &RingState::lean_torque) },
+                     { "grip_torque_at_terminal", if_there(end, &RingState::grip_torque) },
+                     { "force_at_terminal", if_there(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
                      { "difference_to_paper", row.difference_to_paper },
@@ -72,15 +73,15 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "pulls", row.pulls() },
                      { "pulls_with", row.pulls() ? Json(row.pulling_share()) : Json(nullptr) },
                      { "least_load", row.least_load() },
-                     { "load_minimum", number_of(rest, &RingState::minimum) },
-                     { "load_minimum_at_terminal", number_of(end, &RingState::minimum) },
-                     { "pulling_share", number_of(rest, &RingState::pulling_share) },
-                     { "pulling_share_at_terminal", number_of(end, &RingState::pulling_share) },
-                     { "moment_ratio_at_rest", number_of(rest, &RingState::moment_ratio) },
-                     { "moment_ratio_at_terminal", number_of(end, &RingState::moment_ratio) },
+                     { "load_minimum", if_there(rest, &RingState::minimum) },
+                     { "load_minimum_at_terminal", if_there(end, &RingState::minimum) },
+                     { "pulling_share", if_there(rest, &RingState::pulling_share) },
+                     { "pulling_share_at_terminal", if_there(end, &RingState::pulling_share) },
+                     { "moment_ratio_at_rest", if_there(rest, &RingState::moment_ratio) },
+                     { "moment_ratio_at_terminal", if_there(end, &RingState::moment_ratio) },
                      { "ring_radius_at_terminal",
-                       number_of(end, [](const RingState &state) { return state.load.radius(); }) },
-                     { "load_at_terminal", number_of(end, load_of) },
+                       if_there(end, [](const RingState &state) { return state.load.radius(); }) },
+                     { "load_at_terminal", if_there(end, load_of) },
                      { "contact_fraction_at_terminal", row.contact_fraction },
                      { "state", to_string(row.standing) },
                      { "message", if_said(row.reason) } });
@@ -109,6 +110,123 @@ Json series_summary(const ring::RingStack &load)
     b.push_back(load.b(n));
   }
   return { { "a", a }, { "b", b } };
+}
+
+std::string label_of(const ChainStep &step)
+{
+  return std::to_string(step.number) + (step.is_addition ? "a" : "");
+}
+
+std::string title_of(const BudgetRow &row, const std::string &at_most)
+{
+  if (row.name == "paper")
+    return "the paper's model";
+  if (row.name != "harmonics")
+    return row.name;
+  return row.harmonics ? fmt::format(FMT_STRING("harmonics, n {} {}"), at_most, *row.harmonics)
+                       : "harmonics, all";
+}
+
+Json chain_rows(const Study &study, const std::vector<BudgetRow> &rows)
+{
+  Json list = Json::array();
+  for (const BudgetRow &row : rows)
+  {
+    const auto above = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+    list.push_back({ { "step", label_of(row.step) },
+                     { "name", row.name },
+                     { "title", title_of(row) },
+                     { "console_title", title_of(row, "<=") },
+                     { "harmonics", row.harmonics ? Json(*row.harmonics) : Json("all") },
+                     { "harmonics_kept", row.harmonics },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(above, row.difference, spin_scale(study)) },
+                     { "band", row.band },
+                     { "torques", row.torques },
+                     { "remark", state_of(row) },
+                     { "state", to_string(row.standing) },
+                     { "formal", row.standing == Standing::formal },
+                     { "reason", if_said(row.reason) } });
+  }
+  return list;
+}
+
+Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
+{
+  const double band = rows.empty() ? 0 : rows.back().band.value_or(0);
+  const double torque_at_rest = rows.empty() ? 0 : rows.back().torques[0].value_or(0);
+  const auto changes_nothing = [&](const BudgetRow &row)
+  {
+    return row.name == "harmonics" && row.harmonics && row.difference &&
+           std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
+  };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), changes_nothing), rows.end());
+  Json shown = chain_rows(study, rows);
+  leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));
+  leave_out_rounding(shown, "relative_difference", 1e-9);
+  leave_out_rounding(shown, "torques", 1e-9 * std::abs(torque_at_rest));
+  for (Json &row : shown)
+    if (Json &omega = row["omega_terminal"]; band > 0 && omega.is_number() && omega != 0.)
+      omega = format::to_spread(omega, band);
+  return shown;
+}
+
+std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
+{
+  std::vector<BudgetRow> steps;
+  std::optional<double> first; // terminal spin of the first harmonic alone
+  for (const BudgetRow &row : rows)
+  {
+    if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")
+    {
+      first = row.difference ? std::optional(*row.omega_terminal - *row.difference) : std::nullopt;
+      steps.push_back(row);
+      continue;
+    }
+    steps.back() = row;
+    steps.back().difference =
+      first && row.omega_terminal ? std::optional(*row.omega_terminal - *first) : std::nullopt;
+  }
+  return steps;
+}
+
+Json without_rows(const Study &study, const Budget &budget)
+{
+  const auto complete = budget.rows.empty() ? std::nullopt : budget.rows.back().omega_terminal;
+  Json list = Json::array();
+  for (const WithoutRow &row : budget.without)
+    list.push_back({ { "name", row.name },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "relative_difference", relative_to(complete, row.difference, spin_scale(study)) },
+                     { "remark", row.reason },
+                     { "reason", if_said(row.reason) } });
+  return list;
+}
+
+Json budget_summary(const Study &study, const std::vector<BudgetRow> &rows)
+{
+  Json summary = declared(chain_rows(study, rows), "budget");
+  if (std::none_of(rows.begin(), rows.end(), [](const BudgetRow &row) { return row.torques[0].has_value(); }))
+    for (Json &row : summary)
+      row.erase("torques");
+  return summary;
+}
+
+Json harmonic_effect_summary(const HarmonicEffect &effect)
+{
+  return { { "absolute", effect.absolute }, { "relative", effect.relative } };
+}
+
+double rounding_of_spins(const Study &study)
+{
+  return 1e-9 * spin_scale(study);
+}
+
+bool is_spin(const Study &study, double omega)
+{
+  return std::abs(omega) >= rounding_of_spins(study);
 }
 
 } // namespace stemware::pipeline

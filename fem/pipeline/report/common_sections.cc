@@ -1,9 +1,8 @@
 #include "fem/pipeline/report/common_sections.h"
 
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/run_tables.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/math/constants/constants.hpp>
@@ -90,14 +89,119 @@ Json harmonic_rows(const ring::RingStack &load, const std::vector<double> &band)
   return rows;
 }
 
+/// Steps of the model, then what is left out, one at a time.
+Json effect_rows(const std::vector<BudgetRow> &steps, const std::vector<WithoutRow> &without)
+{
+  Json rows = Json::array();
+  for (std::size_t i = 1; i < steps.size(); ++i)
+    rows.push_back({ { "row", steps[i].name },
+                     { "difference", steps[i].difference },
+                     { "is_step", true },
+                     { "is_defined", true } });
+  for (const WithoutRow &row : without)
+    rows.push_back({ { "row", "without " + row.name },
+                     { "difference", row.difference },
+                     { "is_step", false },
+                     { "is_defined", row.reason != "not defined" } });
+  return rows;
+}
+
+/// The steps between the paper's model and this study's, which have no difference.
+Json waterfall_rows(std::vector<BudgetRow> steps)
+{
+  if (!steps.empty())
+  {
+    steps.push_back(steps.back());
+    steps.back().name = "this study";
+    steps.back().standing = Standing::no_balance; // whose row says whether it is formal
+    steps.front().name = "the paper's model";
+    steps.front().difference = steps.back().difference = std::nullopt;
+  }
+  Json rows = Json::array();
+  for (const BudgetRow &row : steps)
+  {
+    const bool is_formal = row.standing == Standing::formal;
+    rows.push_back({ { "row", row.name + (is_formal ? " (formal)" : "") },
+                     { "omega_terminal", row.omega_terminal },
+                     { "difference", row.difference },
+                     { "band", row.band },
+                     { "formal", is_formal } });
+  }
+  return rows;
+}
+
 } // namespace
+
+bool is_one_way(const Study &study)
+{
+  return study.load.source == LoadSource::file || study.load.is_static() ||
+         (study.load.is_from_contact() && study.load.coupling == LoadCoupling::one_way);
+}
+
+Json study_facts(const Study &study)
+{
+  return { { "one_way", is_one_way(study) },
+           { "given_load", study.load.source == LoadSource::file },
+           { "given_moment", study.load.is_static() } };
+}
+
+Json spin_facts(const Study &study, double omega)
+{
+  constexpr double turn = boost::math::double_constants::two_pi;
+  const bool is_with_orbit = omega * study.motion.orbit.sense_sign() > 0;
+  return { { "omega", omega },
+           { "size", std::abs(omega) },
+           { "sense", std::string(omega < 0 ? "clockwise, " : "counter-clockwise, ") +
+                        (is_with_orbit ? "with" : "against") + " its orbit" },
+           { "seconds_a_turn", turn / std::abs(omega) },
+           { "turns_a_second", std::abs(omega) / turn } };
+}
+
+Json effect_facts(const Study &study, const HarmonicEffect &effect)
+{
+  if (!effect.absolute)
+    return nullptr;
+  return { { "absolute", *effect.absolute },
+           { "relative", effect.relative ? faster_or_slower(*effect.relative) : "" },
+           { "is_small", !is_spin(study, *effect.absolute) },
+           { "rounding", rounding_of_spins(study) } };
+}
+
+Json lift_off_facts(const std::vector<std::pair<std::string, const LoadReport *>> &states)
+{
+  Json facts = Json::array();
+  for (const auto &[state, load] : states)
+    if (load->minimum < 0 || load->contact_fraction < 1)
+      facts.push_back({ { "state", state },
+                        { "least", load->minimum },
+                        { "share", load->contact_fraction },
+                        { "moment_ratio", load->moment_ratio },
+                        { "pulls", load->minimum < 0 },
+                        { "above_one", load->moment_ratio > 1 } });
+  return facts;
+}
+
+std::string faster_or_slower(double change)
+{
+  return format::number(std::abs(change), ".3g%") + (change > 0 ? " faster" : " slower");
+}
 
 void add_chain(const Study &study, const Budget &budget, Document &document)
 {
+  const std::vector<BudgetRow> steps = named_steps(budget.rows);
+  const double rounding = rounding_of_spins(study);
   document.facts["chain"] = { { "rows", chain_rows(study, budget.rows) },
                               { "shown", shown_chain(study, budget.rows) },
-                              { "steps", shown_chain(study, named_steps(budget.rows)) } };
-  add_budget_plots(budget, rounding_of_spins(study), document);
+                              { "steps", shown_chain(study, steps) } };
+  document.facts["effects"] = effect_rows(steps, budget.without);
+  document.facts["waterfall"] = waterfall_rows(steps);
+  document.tables["harmonic_torque"] = { "Torque of friction against the spin",
+                                         { numbers("omega", "rad/s", budget.omega),
+                                           numbers("tau_z, all harmonics", "N m", budget.torque_all),
+                                           numbers("tau_z, first harmonic", "N m", budget.torque_first) } };
+  document.plots["waterfall"] = { { "rounding", rounding } };
+  const double band = budget.rows.empty() ? 0 : budget.rows.back().band.value_or(0);
+  document.plots["effects"] = { { "rounding", rounding }, { "band", band } };
 }
 
 void add_load(const Study &study, const LoadReport &load, const std::vector<BandedQuantity> &bands,
@@ -136,10 +240,8 @@ Json load_summary(const LoadReport &load)
   summary.update({ { "normal_force", load.normal_force },
                    { "moment", { load.moment.x(), load.moment.y() } },
                    { "moment_ratio", load.moment_ratio },
-                   { "ring_radius", load.rings.radius() },
-                   { "mean_radius", load.mean_radius },
-                   { "contact_fraction", load.contact_fraction },
-                   { "minimum", load.minimum } });
+                   { "ring_radius", load.rings.radius() } });
+  summary.update(STEMWARE_JSON(load, mean_radius, contact_fraction, minimum));
   return summary;
 }
 

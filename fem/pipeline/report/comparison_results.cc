@@ -1,9 +1,7 @@
 #include "fem/pipeline/report/comparison_results.h"
 
-#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 

@@ -1,7 +1,6 @@
 #include "fem/pipeline/report/convergence_results.h"
 
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"

@@ -1,7 +1,7 @@
 #include "fem/pipeline/report/filled_text.h"
 
 #include "fem/pipeline/document/number_format.h"
-#include "fem/pipeline/report/render/html_page.h"
+#include "fem/pipeline/report/render/marked_text.h"
 #include "fem/pipeline/support/shared_files.h"
 
 #include <boost/algorithm/string/split.hpp>
@@ -40,6 +40,9 @@ public:
 
   const data *get(const std::string &name) const override
   {
+    static const Json yes = true, no = false;
+    if (name.back() == '?')
+      return as_data(find(name.substr(0, name.size() - 1)).empty() ? no : yes, "");
     const auto colon = std::min(name.find(':'), name.size());
     const std::string format = colon < name.size() ? name.substr(colon + 1) : ".6g";
     return as_data(find(name.substr(0, colon)), format);
@@ -47,7 +50,7 @@ public:
 
   const data *get_partial(const std::string &name) const override
   {
-    made.emplace_back(text_of(compiled_pages(), name + ".txt"));
+    made.emplace_back(text_of(compiled_pages(), name.find('.') < name.size() ? name : name + ".txt"));
     return &made.back();
   }
 
@@ -102,7 +105,7 @@ private:
     else if (value.is_number_integer())
       made.emplace_back(std::to_string(value.get<long>()));
     else
-      made.emplace_back(value.is_string() ? value.get<std::string>() : format::number(value, format));
+      made.emplace_back(value.is_string() ? in_form(value, format) : format::number(value, format));
     values[&made.back()] = &value;
     return &made.back();
   }
@@ -123,9 +126,8 @@ std::string filled_text(const std::string &name, const Json &facts)
 std::string filled(const std::string &text, const Json &facts, ShownFact shown, const std::string &name)
 {
   kainjow::mustache::mustache page(text);
-  const bool is_drawing = name.find(".svg") != std::string::npos;
-  page.set_custom_escape([=](const std::string &text) // renderers escape what is no drawing
-                         { return is_drawing ? html_text(text) : text; });
+  const bool is_marked = name.find(".svg") != std::string::npos || name.find(".html") != std::string::npos;
+  page.set_custom_escape([=](const std::string &text) { return is_marked ? html_text(text) : text; });
   if (!page.is_valid())
     throw std::logic_error("The template " + name + " is not valid: " + page.error_message());
   Facts context(facts, shown);

@@ -31,6 +31,23 @@ unsigned int n_other_faces(const fem::MeshCheck &check)
   return n;
 }
 
+/// Warnings of properties of a mesh that may make results worse, one sentence each.
+std::vector<std::string> mesh_remarks(const MeshFindings &findings)
+{
+  constexpr double poor = 0.1;
+  const fem::MeshCheck &check = findings.check;
+  std::vector<std::string> remarks;
+  if (check.least_jacobian < poor)
+    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.least_jacobian) +
+                      ", below 0.1: stresses near it are poor.");
+  if (n_other_faces(check) > 0)
+    remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
+  if (check.outer_radius > 1)
+    remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
+                      " m: is the mesh in metres?");
+  return remarks;
+}
+
 /// "x -34 to 34", in mm; a single number where both are equal.
 std::string mesh_range(const std::string &name, double least, double most)
 {
@@ -115,22 +132,6 @@ std::string mesh_text(const MeshFindings &findings)
                       fmt::format(FMT_STRING("{:<10}"), line.substr(row.size(), end - row.size()))) +
               '\n';
   return text;
-}
-
-std::vector<std::string> mesh_remarks(const MeshFindings &findings)
-{
-  constexpr double poor = 0.1;
-  const fem::MeshCheck &check = findings.check;
-  std::vector<std::string> remarks;
-  if (check.least_jacobian < poor)
-    remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.least_jacobian) +
-                      ", below 0.1: stresses near it are poor.");
-  if (n_other_faces(check) > 0)
-    remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
-  if (check.outer_radius > 1)
-    remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
-                      " m: is the mesh in metres?");
-  return remarks;
 }
 
 } // namespace stemware::pipeline

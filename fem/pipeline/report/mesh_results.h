@@ -36,7 +36,4 @@ Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
 /// Description of a mesh, in lines for the console.
 std::string mesh_text(const MeshFindings &findings);
 
-/// Warnings of properties of a mesh that may make results worse, one sentence each.
-std::vector<std::string> mesh_remarks(const MeshFindings &findings);
-
 } // namespace stemware::pipeline

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <variant>
@@ -42,7 +43,7 @@ using Content = std::variant<std::monostate, Table, std::string>;
 ///
 /// Facts are @p facts, with the picture's own @p values before them, and "plot", its name. The @p values
 /// stand before the script, too, as variables of gnuplot; a list x comes with its length n_x. Words show the
-/// characters that they have, with the subscripts of with_subscripts(). A template that asks for something
+/// characters that they have, with the subscripts of gnuplot_text(). A template that asks for something
 /// which there is not makes a plot that gnuplot refuses with a sentence about it; std::logic_error is thrown
 /// where there is no template.
 Plot plot_from(const std::string &name, const std::string &source, nlohmann::ordered_json facts,
@@ -57,5 +58,19 @@ Plot drawing_from(const std::string &name, const nlohmann::ordered_json &facts);
 /// line between them: polygons, or the lines of a grid.
 std::string grouped_data(const std::string &title, const std::vector<std::string> &columns,
                          const std::vector<std::vector<std::vector<double>>> &groups);
+
+/// Warning before long work where no gnuplot can be found: the report will then have no pictures, but their
+/// scripts and data. Empty where there is one.
+std::string missing_plotter();
+
+/// The text of a file of plots/: of the folder share/stemware that comes with the program, where it has one,
+/// or else as it was compiled in. Throws std::logic_error for a file that there is not.
+std::string plot_file_text(const std::string &name);
+
+/// Writes figures/style.gnuplot, the drawings among @p plots and the scripts and data of the others into
+/// @p folder, then lets gnuplot draw those, SVG and PDF side by side. A plot that fails costs the others
+/// nothing. Returns one or more sentences on what could not be drawn and why; empty when everything was.
+/// Throws OutputFailure.
+std::string draw_plots(const std::vector<Plot> &plots, const std::filesystem::path &folder);
 
 } // namespace stemware::pipeline

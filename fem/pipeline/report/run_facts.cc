@@ -1,9 +1,8 @@
-#include "fem/pipeline/report/run_facts.h"
-
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/table.h"
-#include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/profile_results.h"
+#include "fem/pipeline/report/run_results.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,8 +122,7 @@ Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
         { "second_harmonic",
           has_second ? Json(std::hypot(load.rings.a(2), load.rings.b(2)) / load.rings.a(0)) : Json(nullptr) },
         { "contact_width", 2 * load.half_width() },
-        { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) },
-        { "has_higher_harmonics", has_second } } });
+        { "n_rings", n_rings > 1 ? Json(n_rings) : Json(nullptr) } } });
   leave_out_rounding(facts, "moment_x moment_y", 1e-12 * moment);
   leave_out_rounding(facts, "torque_at_rest closed_form", 1e-9 * friction * moment);
   return facts[0];
@@ -211,7 +209,6 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
       { "driven", driven_facts(spin.spin_up, band) },
       { "has_harmonic_torque", !spin.is_quick() && budget.rows.back().name == "harmonics" &&
                                  !budget.omega.empty() && !spin.all().fall },
-      { "has_without", !budget.without.empty() },
       { "has_truncations", report.load.rings.n_harmonics() > 1 && spin.spins_up() },
       { "has_truncation_curve", n_changes(spin) > 2 },
       { "has_footprint_at_end", report.foot && report.foot->footprint_at_end && spin.all().terminal },

@@ -1,14 +1,10 @@
 #include "fem/pipeline/report/run_results.h"
 
-#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/profile_results.h"
-#include "fem/pipeline/report/run_facts.h"
-#include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 
@@ -120,30 +116,25 @@ Json shown_terminal_spins(const SpinStudy &spin)
   return spins;
 }
 
-Json driven_summary(const std::optional<DrivenSpinUp> &driven)
+Json driven_summary(const DrivenSpinUp &driven)
 {
-  if (!driven)
-    return nullptr;
-  return { { "speed_at_end", driven->speed.back() },
-           { "omega_at_end", driven->omega.back() },
-           { "interpolation_change", driven->interpolation_change },
-           { "interpolation_change_at_end", driven->interpolation_change_at_end } };
+  Json summary = { { "speed_at_end", driven.speed.back() }, { "omega_at_end", driven.omega.back() } };
+  summary.update(STEMWARE_JSON(driven, interpolation_change, interpolation_change_at_end));
+  return summary;
 }
 
-/// Size of the finite-element system and residuals of the contact at rest; null without one.
-Json contact_summary(const std::optional<FootReport> &report)
+/// Size of the finite-element system and residuals of the contact at rest.
+Json contact_summary(const FootReport &report)
 {
-  if (!report)
-    return nullptr;
-  const fem::FootDescription &foot = report->foot;
-  const fem::ContactSolution &solution = report->at_rest.solution;
+  const fem::FootDescription &foot = report.foot;
+  const fem::ContactSolution &solution = report.at_rest.solution;
   Json mesh = Json::object();
   if (foot.n_cells)
     mesh["cells"] = *foot.n_cells;
   if (foot.mesh_report)
     mesh.update(STEMWARE_JSON(*foot.mesh_report, round_rim, rim_radius, land_area_deficit));
   Json summary = { { "body", foot.body },
-                   { "friction_coupling", report->friction_coupling },
+                   { "friction_coupling", report.friction_coupling },
                    { "outcome", fem::to_string(solution.outcome) },
                    { "mesh", mesh } };
   summary.update(STEMWARE_JSON(foot, n_unknowns, n_contact_nodes));
@@ -169,12 +160,10 @@ Json goal_summary(const Study &study, const GoalOutcome &goal, const FootReport 
            { "unknowns", foot.foot.n_unknowns } };
 }
 
-/// Where the glass falls over on its way to a terminal spin; null where it does not.
-Json fall_summary(const std::optional<Fall> &fall)
+/// Where the glass falls over on its way to a terminal spin.
+Json fall_summary(const Fall &fall)
 {
-  if (!fall)
-    return nullptr;
-  return { { "omega", fall->omega }, { "moment_ratio", fall->state.moment_ratio } };
+  return { { "omega", fall.omega }, { "moment_ratio", fall.state.moment_ratio } };
 }
 
 /// M_Nx of the load of which SpinRow::at_rest is: of a wavy rim or table the mean over the phases, as its
@@ -199,9 +188,9 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
   ring.update(
     { { "tau_closed_form", study.motion.orbit.friction_at_rest() * moment_at_rest(report, spin) },
       { "standing", to_string(standing_of(report, spin)) },
-      { "fall", fall_summary(all.fall) },
+      { "fall", if_there(all.fall, fall_summary) },
       { "terminal_spins", terminal_spins_summary(spin) },
-      { "driven", driven_summary(spin.spin_up.driven) },
+      { "driven", if_there(spin.spin_up.driven, driven_summary) },
       { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
       { "no_lift_off", has_no_lift_off(report) },
       { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
@@ -210,24 +199,20 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
   return declared(ring, "ring");
 }
 
-/// Summary of the effects of an out-of-flat rim or table; null for flat ones.
-Json waviness_summary(const std::optional<PhaseStudy> &phases)
+/// Summary of the effects of an out-of-flat rim or table.
+Json waviness_summary(const PhaseStudy &phases)
 {
-  if (!phases)
-    return nullptr;
-  return STEMWARE_JSON(*phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
+  return STEMWARE_JSON(phases, spin_ripple, spin_uncertainty, zero_of_mean_torque, torque_ripple, least_load,
                        least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
 }
 
-Json coupling_summary(const std::optional<CouplingStatistics> &coupling)
+Json coupling_summary(const CouplingStatistics &coupling)
 {
-  if (!coupling)
-    return nullptr;
-  return { { "balanced_spins", coupling->n_balances },
-           { "contact_solutions", coupling->n_contact_solutions },
-           { "contacts", STEMWARE_JSON(coupling->contacts, answer, curves, budget, bands) },
-           { "response_error", coupling->response_error },
-           { "interpolation_error", coupling->interpolation_error } };
+  return { { "balanced_spins", coupling.n_balances },
+           { "contact_solutions", coupling.n_contact_solutions },
+           { "contacts", STEMWARE_JSON(coupling.contacts, answer, curves, budget, bands) },
+           { "response_error", coupling.response_error },
+           { "interpolation_error", coupling.interpolation_error } };
 }
 
 Findings findings_of(const Study &study, const ContactReport &report, const SpinStudy &spin,
@@ -238,10 +223,10 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "load", load_summary(report.load) },
     { "load_at_terminal", spin.all().terminal ? load_summary(report.load_at_end) : Json(nullptr) },
     { "load_at_fall", spin.all().fall ? load_summary(report.load_at_end) : Json(nullptr) },
-    { "contact", contact_summary(report.foot) },
+    { "contact", if_there(report.foot, contact_summary) },
     { "ring", ring_summary(study, report, spin) },
-    { "coupling", coupling_summary(report.coupling) },
-    { "waviness", waviness_summary(spin.phases) },
+    { "coupling", if_there(report.coupling, coupling_summary) },
+    { "waviness", if_there(spin.phases, waviness_summary) },
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },

@@ -1,5 +1,4 @@
-#include "fem/pipeline/report/run_tables.h"
-
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
 

@@ -17,63 +17,44 @@ using Json = nlohmann::ordered_json;
 constexpr double turn = boost::math::double_constants::two_pi;
 
 /// The slide from the push to the stop; x along the initial motion, y to its left.
-Table path_table(const SlideStudy &slide)
+Json path_rows(const SlideStudy &slide)
 {
-  using ring::SlidingState;
-  using ring::Wrench;
-  const auto of_state = [&](const char *name, const char *unit, auto value)
-  { return numbers(name, unit, slide.points, [=](const SlidePoint &point) { return point.state.*value; }); };
-  const auto of_friction = [&](const char *name, const char *unit, auto value) {
-    return numbers(name, unit, slide.points, [=](const SlidePoint &point) { return point.friction.*value; });
-  };
-  return {
-    "",
-    { of_state("time", "s", &SlidingState::time), of_state("x", "m", &SlidingState::x),
-      of_state("y", "m", &SlidingState::y), of_state("speed", "m/s", &SlidingState::speed),
-      of_state("heading", "rad", &SlidingState::heading), of_state("yaw angle", "rad", &SlidingState::yaw),
-      of_state("spin", "rad/s", &SlidingState::omega),
-      numbers("slip ratio omega R / v", "1", slide.points, &SlidePoint::slip_ratio),
-      of_friction("T_x along the motion", "N", &Wrench::force_x),
-      of_friction("T_y to its left", "N", &Wrench::force_y), of_friction("tau_z", "N m", &Wrench::torque),
-      numbers("acceleration to the left", "m/s^2", slide.points, &SlidePoint::side_acceleration),
-      numbers("moment ratio", "1", slide.points, &SlidePoint::moment_ratio),
-      numbers("kinetic energy", "J", slide.points, &SlidePoint::kinetic_energy),
-      of_state("friction loss", "J", &SlidingState::friction_loss) }
-  };
+  Json rows = Json::array();
+  for (const SlidePoint &point : slide.points)
+    rows.push_back(STEMWARE_JSON(point, state.time, state.x, state.y, state.speed, state.heading, state.yaw,
+                                 state.omega, slip_ratio, friction.force_x, friction.force_y, friction.torque,
+                                 side_acceleration, moment_ratio, kinetic_energy, state.friction_loss));
+  return rows;
 }
 
 Findings findings_of(const SlideStudy &slide)
 {
   const ring::SlidingState &stop = slide.stop().state, &start = slide.start().state;
   const double eps = slide.final_slip_ratio;
+  Json body = { { "kind", to_string(slide.question.body) } };
+  body.update(STEMWARE_JSON(slide, inertia.mass, inertia.yaw_inertia, inertia.outer_radius,
+                            question.inner_radius, centre_of_mass_height));
   Findings findings;
-  findings.summary["slide"] = { { "body",
-                                  { { "kind", to_string(slide.question.body) },
-                                    { "mass", slide.inertia.mass },
-                                    { "yaw_inertia", slide.inertia.yaw_inertia },
-                                    { "outer_radius", slide.inertia.outer_radius },
-                                    { "inner_radius", slide.question.inner_radius },
-                                    { "centre_of_mass_height", slide.centre_of_mass_height } } },
-                                { "start",
-                                  { { "speed", start.speed },
-                                    { "spin", start.omega },
-                                    { "slip_ratio", slide.start().slip_ratio },
-                                    { "acceleration_to_the_left", slide.start().side_acceleration },
-                                    { "kinetic_energy", slide.start().kinetic_energy } } },
-                                { "stop",
-                                  { { "time", stop.time },
-                                    { "x", stop.x },
-                                    { "y", stop.y },
-                                    { "heading", if_finite(stop.heading) },
-                                    { "yaw_angle", stop.yaw },
-                                    { "distance", slide.stop().state.distance } } },
-                                { "final_slip_ratio", if_finite(eps) },
-                                { "final_speed_over_rim_speed", if_finite(1 / eps) },
-                                { "largest_moment_ratio", slide.largest_moment_ratio() },
-                                { "formal", slide.is_formal() },
-                                { "energy_error", slide.energy_error },
-                                { "load_error", slide.load_error },
-                                { "mesh_change", slide.mesh_change } };
+  Json &summary = findings.summary["slide"];
+  summary = { { "body", body },
+              { "start",
+                { { "speed", start.speed },
+                  { "spin", start.omega },
+                  { "slip_ratio", slide.start().slip_ratio },
+                  { "acceleration_to_the_left", slide.start().side_acceleration },
+                  { "kinetic_energy", slide.start().kinetic_energy } } },
+              { "stop",
+                { { "time", stop.time },
+                  { "x", stop.x },
+                  { "y", stop.y },
+                  { "heading", if_finite(stop.heading) },
+                  { "yaw_angle", stop.yaw },
+                  { "distance", stop.distance } } },
+              { "final_slip_ratio", if_finite(eps) },
+              { "final_speed_over_rim_speed", if_finite(1 / eps) },
+              { "largest_moment_ratio", slide.largest_moment_ratio() },
+              { "formal", slide.is_formal() } };
+  summary.update(STEMWARE_JSON(slide, energy_error, load_error, mesh_change));
   findings.key_figures = { { "distance", slide.stop().state.distance },
                            { "time", stop.time },
                            { "drift", stop.y },
@@ -186,7 +167,7 @@ Results tabulate(const Study &study, const SlideStudy &slide)
                      { "gravity", slide.gravity } };
   add_study(study, {}, document);
   document.facts["sliding"] = sliding_facts(slide);
-  document.tables["path"] = path_table(slide);
+  document.facts["path"] = path_rows(slide);
   document.plots["path"] = path_values(slide);
   return shown(document, "slide");
 }

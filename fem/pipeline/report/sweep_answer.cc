@@ -1,5 +1,5 @@
 #include "fem/pipeline/document/number_format.h"
-#include "fem/pipeline/report/facts.h"
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/support/numbers.h"
 

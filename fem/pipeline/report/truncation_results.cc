@@ -1,12 +1,9 @@
 #include "fem/pipeline/report/truncation_results.h"
 
-#include "fem/pipeline/document/budget_rows.h"
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/run_tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,9 +18,6 @@
 namespace stemware::pipeline
 {
 
-/// "waterfall", "effects" and "harmonic_torque". Numbers below @p rounding [rad/s] are 0.
-void add_budget_plots(const Budget &budget, double rounding, Document &document);
-
 /// "load", "line_load", "higher_harmonics" and "spectrum". Where @p pointwise (sorted by azimuth) is given,
 /// it is drawn instead of all harmonics, and tells which arc carries load; else that is where the series is
 /// positive. @p band: half-widths of the errors of sqrt(a_n^2 + b_n^2) / a_0 by n, 0 where they are not

@@ -1,15 +1,79 @@
-#include "fem/pipeline/report/render/report.h"
-
-#include "fem/pipeline/report/gnuplot.h"
-#include "fem/pipeline/report/render/html_page.h"
+#include "fem/pipeline/report/filled_text.h"
+#include "fem/pipeline/report/render/marked_text.h"
+#include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/results.h"
+#include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/text_file.h"
 
+#include <boost/algorithm/string/finder.hpp>
+#include <boost/algorithm/string/iter_find.hpp>
+#include <boost/algorithm/string/replace.hpp>
+
+#include <algorithm>
 #include <iostream>
+#include <regex>
 
 namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+
+/// An SVG document of gnuplot as an element of a page: as wide as the page allows, with ids that begin with
+/// @p name so that pictures do not borrow each other's parts, and with @p label as its name.
+std::string inline_svg(const std::string &svg, const std::string &name, const std::string &label)
+{
+  const std::size_t root = std::min(svg.find("<svg"), svg.size()); // after the document's own beginning
+  const std::size_t content = std::min(svg.find('>', root), svg.size() - 1) + 1;
+  static const std::regex view_box(" viewBox=\"[^\"]*\"");
+  std::smatch box;
+  const std::string tag = svg.substr(root, content - root);
+  std::regex_search(tag, box, view_box);
+  std::string body = svg.substr(content);
+  for (const char *words : { "<title>[^<]*</title>", "<desc>[^<]*</desc>" }) // shown where the mouse rests
+    body = std::regex_replace(body, std::regex(words), "", std::regex_constants::format_first_only);
+  for (const std::string beginning : { " id='", " id=\"", "href='#", "href=\"#", "url(#" })
+    boost::replace_all(body, beginning, beginning + name + "-");
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"" +
+         box.str() + " role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
+}
+
+/// Pictures for the template figures.html; those that were drawn have the SVG of their file in @p folder.
+Json figures_of(const std::vector<Plot> &plots, const fs::path &folder)
+{
+  Json figures = Json::array();
+  for (const Plot &plot : plots)
+  {
+    const std::string stem = "figures/" + plot.name, svg = read_text_file(folder / (stem + ".svg"));
+    const std::string &label = plot.label.empty() ? plot.caption : plot.label;
+    figures.push_back({ { "name", plot.name },
+                        { "caption", plot.caption },
+                        { "is_drawing", !plot.drawing.empty() },
+                        { "svg", svg.empty() ? "" : inline_svg(svg, plot.name, label) },
+                        { "data", plot.data.empty() ? plot.data_file : stem + ".dat" } });
+  }
+  return figures;
+}
+
+Json section_of(const ReportSection &section, const fs::path &folder)
+{
+  std::vector<std::string> paragraphs;
+  if (!section.text.empty())
+    boost::iter_split(paragraphs, section.text, boost::first_finder("\n\n"));
+  Json tables = Json::array(), files = Json::array();
+  for (const Table &table : section.tables)
+    tables.push_back(table_facts(table));
+  for (const ResultFile &file : section.files)
+    files.push_back({ { "name", file.name }, { "description", file.description } });
+  return { { "heading", section.heading }, { "folded", section.folded },
+           { "paragraphs", paragraphs },   { "figures", figures_of(section.plots, folder) },
+           { "tables", tables },           { "files", files } };
+}
+
+} // namespace
 
 void write_report(const Report &report, const fs::path &folder)
 {
@@ -20,14 +84,16 @@ void write_report(const Report &report, const fs::path &folder)
   if (!notice.empty() && notice != missing_plotter())
     std::cerr << "stemware: " << notice << std::endl;
 
-  std::map<std::string, std::string> pictures;
-  for (const Plot &plot : plots)
-  {
-    const std::string svg = read_text_file(folder / "figures" / (plot.name + ".svg"));
-    if (!svg.empty())
-      pictures[plot.name] = svg;
-  }
-  write_text_file(folder / "report.html", html_page(report, pictures, notice));
+  Json page = { { "title", report.title },
+                { "inputs", report.inputs },
+                { "figures", figures_of(report.pictures, folder) },
+                { "answer", report.answer },
+                { "notice", notice },
+                { "sections", Json::array() },
+                { "program", program_version() + " (" + program_revision() + ")" } };
+  for (const ReportSection &section : report.sections)
+    page["sections"].push_back(section_of(section, folder));
+  write_text_file(folder / "report.html", filled_text("report.html", page));
 }
 
 } // namespace stemware::pipeline

@@ -25,6 +25,9 @@ std::string csv_table(const Table &table);
 /// left, numbers to the right.
 std::string console_table(const Table &table);
 
+/// A table for the template table.html.
+nlohmann::ordered_json table_facts(const Table &table);
+
 /// An HTML table in a box that scrolls; columns of numbers are aligned to the right, and a header of empty
 /// cells is left out.
 std::string html_table(const Table &table);

@@ -2,7 +2,7 @@
 // leaves.
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/variants/model_variants.h"
 #include "ring_model/first_harmonic_ring.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"

@@ -1,7 +1,7 @@
 // Moment balances by loads by truncations, in process: which rows there are, and their effects of harmonics.
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 
 #include <gtest/gtest.h>

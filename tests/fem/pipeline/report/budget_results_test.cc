@@ -1,7 +1,7 @@
 // The budget of effects from one made by hand: its tables in every form, and its
 // pictures. The second row is formal, that with tilt has no balance.
-#include "fem/pipeline/document/budget_rows.h"
-#include "fem/pipeline/report/plots/plots.h"
+#include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -120,7 +120,8 @@ struct DrawnPlot
   {
     Document document;
     document.facts["one_way"] = one_way;
-    add_budget_plots(budget, rounding, document);
+    add_chain({}, budget, document);
+    document.plots[name]["rounding"] = rounding;
     plot = test::picture(document, name);
     const ScratchFolder scratch;
     complaint = test::draw(plot, scratch);

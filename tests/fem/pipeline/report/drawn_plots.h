@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/report/document.h"
-#include "fem/pipeline/report/render/report.h"
+#include "fem/pipeline/report/results.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>

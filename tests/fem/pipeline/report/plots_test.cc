@@ -1,7 +1,7 @@
 // Every kind of plot, drawn by gnuplot without a complaint, with its numbers in a file of the results.
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
-#include "fem/pipeline/report/run_tables.h"
 #include "fem/pipeline/support/text_file.h"
 #include "tests/fem/pipeline/report/drawn_plots.h"
 

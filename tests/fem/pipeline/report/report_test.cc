@@ -1,8 +1,8 @@
 // Reports: one page that stands alone, pictures that can be drawn again, and neither lost without the other.
-#include "fem/pipeline/report/gnuplot.h"
-#include "fem/pipeline/report/render/html_page.h"
-#include "fem/pipeline/report/render/report.h"
+#include "fem/pipeline/report/plot.h"
+#include "fem/pipeline/report/render/marked_text.h"
 #include "fem/pipeline/report/render/table_renderers.h"
+#include "fem/pipeline/report/results.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <boost/property_tree/ptree.hpp>

@@ -1,8 +1,8 @@
 // The sentences of `run`: its answer and its remarks.
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/document.h"
-#include "fem/pipeline/report/facts.h"
 #include "fem/pipeline/support/text.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"

@@ -257,8 +257,6 @@ TEST(NumberFormat, ANumberThatDoesNotExistIsADash)
   {
     for (const char *digits : { ".6g", "+.3g", ".1e", ".2f" })
       EXPECT_EQ(format::number(none, digits), "–") << digits;
-    EXPECT_EQ(fmt::format(FMT_STRING("{:+.3g} N, {:.1f} %"), format::Number{ none }, format::Number{ 12.34 }),
-              "– N, 12.3 %");
   }
   EXPECT_EQ(format::number(-std::nan(""), "band"), "–");
   // Data files and pictures have one spelling.

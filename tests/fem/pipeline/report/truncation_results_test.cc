@@ -1,6 +1,6 @@
 // The results of `truncate` from a study made by hand, whose numbers are all different. The row with two
 // harmonics has no balance.
-#include "fem/pipeline/document/budget_rows.h"
+#include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/report/truncation_results.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
 

@@ -1,4 +1,4 @@
-#include "fem/pipeline/report/run_tables.h"
+#include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
