@@ -258,12 +258,13 @@ void add_interpolation_change(const Study &study, const ring::OrbitSpeedTable &s
   constexpr double accuracy = 1e-7; // acceleration jumps where lines meet
   const auto spins = [&](const ring::OrbitSpeedTable &table)
   {
-    const ring::TimedTorqueFunction torque = driven_torque(rigid, nullptr, table);
-    return ring::spin_up([&](double time, double omega)
-                         { return against_grip(torque(time, omega), omega, study.motion.grip_torque); },
-                         motion.yaw_inertia, 0, driven.time, accuracy, spin_unit(study));
+    const ring::PhasedTorqueFunction torque = driven_torque(rigid, nullptr, table);
+    return ring::yaw_motion(
+      [&](double time, double yaw_angle, double omega)
+      { return against_grip(torque(time, yaw_angle, omega), omega, study.motion.grip_torque); },
+      motion.yaw_inertia, 0, driven.time, accuracy, spin_unit(study));
   };
-  const std::vector<ring::SpinSample> cubic = spins(speeds), lines = spins(speeds.joined_by_lines());
+  const std::vector<ring::YawSample> cubic = spins(speeds), lines = spins(speeds.joined_by_lines());
   for (std::size_t i = 0; i < cubic.size(); ++i)
   {
     driven.interpolation_change_at_end = std::abs(lines[i].omega - cubic[i].omega);
@@ -280,9 +281,9 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
   const double accuracy = study.load.is_from_contact() ? 1e-9 : 1e-10;
   const ring::Motion &motion = study.motion.orbit;
   const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
-  const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
-  const auto torque = [&](double time, double omega)
-  { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };
+  const ring::PhasedTorqueFunction table_torque = driven_torque(study, foot, speeds);
+  const auto torque = [&](double time, double yaw_angle, double omega)
+  { return against_grip(table_torque(time, yaw_angle, omega), omega, study.motion.grip_torque); };
   DrivenSpinUp driven;
   driven.time = times;
   for (const double time : times)
@@ -290,9 +291,7 @@ std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared
     driven.speed.push_back(speeds.speed(time));
     driven.acceleration.push_back(speeds.acceleration(time));
   }
-  for (const ring::SpinSample &sample :
-       ring::spin_up(torque, motion.yaw_inertia, 0, times, accuracy, spin_unit(study)))
-    driven.omega.push_back(sample.omega);
+  driven.omega = spins_of(ring::yaw_motion(torque, motion.yaw_inertia, 0, times, accuracy, spin_unit(study)));
   add_interpolation_change(study, speeds, driven);
   return driven;
 }
