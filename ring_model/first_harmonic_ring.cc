@@ -6,16 +6,11 @@
 
 namespace stemware::ring
 {
-namespace
-{
-}
-
 FirstHarmonicRing::FirstHarmonicRing(Closure closure, const Motion &motion, double radius)
     : motion(motion)
     , radius(radius)
     , coupling(0.)
     , a1_b1(Eigen::Vector2d::Zero())
-    , ring(motion.friction_coefficient)
 {
   motion.validate();
   require(motion.has_constant_friction(), "the closed form of the first harmonic needs one coefficient of "
@@ -40,7 +35,7 @@ RingStack FirstHarmonicRing::load(double omega) const
 
 Wrench FirstHarmonicRing::wrench(double omega) const
 {
-  return ring.wrench(load(omega), omega, motion.orbit_speed);
+  return coulomb_wrench(motion.friction_coefficient, load(omega), omega, motion.orbit_speed);
 }
 
 TerminalSpin FirstHarmonicRing::terminal_spin() const

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
-#include "ring_model/load/ring_stack.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 #include "ring_model/terminal_spin.h"
@@ -42,6 +41,5 @@ private:
   double radius;
   double coupling;       ///< kappa = mu h / (pi R)
   Eigen::Vector2d a1_b1; ///< (a_1, b_1) without friction [N/rad]
-  CoulombRing ring;
 };
 } // namespace stemware::ring

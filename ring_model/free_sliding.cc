@@ -191,11 +191,6 @@ SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, 
   return slide_to_stop(inertia_of(slider), friction_of(slider), speed, omega, accuracy);
 }
 
-double final_slip_ratio(const FreeSlider &slider, double slip_ratio)
-{
-  return final_slip_ratio(inertia_of(slider), friction_of(slider), slip_ratio);
-}
-
 double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
                         unsigned int n_intervals)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/sliding_body.h"
 
 #include <functional>
@@ -88,15 +88,11 @@ SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, 
 
 /**
  * The slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p slip_ratio:
- * the next one, in the direction in which the ratio moves, that the body keeps while it comes to rest (with
- * untilted pressure eps f(eps) = t(eps) / gamma, gamma = I / (m R^2)); 0 if the spin dies first, +-infinity
- * if the sliding does.
- */
-double final_slip_ratio(const FreeSlider &slider, double slip_ratio);
-
-/**
- * Final slip ratio under any friction: the first root after @p slip_ratio on a grid of @p n_intervals in each
- * of 0 < |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots in one interval are not seen.
+ * the next one, in the direction in which the ratio moves, that the body keeps while it comes to rest (of a
+ * FreeSlider with untilted pressure eps f(eps) = t(eps) / gamma, gamma = I / (m R^2)); 0 if the spin dies
+ * first, +-infinity if the sliding does. The first root after @p slip_ratio on a grid of @p n_intervals in
+ * each of 0 < |eps| < 1 and 1 < |eps| < infinity, polished to rounding; two roots in one interval are not
+ * seen.
  */
 double final_slip_ratio(const SlidingInertia &inertia, const SlidingFriction &friction, double slip_ratio,
                         unsigned int n_intervals = 200);

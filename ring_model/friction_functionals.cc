@@ -1,14 +1,23 @@
 #include "ring_model/friction_functionals.h"
 
 #include "ring_model/friction_kernels.h"
+#include "ring_model/load/require.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace stemware::ring
 {
+Wrench FrictionFunctionals::operator()(const RingStack &load) const
+{
+  return { torque(load), drag(load), side(load) };
+}
+
 FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
                                          double omega, double speed)
 {
+  require(std::isfinite(mu) && mu >= 0., "the friction coefficient is ", mu,
+          ", but must be finite and not negative");
   const std::vector<std::vector<double>> zeros(radii.size(), std::vector<double>(n_max + 1, 0.));
   const LoadFunctional none{ zeros, zeros };
   FrictionFunctionals friction{ none, none, none };
@@ -29,5 +38,10 @@ FrictionFunctionals friction_functionals(double mu, const std::vector<double> &r
     }
   }
   return friction;
+}
+
+Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed)
+{
+  return friction_functionals(mu, load.radii(), load.n_harmonics(), omega, speed)(load);
 }
 } // namespace stemware::ring

@@ -6,29 +6,51 @@
 
 namespace stemware::ring
 {
-/// Coulomb friction of the table on a stack of rings, in the slip frame, about the rings' centre.
+/// Friction of the table on the ring, in the slip frame, about the ring's centre.
+struct Wrench
+{
+  double torque;  ///< tau_z [N m], counter-clockwise positive
+  double force_x; ///< T_x [N], along the motion: negative
+  double force_y; ///< T_y [N], to the left of the motion
+};
+
+/// Friction of the table on a stack of rings as functions of its load: those of a Wrench.
 struct FrictionFunctionals
 {
-  LoadFunctional drag;   ///< T_x [N], along the motion
-  LoadFunctional side;   ///< T_y [N], to the left of the motion
-  LoadFunctional torque; ///< tau_z [N m], counter-clockwise positive
+  LoadFunctional drag;   ///< T_x [N]
+  LoadFunctional side;   ///< T_y [N]
+  LoadFunctional torque; ///< tau_z [N m]
+
+  /// Their values for @p load. @throws std::invalid_argument if it has another number of rings.
+  Wrench operator()(const RingStack &load) const;
 };
 
 /**
- * T_x, T_y and tau_z of a stack as functions of its load, exact to rounding at every slip ratio eps_j = omega
- * r_j / v. With the kernels P_n, K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n = sin(n pi / 2):
+ * Coulomb friction with one coefficient on rings that slide with speed v along x and spin with omega about z.
+ * Every point of a ring feels mu lambda against its own slip velocity (v - omega r sin theta, omega r cos
+ * theta):
+ *
+ *   tau_z = mu r int lambda (v sin theta - omega r) / |v_rel| dtheta
+ *
+ * and likewise T_x, T_y; those of a stack are the sums over its rings. (The paper prints tau_z with the
+ * opposite sign; docs/theory/model.md.) All of it is linear in lambda, and exact to rounding at every slip
+ * ratio eps_j = omega r_j / v. With the kernels P_n, K_n, U_n of FrictionKernels, c_n = cos(n pi / 2) and s_n
+ * = sin(n pi / 2):
  *
  *   T_x   = -mu sum_j     sum_n   (c_n a_{j,n} + s_n b_{j,n}) U_n(eps_j)
  *   T_y   = -mu sum_j     sum_n n (c_n b_{j,n} - s_n a_{j,n}) P_n(eps_j)
  *   tau_z =  mu sum_j r_j sum_n   (c_n a_{j,n} + s_n b_{j,n}) K_n(eps_j)
  *
- * @param mu     Coefficient of friction.
+ * @param mu     Coefficient of friction, >= 0.
  * @param radii  r_j [m].
  * @param n_max  Highest harmonic that counts.
  * @param omega  Spin [rad/s], counter-clockwise positive.
  * @param speed  Sliding speed v >= 0 [m/s].
- * @throws std::invalid_argument if a value is not finite, v < 0, or the rings neither slide nor spin.
+ * @throws std::invalid_argument if a value is not finite, mu or v < 0, or the rings neither slide nor spin.
  */
 FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
                                          double omega, double speed);
+
+/// The wrench of friction_functionals() on @p load. Throws as these.
+Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
 } // namespace stemware::ring

@@ -88,8 +88,6 @@ Pair fill_pairs(double *values, unsigned int n_max, const Pair &first, double ep
 
 FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_max)
     : highest(n_max)
-    , speed(speed)
-    , mean_slip(0.)
     , values(3 * (n_max + 1))
 {
   require_finite(rim_speed, "the rim speed omega R");
@@ -104,7 +102,6 @@ FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_
   const double slow = fast_spin ? speed : rim, fast = fast_spin ? rim : speed;
   const double ratio = slow / fast;
   evaluate_slow_spin(ratio, (fast - slow) / fast * (1. + ratio), fast_spin);
-  mean_slip = fast * values[0];
   if (fast_spin)
     apply_duality(ratio);
   if (rim_speed < 0.)

@@ -45,9 +45,6 @@ public:
   /// U_n(eps), n <= n_max.
   double U(unsigned int n) const { return values[3 * n + 2]; }
 
-  /// v P_n(eps) [m/s], the kernel of the dissipated power; finite at v = 0 too.
-  double slip_speed(unsigned int n) const { return n == 0 ? mean_slip : speed * P(n); }
-
 private:
   /**
    * Fills `values` with the kernels for 0 <= eps <= 1; @p complement is 1 - eps^2 without cancellation. If @p
@@ -62,8 +59,6 @@ private:
   void apply_parity();
 
   unsigned int highest;
-  double speed;
-  double mean_slip;                                      ///< v P_0(eps) [m/s]
   boost::container::small_vector<double, 3 * 34> values; ///< P_n, K_n, U_n for n = 0...n_max
 };
 } // namespace stemware::ring

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/motion.h"
 
@@ -19,19 +18,6 @@ public:
 
   /// Whether the coefficient is the same at every speed: then the exact kernels serve.
   virtual bool is_constant() const { return false; }
-};
-
-/// mu = const.
-class CoulombLaw : public FrictionLaw
-{
-public:
-  /// @throws std::invalid_argument unless mu >= 0.
-  explicit CoulombLaw(double friction_coefficient);
-  double coefficient(double /*slip_speed*/) const override { return mu; }
-  bool is_constant() const override { return true; }
-
-private:
-  double mu;
 };
 
 /**
@@ -60,13 +46,6 @@ private:
   Parameters parameters;
 };
 
-/// A wrench with bounds on its error.
-struct EstimatedWrench
-{
-  Wrench value;
-  Wrench error; ///< estimated absolute error of each component, >= 0; zero where the kernels served
-};
-
 /// The law of a motion; Coulomb's is Stribeck's with equal coefficients.
 StribeckLaw friction_law_of(const Motion &motion);
 
@@ -90,21 +69,10 @@ FrictionFunctionals friction_functionals(const Motion &motion, const std::vector
 /// becomes a torque and a force. @throws as friction_functionals().
 Wrench wrench(const Motion &motion, const RingStack &load, double omega);
 
-/// CoulombRing::truncation_bound() under the law of @p motion [N m].
-double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
-
 /**
- * Torque and friction force of one ring under @p law: by the kernels if it is constant, else by adaptive
- * Gauss-Kronrod quadrature in a variable that resolves the point of least slip at every slip ratio. It says
- * how well, and shares no quadrature with friction_functionals(). docs/theory/friction_laws.md.
- *
- * @param omega     Spin [rad/s].
- * @param speed     Sliding speed v >= 0 [m/s].
- * @param tolerance Requested relative accuracy (of mu N and mu N R).
- * @throws std::invalid_argument if a value is not allowed, the ring neither slides nor spins, or there are
- *         several rings under a law that is not constant,
- *         std::runtime_error if the error estimate stays above ten times the tolerance.
+ * A-priori bound [N m] on the change of tau_z under the law of @p motion when the harmonics above @p n_max
+ * are left out: sum_j sum_{n > n_max} sqrt(a_{j,n}^2 + b_{j,n}^2) times those of the torque's functional,
+ * which are mu r_j |K_n(eps_j)| under Coulomb's.
  */
-EstimatedWrench wrench(const FrictionLaw &law, const RingStack &load, double omega, double speed,
-                       double tolerance = 1e-12);
+double truncation_bound(const Motion &motion, const RingStack &load, unsigned int n_max, double omega);
 } // namespace stemware::ring

@@ -47,9 +47,4 @@ Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion)
 {
   return required_moment(closure, motion, { -motion.friction_at_rest() * motion.normal_force(), 0. });
 }
-
-Eigen::Vector2d hand_force(const Motion &motion, const Eigen::Vector2d &friction)
-{
-  return motion.mass * motion.acceleration() - friction;
-}
 } // namespace stemware::ring

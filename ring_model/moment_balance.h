@@ -34,7 +34,4 @@ Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eig
 
 /// required_moment() at omega = 0: the moment of a "frozen" load.
 Eigen::Vector2d required_moment_at_rest(Closure closure, const Motion &motion);
-
-/// The hand's force F = m a - T [N] in the slip frame.
-Eigen::Vector2d hand_force(const Motion &motion, const Eigen::Vector2d &friction);
 } // namespace stemware::ring

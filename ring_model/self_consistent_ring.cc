@@ -138,12 +138,7 @@ RingEquilibrium SelfConsistentRing::at(double omega) const
     refuse(omega, point.moment, trial.residual);
 
   const double ratio = moment_ratio(trial.load.moment());
-  const Eigen::Vector2d friction(trial.friction.force_x, trial.friction.force_y);
-  return { std::move(trial.load),
-           trial.friction,
-           ring::hand_force(motion, friction),
-           ratio,
-           trial.residual.norm() / moment_scale(),
+  return { std::move(trial.load), trial.friction, ratio, trial.residual.norm() / moment_scale(),
            n_evaluations };
 }
 

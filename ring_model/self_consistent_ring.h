@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load_model.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
@@ -16,7 +16,6 @@ struct RingEquilibrium
 {
   RingStack load;             ///< normal load
   Wrench friction;            ///< T and tau_z of the table on the ring
-  Eigen::Vector2d hand_force; ///< F = m a - T [N]
   double moment_ratio;        ///< m = |M_N| / (N R / 2)
   double moment_residual;     ///< |required - carried moment| / (N R)
   unsigned int n_evaluations; ///< loads computed on the way

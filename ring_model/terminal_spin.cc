@@ -59,20 +59,12 @@ TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, con
   return { zero.omega, slope, yaw_inertia / std::abs(slope), slope < 0. };
 }
 
-double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin)
-{
-  require_finite(initial_spin, "the initial spin [rad/s]");
-  SpinSearch search{ spin_scale };
-  search.tolerance = std::numeric_limits<double>::epsilon();
-  return initial_spin +
-         find_terminal_spin([&](double change) { return torque(initial_spin + change); }, search).omega;
-}
-
-TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
-                           double initial_spin)
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale)
 {
   require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
-  return describe(torque, yaw_inertia, terminal_omega(torque, spin_scale, initial_spin), spin_scale / 8.);
+  SpinSearch search{ spin_scale };
+  search.tolerance = std::numeric_limits<double>::epsilon();
+  return describe(torque, yaw_inertia, find_terminal_spin(torque, search).omega, spin_scale / 8.);
 }
 
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion)

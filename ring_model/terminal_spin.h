@@ -26,18 +26,14 @@ struct TerminalSpin
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
 /**
- * The terminal spin that the ring reaches from @p initial_spin: the first zero of @p torque in the direction
- * in which the torque pushes, as find_terminal_spin() sees it, to rounding; with a slope of eighth order.
+ * The terminal spin that the ring reaches from rest: the first zero of @p torque in the direction in which
+ * the torque pushes, as find_terminal_spin() sees it, to rounding; with a slope of eighth order.
  *
  * @param spin_scale Spin at which the torque varies, v / R [rad/s].
  * @throws std::invalid_argument if @p yaw_inertia or @p spin_scale is not positive,
  *         NoTerminalSpin if the torque does not change sign within the search.
  */
-TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale,
-                           double initial_spin = 0.);
-
-/// The spin alone, without its slope and stability; otherwise as terminal_spin().
-double terminal_omega(const TorqueFunction &torque, double spin_scale, double initial_spin = 0.);
+TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, double spin_scale);
 
 /// terminal_spin() from rest under a load that does not react to the spin (a frozen load).
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);

@@ -119,22 +119,6 @@ double UnilateralFoundation::partial_contact_ratio(double s) const
          (1. - 2. * s * deficit / integral([&](double v) { return partial_pressure(s, p, v); }, 0.5 * pi));
 }
 
-double UnilateralFoundation::mean_profile(double c) const
-{
-  if (c < -1.)
-    return std::pow(-c, p) / pi *
-           integral([&](double t) { return std::pow(full_pressure(-1. / c, t), p); }, pi);
-  const double s = 0.5 * (1. - c);
-  return 2. * std::sqrt(s) * std::pow(2. * s, p) / pi *
-         integral([&](double v) { return partial_pressure(s, p, v); }, 0.5 * pi);
-}
-
-double UnilateralFoundation::pointwise(double moment_ratio, double theta) const
-{
-  const double c = edge(moment_ratio);
-  return std::isinf(c) ? 1. : std::pow(std::max(0., std::cos(theta) - c), p) / mean_profile(c);
-}
-
 double UnilateralFoundation::edge(double moment_ratio) const
 {
   require(std::isfinite(moment_ratio) && moment_ratio >= 0., "the moment ratio is ", moment_ratio,

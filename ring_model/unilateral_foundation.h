@@ -42,21 +42,12 @@ public:
   /// a_n / a_0 for n = 0...n_harmonics, the load's maximum at theta = 0. Throws as edge().
   std::vector<double> shape(double moment_ratio) const;
 
-  /**
-   * lambda(theta) / a_0 point by point, not as a truncated series; the load's maximum at theta = 0 [rad].
-   * Throws as edge().
-   */
-  double pointwise(double moment_ratio, double theta) const;
-
 private:
   /// m for the inverse edge 0 <= kappa = -1/c <= 1 (full contact).
   double full_contact_ratio(double kappa) const;
 
   /// m for 0 < s = (1 - c)/2 <= 1 (lift-off).
   double partial_contact_ratio(double s) const;
-
-  /// Mean of max(0, cos theta - c)^p over theta.
-  double mean_profile(double c) const;
 
   double ring_radius;
   double p;

@@ -1,9 +1,15 @@
 #include "ring_model/yaw_motion.h"
 
+#include "ring_model/load/require.h"
 #include "ring_model/no_balance.h"
-#include "ring_model/sampled_trajectory.h"
 
+#include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace stemware::ring
@@ -13,24 +19,50 @@ namespace
 /// psi and omega / spin_scale: one accuracy for both.
 using YawState = std::array<double, 2>;
 
-/// The motion from @p start at the time @p origin on, sampled at @p times counted from there.
+/// The motion from @p start on, sampled at @p times counted from there: by the
+/// Dormand-Prince pair with step control and dense output (Boost.Odeint). The torque is never asked for at
+/// times beyond the last of @p times.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale)
 {
-  const auto derivative = [&](const YawState &state, YawState &rate, double time)
+  // The error of one step is held a decade below the request: errors of all steps add up, and the
+  // interpolation between steps is one order lower than the steps themselves.
+  namespace odeint = boost::numeric::odeint;
+  auto stepper =
+    odeint::make_dense_output(accuracy / 10., accuracy / 10., odeint::runge_kutta_dopri5<YawState>());
+  const double end = times.empty() ? 0. : times.back();
+  const auto rate_of = [&](const YawState &state, YawState &rate, double time)
   {
     rate[0] = state[1] * spin_scale;
-    rate[1] = torque(start.time + time, state[0], rate[0]) / (yaw_inertia * spin_scale);
+    rate[1] = torque(start.time + std::min(time, end), state[0], rate[0]) / (yaw_inertia * spin_scale);
   };
   const double push = std::abs(torque(start.time, start.yaw_angle, start.omega)) / yaw_inertia;
-  const double first_step = 1e-3 / std::max(push / spin_scale, 1.);
-  const std::vector<YawState> states = sampled_trajectory(
-    derivative, YawState{ start.yaw_angle, start.omega / spin_scale }, first_step, times, accuracy, 1.);
+  const YawState first = { start.yaw_angle, start.omega / spin_scale };
+  stepper.initialize(first, 0., 1e-3 / std::max(push / spin_scale, 1.));
+
   std::vector<YawSample> samples;
   samples.reserve(times.size());
-  for (std::size_t i = 0; i < times.size(); ++i)
-    samples.push_back({ start.time + times[i], states[i][0], states[i][1] * spin_scale });
+  for (const double time : times)
+  {
+    unsigned int n_steps = 0;
+    while (stepper.current_time() < time * (1. - 1e-15))
+    {
+      // The last step ends at the last output: a torque given by a table may be unknown beyond.
+      if (stepper.current_time() + stepper.current_time_step() > end)
+        stepper.initialize(YawState(stepper.current_state()), stepper.current_time(),
+                           end - stepper.current_time());
+      stepper.do_step(rate_of);
+      const auto &[angle, spin] = stepper.current_state();
+      if (++n_steps > 100000 || !std::isfinite(angle) || !std::isfinite(spin))
+        throw NoBalance(sentence("the spin-up did not reach t = ", time, " s: stuck at t = ",
+                                 stepper.current_time(), " s; ask for less than an accuracy of ", accuracy));
+    }
+    YawState state = first;
+    if (time > 0.)
+      stepper.calc_state(time, state);
+    samples.push_back({ start.time + time, state[0], state[1] * spin_scale });
+  }
   return samples;
 }
 
@@ -82,7 +114,9 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
                                   const std::vector<double> &times, double accuracy, double spin_scale)
 {
   require_motion(yaw_inertia, initial_spin, accuracy, spin_scale);
-  require_output_times(times);
+  require(std::is_sorted(times.begin(), times.end()) &&
+            (times.empty() || (times.front() >= 0. && std::isfinite(times.back()))),
+          "the ", times.size(), " output times must be finite, increasing and not negative");
   return motion_from({ 0., 0., initial_spin }, torque, yaw_inertia, times, accuracy, spin_scale);
 }
 

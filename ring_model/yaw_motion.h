@@ -5,8 +5,8 @@
 
 namespace stemware::ring
 {
-/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad] and spin omega [rad/s]: of a glass or a table
-/// that is not the same all round.
+/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad], on which it depends where glass or table are
+/// not the same all round, and spin omega [rad/s].
 using PhasedTorqueFunction = std::function<double(double time, double yaw_angle, double omega)>;
 
 /// Yaw angle and spin at one time.
@@ -19,7 +19,7 @@ struct YawSample
 
 /**
  * I_z d omega/dt = tau_z(t, psi, omega), d psi/dt = omega from psi = 0 at t = 0 by the Dormand-Prince pair
- * with step control and dense output, sampled at @p times.
+ * with step control and dense output (Boost.Odeint), sampled at @p times.
  *
  * @param times    Output times [s], increasing, the first one >= 0.
  * @param accuracy Requested accuracy of psi in radians and of omega relative to @p spin_scale; relative to

@@ -3,13 +3,13 @@
 #include "fem/contact/line_search.h"
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/visited_sets.h"
+#include "fem/geometry/require.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace stemware::fem
 {
@@ -30,11 +30,10 @@ void require_possible(const LinearConditions &conditions)
   const double reach = conditions.reach(centre.normalized());
   if (centre.norm() < reach)
     return;
-  std::ostringstream message;
-  message << "the centre of pressure lies " << centre.norm()
-          << " m from the axis, but the contact zone reaches only " << reach
-          << " m in that direction; reduce the moment (the foot tips at |M_N| = N R).";
-  throw ContactFailure(ContactOutcome::tipping, message.str());
+  throw ContactFailure(ContactOutcome::tipping,
+                       sentence("the centre of pressure lies ", centre.norm(),
+                                " m from the axis, but the contact zone reaches only ", reach,
+                                " m in that direction; reduce the moment (the foot tips at |M_N| = N R)."));
 }
 
 /// The damped Newton iteration of one body and one table.
@@ -175,11 +174,11 @@ private:
   {
     if (visited.gains_at(contact.active_set, present_residual) || last_step_length != 1)
       return;
-    std::ostringstream message;
-    message << "after " << n_steps << " steps the same " << n_loaded()
-            << " loaded places came back with a relative residual of " << present_residual << " (allowed "
-            << control.equilibrium_tolerance << "); refine the mesh or loosen the tolerance.";
-    throw ContactFailure(ContactOutcome::repeated_set, message.str());
+    throw ContactFailure(ContactOutcome::repeated_set,
+                         sentence("after ", n_steps, " steps the same ", n_loaded(),
+                                  " loaded places came back with a relative residual of ", present_residual,
+                                  " (allowed ", control.equilibrium_tolerance,
+                                  "); refine the mesh or loosen the tolerance."));
   }
 
   void require_support() const
@@ -189,11 +188,11 @@ private:
     const Eigen::Vector3d stiffness = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(support).eigenvalues();
     if (stiffness(2) > 0 && stiffness(0) > 1e-13 * stiffness(2))
       return;
-    std::ostringstream message;
-    message << "the " << n_loaded()
-            << " loaded places of the contact zone do not support the foot against tilting; "
-            << "the contact is too narrow for this mesh: refine the land.";
-    throw ContactFailure(ContactOutcome::singular_set, message.str());
+    throw ContactFailure(
+      ContactOutcome::singular_set,
+      sentence("the ", n_loaded(),
+               " loaded places of the contact zone do not support the foot against tilting; "
+               "the contact is too narrow for this mesh: refine the land."));
   }
 
   unsigned int n_loaded() const
@@ -208,10 +207,10 @@ private:
     const bool is_hopeless = n_steps == n_first_steps && residual() > control.hopeless_residual;
     if (n_steps >= control.max_steps || is_hopeless)
     {
-      std::ostringstream message;
-      message << n_steps << " Newton steps left a relative residual of " << residual() << " (allowed "
-              << control.equilibrium_tolerance << "; refine the land or reduce the load's moment).";
-      throw ContactFailure(ContactOutcome::too_many_steps, message.str());
+      throw ContactFailure(ContactOutcome::too_many_steps,
+                           sentence(n_steps, " Newton steps left a relative residual of ", residual(),
+                                    " (allowed ", control.equilibrium_tolerance,
+                                    "; refine the land or reduce the load's moment)."));
     }
     if (n_steps == 0 || n_changed > 0) // other places than those found to support it
       require_support();
@@ -378,11 +377,11 @@ void require_balance(const ContactSolution &solution, const ContactControl &cont
   if (solution.force_residual <= control.resultant_tolerance &&
       solution.moment_residual <= control.resultant_tolerance)
     return;
-  std::ostringstream message;
-  message << "the normal forces miss the prescribed resultants by " << solution.force_residual << " of N and "
-          << solution.moment_residual << " of N R; allowed is " << control.resultant_tolerance
-          << "; refine the land, give elements of a higher degree, or reduce the load's moment.";
-  throw ContactFailure(ContactOutcome::unbalanced, message.str());
+  throw ContactFailure(
+    ContactOutcome::unbalanced,
+    sentence("the normal forces miss the prescribed resultants by ", solution.force_residual, " of N and ",
+             solution.moment_residual, " of N R; allowed is ", control.resultant_tolerance,
+             "; refine the land, give elements of a higher degree, or reduce the load's moment."));
 }
 
 } // namespace

@@ -8,7 +8,8 @@
 namespace stemware::fem
 {
 
-/// How a contact solve ended; everything but `converged` and `narrow_contact` is thrown as a ContactFailure.
+/// How a contact solve ended, in the order of to_string(); everything but `converged` and `narrow_contact` is
+/// thrown as a ContactFailure.
 enum class ContactOutcome
 {
   converged,

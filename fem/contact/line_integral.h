@@ -3,6 +3,7 @@
 #include "fem/contact/contact_surface.h"
 
 #include <Eigen/Core>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <array>
 #include <cmath>
@@ -94,43 +95,19 @@ inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, 
   return { part, at_samples * depth };
 }
 
-/// Calls visit(const LinePoint &) at the given Gauss points of one segment of a line.
-template <std::size_t n_points, typename Visitor>
-void for_each_gauss_point(const AreaElement &area, const LineSegment &segment,
-                          const std::array<double, n_points> &points,
-                          const std::array<double, n_points> &weights, const Visitor &visit)
-{
-  const double middle = (segment.begin + segment.end) / 2, half_length = (segment.end - segment.begin) / 2;
-  for (std::size_t q = 0; q < n_points; ++q)
-  {
-    const double xi = middle + half_length * points[q];
-    visit(LinePoint{ xi, area(xi) * half_length * weights[q] });
-  }
-}
-
-/// Calls visit(const LinePoint &) at the four Gauss points of one segment of a line: exact for polynomials
-/// in the local coordinate of degree 7, the area element included.
-template <typename Visitor>
+/// Calls visit(const LinePoint &) at the Gauss points, an even number of them, of one segment of a line:
+/// exact for polynomials in the local coordinate of degree 2 n_points - 1, the area element included.
+template <unsigned int n_points = 4, typename Visitor>
 void for_each_point(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
 {
-  static constexpr std::array<double, 4> points = { -0.8611363115940526, -0.3399810435848563,
-                                                    0.3399810435848563, 0.8611363115940526 };
-  static constexpr std::array<double, 4> weights = { 0.3478548451374538, 0.6521451548625461,
-                                                     0.6521451548625461, 0.3478548451374538 };
-  for_each_gauss_point(area, segment, points, weights, visit);
-}
-
-/// for_each_point() with six points, for what is not a polynomial: exact for degree 11.
-template <typename Visitor>
-void for_each_of_six_points(const AreaElement &area, const LineSegment &segment, const Visitor &visit)
-{
-  static constexpr std::array<double, 6> points = { -0.9324695142031521, -0.6612093864662645,
-                                                    -0.2386191860831969, 0.2386191860831969,
-                                                    0.6612093864662645,  0.9324695142031521 };
-  static constexpr std::array<double, 6> weights = { 0.1713244923791704, 0.3607615730481386,
-                                                     0.4679139345726910, 0.4679139345726910,
-                                                     0.3607615730481386, 0.1713244923791704 };
-  for_each_gauss_point(area, segment, points, weights, visit);
+  using Rule = boost::math::quadrature::gauss<double, n_points>;
+  const double middle = (segment.begin + segment.end) / 2, half_length = (segment.end - segment.begin) / 2;
+  for (const double side : { -1., 1. })
+    for (std::size_t q = 0; q < n_points / 2; ++q)
+    {
+      const double xi = middle + side * half_length * Rule::abscissa()[q];
+      visit(LinePoint{ xi, area(xi) * half_length * Rule::weights()[q] });
+    }
 }
 
 /// Calls visit(const LinePoint &) at the four Gauss points of each of @p n_panels equal parts of the whole

@@ -101,7 +101,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
         const double n_panels = std::clamp(std::ceil(panels_per_length * (end - begin)), 1., 200.);
         const double length = (end - begin) / n_panels;
         for (double panel = 0; panel < n_panels; ++panel)
-          for_each_of_six_points(area, { begin + panel * length, begin + (panel + 1) * length }, visit);
+          for_each_point<6>(area, { begin + panel * length, begin + (panel + 1) * length }, visit);
         begin = end;
       };
       for (unsigned int b = 0; b < beyond.n_segments; ++b)

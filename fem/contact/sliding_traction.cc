@@ -1,8 +1,8 @@
 #include "fem/contact/sliding_traction.h"
 
+#include "fem/geometry/require.h"
+
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace stemware::fem
 {
@@ -26,15 +26,11 @@ Eigen::Vector2d SlidingTraction::direction(double radius, double azimuth) const
 
 void SlidingTraction::validate() const
 {
-  std::ostringstream message;
-  if (!(std::isfinite(friction_coefficient) && friction_coefficient >= 0))
-    message << "Friction coefficient = " << friction_coefficient
-            << " is not allowed; give a finite number of at least 0.";
-  else if (!std::isfinite(spin_per_speed))
-    message << "The yaw rate per speed, " << spin_per_speed
-            << " 1/m, must be finite: friction of a foot that only spins has no direction of travel.";
-  if (!message.str().empty())
-    throw std::invalid_argument(message.str());
+  require(std::isfinite(friction_coefficient) && friction_coefficient >= 0,
+          "Friction coefficient = ", friction_coefficient,
+          " is not allowed; give a finite number of at least 0.");
+  require(std::isfinite(spin_per_speed), "The yaw rate per speed, ", spin_per_speed,
+          " 1/m, must be finite: friction of a foot that only spins has no direction of travel.");
 }
 
 } // namespace stemware::fem

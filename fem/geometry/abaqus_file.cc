@@ -124,8 +124,9 @@ public:
     if (points.points.empty() || elements.empty())
       throw UnreadableMesh("is not an Abaqus .inp mesh: it has no *NODE or no *ELEMENT; export hexahedra, "
                            "C3D8.");
-    for (const std::vector<long> &nodes : hexahedra)
-      content.hexahedra.push_back(corners_of<8>(points, nodes));
+    for (const Element &element : elements)
+      if (element.corners.size() == 8)
+        content.hexahedra.push_back(corners_of<8>(points, element.corners));
     mark_faces();
     content.points = std::move(points.points);
     return std::move(content);
@@ -140,15 +141,10 @@ private:
     std::string side; ///< of a surface
   };
 
+  /// Hexahedron, or quadrilateral.
   struct Element
   {
-    bool is_hexahedron;
-    std::size_t index; ///< among the hexahedra, or the quadrilaterals
-  };
-
-  struct Quadrilateral
-  {
-    std::vector<long> nodes;
+    std::vector<long> corners;
     unsigned int id; ///< that the set of its *ELEMENT ends in
   };
 
@@ -253,18 +249,13 @@ private:
   void add_element()
   {
     const long number = row.front();
-    const bool is_hexahedron = type.n_corners == 8;
     if (type.n_corners == 0)
       return;
-    const std::vector<long> nodes(row.begin() + 1, row.begin() + 1 + type.n_corners);
-    if (is_hexahedron)
-      hexahedra.push_back(nodes);
-    else
-      quadrilaterals.push_back({ nodes, id_at_end(section.value("ELSET")) });
-    content.is_second_order = content.is_second_order || (is_hexahedron && type.n_nodes > 8);
-    const std::size_t n = is_hexahedron ? hexahedra.size() : quadrilaterals.size();
-    if (!elements.emplace(number, Element{ is_hexahedron, n - 1 }).second)
+    if (!index.emplace(number, elements.size()).second)
       throw UnreadableMesh("has two elements of the number " + std::to_string(number) + "; export one part.");
+    elements.push_back(
+      { { row.begin() + 1, row.begin() + 1 + type.n_corners }, id_at_end(section.value("ELSET")) });
+    content.is_second_order = content.is_second_order || (type.n_corners == 8 && type.n_nodes > 8);
     if (const std::string set = section.value("ELSET"); !set.empty())
     {
       Member member;
@@ -322,14 +313,14 @@ private:
       throw UnreadableMesh("has sets that name one another without end; export the mesh anew.");
     if (member.set.empty())
     {
-      if (elements.count(member.first) == 0 || elements.rbegin()->first < member.last)
+      if (index.count(member.first) == 0 || index.rbegin()->first < member.last)
         throw UnreadableMesh("names elements from " + std::to_string(member.first) + " to " +
                              std::to_string(member.last) + " in " + shown(set) +
                              ", of which it does not have all; export the mesh anew.");
-      const auto end = elements.upper_bound(member.last);
-      for (auto element = elements.find(member.first); element != end; ++element, ++n_visits)
+      const auto end = index.upper_bound(member.last);
+      for (auto element = index.find(member.first); element != end; ++element, ++n_visits)
         if ((element->first - member.first) % member.step == 0)
-          visit(element->second);
+          visit(elements[element->second]);
       return;
     }
     bool is_known = false;
@@ -354,25 +345,25 @@ private:
                        [&](const Element &element) { mark_face(element, surface); });
     if (!surfaces.empty())
       return;
+    const auto mark_if_face = [&](const Element &element, unsigned int id)
+    {
+      if (element.corners.size() == 4 && id != 0)
+        mark(element, id);
+    };
+    const bool has_faces = std::any_of(elements.begin(), elements.end(),
+                                       [](const Element &element) { return element.corners.size() == 4; });
     for (const auto &[name, members] : sets)
-      if (const unsigned int id = quadrilaterals.empty() ? 0 : id_at_end(name); id != 0)
+      if (const unsigned int id = has_faces ? id_at_end(name) : 0; id != 0)
         for (const Member &member : members)
-          for_each_element(name, member,
-                           [&](const Element &element)
-                           {
-                             if (!element.is_hexahedron)
-                               mark(quadrilaterals[element.index], id);
-                           });
-    if (!content.faces.empty())
-      return;
-    for (const Quadrilateral &quadrilateral : quadrilaterals)
-      if (quadrilateral.id != 0)
-        mark(quadrilateral, quadrilateral.id);
+          for_each_element(name, member, [&, id = id](const Element &element) { mark_if_face(element, id); });
+    if (content.faces.empty())
+      for (const Element &element : elements)
+        mark_if_face(element, element.id);
   }
 
-  void mark(const Quadrilateral &quadrilateral, unsigned int id)
+  void mark(const Element &quadrilateral, unsigned int id)
   {
-    content.faces.push_back({ corners_of<4>(points, quadrilateral.nodes), id });
+    content.faces.push_back({ corners_of<4>(points, quadrilateral.corners), id });
   }
 
   struct Surface
@@ -383,20 +374,17 @@ private:
 
   void mark_face(const Element &element, const Surface &surface)
   {
-    if (!element.is_hexahedron)
-    {
-      mark(quadrilaterals[element.index], surface.id);
-      return;
-    }
+    if (element.corners.size() == 4)
+      return mark(element, surface.id);
     const std::string &side = surface.member.side;
     if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6')
       throw UnreadableMesh("has the surface of id " + std::to_string(surface.id) + " on the side \"" +
                            shown(side) + "\" of hexahedra; name one of S1 to S6.");
-    MarkedFace face;
-    face.id = surface.id;
-    for (std::size_t i = 0; i < 4; ++i)
-      face.corners[i] = content.hexahedra[element.index][faces_of_hexahedron[side[1] - '1'][i]];
-    content.faces.push_back(face);
+    const auto &places = faces_of_hexahedron[side[1] - '1'];
+    mark({ { element.corners[places[0]], element.corners[places[1]], element.corners[places[2]],
+             element.corners[places[3]] },
+           0 },
+         surface.id);
   }
 
   Keyword section;
@@ -404,9 +392,8 @@ private:
   unsigned int surface_id = 0, n_instances = 0;
   std::vector<long> row; ///< of an element that is not complete yet
   NumberedPoints points;
-  std::map<long, Element> elements;         ///< by their numbers in the file
-  std::vector<std::vector<long>> hexahedra; ///< numbers of their corners
-  std::vector<Quadrilateral> quadrilaterals;
+  std::vector<Element> elements;
+  std::map<long, std::size_t> index; ///< of the elements, by their numbers in the file
   std::map<std::string, std::vector<Member>> sets, sets_of_elements; ///< of *ELSET; of *ELEMENT
   std::vector<Surface> surfaces;                                     ///< those that have an id
   std::size_t n_visits = 0;

@@ -1,9 +1,9 @@
 #include "fem/geometry/contact_cells.h"
 
+#include "fem/geometry/require.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace stemware::fem
 {
@@ -100,14 +100,10 @@ bool halve(HalvedCells &cells, const Predicate &is_too_large)
 ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution &resolution)
 {
   const double focus = resolution.focus_radius > 0 ? resolution.focus_radius : profile.contact_radius;
-  if (focus < profile.land_inner_radius() * (1 - rounding) ||
-      focus > profile.land_outer_radius() * (1 + rounding))
-  {
-    std::ostringstream message;
-    message << "The focus of the contact cells, r = " << focus << " m, lies outside the land, "
-            << profile.land_inner_radius() << " m to " << profile.land_outer_radius() << " m.";
-    throw std::invalid_argument(message.str());
-  }
+  require(focus >= profile.land_inner_radius() * (1 - rounding) &&
+            focus <= profile.land_outer_radius() * (1 + rounding),
+          "The focus of the contact cells, r = ", focus, " m, lies outside the land, ",
+          profile.land_inner_radius(), " m to ", profile.land_outer_radius(), " m.");
   ContactCells result;
   result.has_focus = true;
   result.focus_begin = focus - resolution.focus_width;
@@ -131,14 +127,9 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
     return (i > 0 && differs_from(i - 1)) || (i + 1 < cells.size() && differs_from(i + 1));
   };
   while (halve(cells, is_wide) || halve(cells, is_unbalanced))
-    if (cells.size() > most_cells)
-    {
-      std::ostringstream message;
-      message << "Contact cells of " << resolution.focus_size << " m within " << resolution.focus_width
-              << " m of their focus are more than " << most_cells
-              << "; ask for larger ones or a narrower band.";
-      throw std::invalid_argument(message.str());
-    }
+    require(cells.size() <= most_cells, "Contact cells of ", resolution.focus_size, " m within ",
+            resolution.focus_width, " m of their focus are more than ", most_cells,
+            "; ask for larger ones or a narrower band.");
   for (const HalvedCell &cell : cells)
   {
     result.borders.push_back(cell.begin);
@@ -152,27 +143,18 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
 
 void MeridianResolution::validate() const
 {
-  std::ostringstream message;
-  if (land_cells < 2 || land_cells % 2 != 0)
-    message << "Contact/Radial cells = " << land_cells
-            << " is not allowed for a body of revolution; give an even number of at least 2.";
-  else if (!(land_grading >= 1 && land_grading <= 10))
-    message << "The grading of the land, " << land_grading << ", must lie between 1 (equal cells) and 10.";
-  else if (refinements > 6)
-    message << refinements << " halvings of every meridional cell are too many; give at most 6.";
-  else if (!(focus_size == 0 || focus_size >= 1e-10))
-    message << "Contact cells of " << focus_size
-            << " m are not allowed; give at least 1e-10 m, or 0 for none "
-            << "of a given size.";
-  else if (!(std::isfinite(focus_radius) && focus_radius >= 0))
-    message << "The focus of the contact cells, r = " << focus_radius << " m, must be a radius.";
-  else if (!(focus_width >= 0))
-    message << "Half the width of the focus, " << focus_width << " m, must be a length.";
-  else if (!(focus_growth > 1 && focus_growth <= 4))
-    message << "The growth of the contact cells, " << focus_growth
-            << ", must be larger than 1 and at most 4.";
-  if (!message.str().empty())
-    throw std::invalid_argument(message.str());
+  require(land_cells >= 2 && land_cells % 2 == 0, "Contact/Radial cells = ", land_cells,
+          " is not allowed for a body of revolution; give an even number of at least 2.");
+  require(land_grading >= 1 && land_grading <= 10, "The grading of the land, ", land_grading,
+          ", must lie between 1 (equal cells) and 10.");
+  require(refinements <= 6, refinements, " halvings of every meridional cell are too many; give at most 6.");
+  require(focus_size == 0 || focus_size >= 1e-10, "Contact cells of ", focus_size,
+          " m are not allowed; give at least 1e-10 m, or 0 for none of a given size.");
+  require(std::isfinite(focus_radius) && focus_radius >= 0,
+          "The focus of the contact cells, r = ", focus_radius, " m, must be a radius.");
+  require(focus_width >= 0, "Half the width of the focus, ", focus_width, " m, must be a length.");
+  require(focus_growth > 1 && focus_growth <= 4, "The growth of the contact cells, ", focus_growth,
+          ", must be larger than 1 and at most 4.");
 }
 
 ContactCells contact_cells(const GlassProfile &profile, const MeridianResolution &resolution)

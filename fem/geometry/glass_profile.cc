@@ -1,13 +1,12 @@
 #include "fem/geometry/glass_profile.h"
 
 #include "fem/geometry/meridian_section.h"
+#include "fem/geometry/require.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 namespace stemware::fem
 {
@@ -21,34 +20,22 @@ double square(double x)
 
 void require_positive(const char *entry, double value)
 {
-  if (std::isfinite(value) && value > 0)
-    return;
-  std::ostringstream message;
-  message << "Glass/" << entry << " = " << value
-          << " m is not a length of the glass; give a finite number greater than 0.";
-  throw std::invalid_argument(message.str());
+  require(std::isfinite(value) && value > 0, "Glass/", entry, " = ", value,
+          " m is not a length of the glass; give a finite number greater than 0.");
 }
 
 /// @p meaning_of_zero as in "a flat land".
 void require_not_negative(const char *entry, double value, const char *meaning_of_zero)
 {
-  if (std::isfinite(value) && value >= 0)
-    return;
-  std::ostringstream message;
-  message << "Glass/" << entry << " = " << value
-          << " m is not a length of the glass; give a finite number greater than 0, or 0 for "
-          << meaning_of_zero << '.';
-  throw std::invalid_argument(message.str());
+  require(std::isfinite(value) && value >= 0, "Glass/", entry, " = ", value,
+          " m is not a length of the glass; give a finite number greater than 0, or 0 for ", meaning_of_zero,
+          '.');
 }
 
 void require_less(const char *name, double value, const char *limit_name, double limit)
 {
-  if (value < limit)
-    return;
-  std::ostringstream message;
-  message << name << " = " << value << " m does not fit the foot: it must be smaller than the " << limit_name
-          << ", " << limit << " m; change one of the two.";
-  throw std::invalid_argument(message.str());
+  require(value < limit, name, " = ", value, " m does not fit the foot: it must be smaller than the ",
+          limit_name, ", ", limit, " m; change one of the two.");
 }
 } // namespace
 
@@ -185,23 +172,18 @@ void GlassProfile::validate() const
 
 void GlassProfile::validate_section() const
 {
-  if (!section)
-    throw std::invalid_argument("Glass/Shape = profile needs a section; name its points in Glass/Profile "
-                                "file.");
+  require(section != nullptr,
+          "Glass/Shape = profile needs a section; name its points in Glass/Profile file.");
   require_less("Radius of the stem where it meets the foot", section->middle_radius(),
                "inner radius of the land", land_inner_radius());
   require_less("The outer radius of the land, Glass/Contact radius + Glass/Land width / 2",
                land_outer_radius(), "largest radius of the profile", section->outer_radius());
   const double tolerance = 1e-6 * section->outer_radius();
   for (const SectionVertex &vertex : section->points_below(tolerance))
-    if (std::abs(vertex.radius - contact_radius) > 1.05 * land_width / 2)
-    {
-      std::ostringstream message;
-      message << "The profile stands on the table at r = " << vertex.radius << " m (line " << vertex.line
-              << "), outside its land from " << land_inner_radius() << " m to " << land_outer_radius()
-              << " m; change Glass/Contact radius or Glass/Land width.";
-      throw std::invalid_argument(message.str());
-    }
+    require(!(std::abs(vertex.radius - contact_radius) > 1.05 * land_width / 2),
+            "The profile stands on the table at r = ", vertex.radius, " m (line ", vertex.line,
+            "), outside its land from ", land_inner_radius(), " m to ", land_outer_radius(),
+            " m; change Glass/Contact radius or Glass/Land width.");
 }
 
 void GlassProfile::validate_foot() const
@@ -210,33 +192,23 @@ void GlassProfile::validate_foot() const
   require_not_negative("Underside rise", underside_rise, "a plane underside");
   require_not_negative("Fillet radius", fillet_radius, "a sharp corner");
   const Fillet arc = fillet();
-  std::ostringstream message;
-  if (!(arc.end_radius < land_inner_radius()))
-    message << "Glass/Fillet radius = " << fillet_radius
-            << " m does not fit between stem and land: the rounding would end at a radius of "
-            << arc.end_radius << " m, and the land begins at " << land_inner_radius()
-            << " m; give a smaller one.";
-  else if (!(arc.centre_height < height()))
-    message << "Glass/Fillet radius = " << fillet_radius << " m rounds the stem up to "
-            << arc.centre_height - foot_top()
-            << " m above the foot, beyond its cut at Glass/Stem height = " << stem_height
-            << " m; give a smaller fillet or a longer stem.";
-  else
+  require(arc.end_radius < land_inner_radius(), "Glass/Fillet radius = ", fillet_radius,
+          " m does not fit between stem and land: the rounding would end at a radius of ", arc.end_radius,
+          " m, and the land begins at ", land_inner_radius(), " m; give a smaller one.");
+  require(arc.centre_height < height(), "Glass/Fillet radius = ", fillet_radius, " m rounds the stem up to ",
+          arc.centre_height - foot_top(),
+          " m above the foot, beyond its cut at Glass/Stem height = ", stem_height,
+          " m; give a smaller fillet or a longer stem.");
+  // Below the land and outside it there is always glass; inside it a dome may reach a straight top.
+  constexpr unsigned int n_samples = 1000;
+  for (unsigned int i = 0; i < n_samples; ++i)
   {
-    // Below the land and outside it there is always glass; inside it a dome may reach a straight top.
-    constexpr unsigned int n_samples = 1000;
-    for (unsigned int i = 0; i < n_samples && message.str().empty(); ++i)
-    {
-      const double radius = land_inner_radius() * i / n_samples;
-      const double top = radius < arc.middle_radius ? arc.middle_height : topside(radius);
-      if (!(underside(radius) < top))
-        message << "Glass/Underside rise = " << underside_rise
-                << " m leaves no glass below the top of the foot at a radius of " << radius
-                << " m; give a smaller rise or a larger Glass/Foot thickness.";
-    }
+    const double radius = land_inner_radius() * i / n_samples;
+    const double top = radius < arc.middle_radius ? arc.middle_height : topside(radius);
+    require(underside(radius) < top, "Glass/Underside rise = ", underside_rise,
+            " m leaves no glass below the top of the foot at a radius of ", radius,
+            " m; give a smaller rise or a larger Glass/Foot thickness.");
   }
-  if (!message.str().empty())
-    throw std::invalid_argument(message.str());
 }
 
 } // namespace stemware::fem

@@ -3,6 +3,7 @@
 #include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/meridian_section.h"
 #include "fem/geometry/profile_manifold.h"
+#include "fem/geometry/require.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -13,8 +14,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 namespace stemware::fem
 {
@@ -312,16 +311,11 @@ void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangu
 
 void TableDisc::validate(const GlassProfile &profile) const
 {
-  std::ostringstream message;
-  if (!(std::isfinite(thickness) && thickness > 0))
-    message << "Table/Disc thickness = " << thickness
-            << " m is not allowed; give a finite number greater than 0.";
-  else if (!(std::isfinite(radius) && radius > profile.land_outer_radius()))
-    message << "Table/Disc radius = " << radius
-            << " m is not allowed; it must be larger than the outer radius of the land, "
-            << profile.land_outer_radius() << " m.";
-  if (!message.str().empty())
-    throw std::invalid_argument(message.str());
+  require(std::isfinite(thickness) && thickness > 0, "Table/Disc thickness = ", thickness,
+          " m is not allowed; give a finite number greater than 0.");
+  require(std::isfinite(radius) && radius > profile.land_outer_radius(), "Table/Disc radius = ", radius,
+          " m is not allowed; it must be larger than the outer radius of the land, ",
+          profile.land_outer_radius(), " m.");
 }
 
 void make_meridian_mesh(const GlassProfile &profile, const MeridianResolution &resolution,

@@ -1,13 +1,13 @@
 #include "fem/geometry/meridian_section.h"
 
+#include "fem/geometry/require.h"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/register/linestring.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 BOOST_GEOMETRY_REGISTER_POINT_2D(stemware::fem::SectionVertex, double, boost::geometry::cs::cartesian, radius,
                                  height)
@@ -27,9 +27,7 @@ constexpr double file_rounding = 1e-6;
 /// "line 14 (r = 0.03 m, z = 0 m)".
 std::string place(const SectionVertex &vertex)
 {
-  std::ostringstream text;
-  text << "line " << vertex.line << " (r = " << vertex.radius << " m, z = " << vertex.height << " m)";
-  return text.str();
+  return sentence("line ", vertex.line, " (r = ", vertex.radius, " m, z = ", vertex.height, " m)");
 }
 
 [[noreturn]] void refuse(const std::string &sentence)
@@ -54,15 +52,10 @@ bool is_lower(const SectionVertex &one, const SectionVertex &other)
 /// point, and the last two points at one height.
 Polyline ordered(Polyline polyline)
 {
-  if (polyline.size() < 6)
-  {
-    std::ostringstream message;
-    message
-      << "a profile of " << polyline.size()
-      << " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge "
-         "to the axis in the stem's cut.";
-    refuse(message.str());
-  }
+  require(
+    polyline.size() >= 6, "a profile of ", polyline.size(),
+    " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
+    "axis in the stem's cut.");
   // The time to leave out what lies on straight lines grows with the square of a zigzag's points.
   constexpr std::size_t most_points = 10000;
   if (polyline.size() > most_points)
@@ -188,10 +181,8 @@ void MeridianSection::require_glass_everywhere() const
 {
   const auto refuse_crossing = [](double radius, unsigned int line, const std::string &other)
   {
-    std::ostringstream message;
-    message << "the profile crosses itself: at r = " << radius << " m (line " << line << ") " << other
-            << "; draw the outline of one piece of glass.";
-    refuse(message.str());
+    refuse(sentence("the profile crosses itself: at r = ", radius, " m (line ", line, ") ", other,
+                    "; draw the outline of one piece of glass."));
   };
   constexpr char above[] = "its underside lies above its top";
   for (std::size_t i = 0; i < lower.x.size(); ++i)

@@ -2,6 +2,7 @@
 
 #include "fem/geometry/boundary_ids.h"
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <boost/geometry.hpp>
@@ -123,19 +124,6 @@ unsigned int n_contact_zones(const Triangulation<3> &triangulation)
   return static_cast<unsigned int>(n);
 }
 
-void check_extents(const Triangulation<3> &triangulation, MeshCheck &check)
-{
-  check.lower.fill(std::numeric_limits<double>::infinity());
-  check.upper.fill(-std::numeric_limits<double>::infinity());
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        check.lower[d] = std::min(check.lower[d], cell->vertex(v)[d]);
-        check.upper[d] = std::max(check.upper[d], cell->vertex(v)[d]);
-      }
-}
-
 } // namespace
 
 std::vector<double> scaled_jacobians(const Triangulation<3> &triangulation)
@@ -210,7 +198,12 @@ MeshCheck check_mesh(const Triangulation<3> &triangulation)
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
       ++check.n_faces[face->boundary_id()];
-  check_extents(triangulation, check);
+  const auto [lower, upper] = GridTools::compute_bounding_box(triangulation).get_boundary_points();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    check.lower[d] = lower[d];
+    check.upper[d] = upper[d];
+  }
   check_contact_zone(triangulation, check);
   check.n_zones = n_contact_zones(triangulation);
   check_cells(triangulation, check);

@@ -1,4 +1,5 @@
 #include "fem/geometry/mesh_content.h"
+#include "fem/geometry/require.h"
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -97,13 +98,9 @@ private:
         content.faces.push_back(face);
     }
     else
-    {
-      std::ostringstream number;
-      number << type;
       throw UnreadableMesh(
-        "has cells of VTK's type " + number.str() +
-        "; save hexahedra (12, 25, 29) and, for the ids of faces, quadrilaterals (9, 23, 28).");
-    }
+        sentence("has cells of VTK's type ", type,
+                 "; save hexahedra (12, 25, 29) and, for the ids of faces, quadrilaterals (9, 23, 28)."));
   }
 
   template <std::size_t n>

@@ -1,8 +1,8 @@
 #include "fem/geometry/waviness.h"
 
+#include "fem/geometry/require.h"
+
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace stemware::fem
 {
@@ -37,10 +37,9 @@ void RimImperfection::validate() const
 {
   for (const auto *harmonics : { &glass, &table })
     for (const WavinessHarmonic &harmonic : *harmonics)
-      if (!(std::isfinite(harmonic.amplitude) && std::isfinite(harmonic.azimuth)))
-        throw std::invalid_argument(
-          "The waviness n = " + std::to_string(harmonic.n) +
-          " has an amplitude or azimuth that is not finite; give metres and radians.");
+      require(std::isfinite(harmonic.amplitude) && std::isfinite(harmonic.azimuth),
+              "The waviness n = ", harmonic.n,
+              " has an amplitude or azimuth that is not finite; give metres and radians.");
 }
 
 } // namespace stemware::fem

@@ -64,28 +64,14 @@ ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size)
   return result;
 }
 
-ContactCompliance ContactCompliance::without_friction() const
-{
-  ContactCompliance result = *this;
-  const auto drop = [](HarmonicCompliance &harmonic)
-  {
-    harmonic.radial.setZero();
-    harmonic.azimuthal.setZero();
-  };
-  for (HarmonicCompliance &harmonic : result.harmonics)
-    drop(harmonic);
-  drop(result.beyond);
-  return result;
-}
-
-ContactCompliance ContactCompliance::scaled(double factor) const
+ContactCompliance ContactCompliance::times(double of_normal, double of_friction) const
 {
   ContactCompliance result = *this;
   const auto scale = [&](HarmonicCompliance &harmonic)
   {
-    harmonic.normal *= factor;
-    harmonic.radial *= factor;
-    harmonic.azimuthal *= factor;
+    harmonic.normal *= of_normal;
+    harmonic.radial *= of_friction;
+    harmonic.azimuthal *= of_friction;
   };
   for (HarmonicCompliance &harmonic : result.harmonics)
     scale(harmonic);

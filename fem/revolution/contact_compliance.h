@@ -73,14 +73,18 @@ struct ContactCompliance
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
 
   /// The compliance without what friction tractions do.
-  ContactCompliance without_friction() const;
+  ContactCompliance without_friction() const { return times(1, 0); }
 
   /// All compliances times @p factor: those of a body with 1 / @p factor of the Young modulus.
-  ContactCompliance scaled(double factor) const;
+  ContactCompliance scaled(double factor) const { return times(factor, factor); }
 
   /// Two bodies pressed together yield the sum of both: @p other is the body below, with z upward in both.
   /// Throws std::invalid_argument unless nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);
+
+private:
+  /// Compliances under normal forces times one factor, those under tractions times another.
+  ContactCompliance times(double of_normal, double of_friction) const;
 };
 
 /// Numerical parameters of the meridional problems.

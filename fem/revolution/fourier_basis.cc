@@ -59,25 +59,14 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
     sines[mirror] = -std::sin(angle);
     sines[k] = k == mirror ? 0 : std::sin(angle);
   }
-  mode_values.resize(n_lines, n_modes());
-  conjugate_values.resize(n_lines, n_modes());
   cosine_values.resize(n_lines, 2 * n + 1);
   sine_values.resize(n_lines, 2 * n + 1);
   for (unsigned int j = 0; j < n_lines; ++j)
-  {
-    for (unsigned int mode = 0; mode < n_modes(); ++mode)
-    {
-      const double even = cosine(harmonic(mode), j);
-      const double odd = sine(harmonic(mode), j);
-      mode_values(j, mode) = is_sine(mode) ? odd : even;
-      conjugate_values(j, mode) = is_sine(mode) ? -even : odd;
-    }
     for (unsigned int p = 0; p <= 2 * n; ++p)
     {
       cosine_values(j, p) = cosine(p, j);
       sine_values(j, p) = sine(p, j);
     }
-  }
 }
 
 double FourierBasis::azimuth(unsigned int line) const

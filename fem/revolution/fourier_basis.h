@@ -42,14 +42,10 @@ public:
   /// Sums over the modes, sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows,
   /// n_lines]. Without sine modes the values are even to the last bit.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
-  /// evaluate() with each mode's conjugate in its place.
+  /// evaluate() with each mode's conjugate in its place: -(1/n) d/dtheta of it, sin for cos and -cos for sin
+  /// (0 for mode 0), the azimuthal component that goes with it.
   Eigen::MatrixXd evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const;
 
-  /// Values of the modes on the lines, shape [n_lines, n_modes].
-  const Eigen::MatrixXd &values() const { return mode_values; }
-  /// The conjugate -(1/n) d/dtheta of every mode, sin for cos and -cos for sin (0 for mode 0): the azimuthal
-  /// component that goes with it.
-  const Eigen::MatrixXd &conjugates() const { return conjugate_values; }
   /// cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table` likewise.
   const Eigen::MatrixXd &cosine_table() const { return cosine_values; }
   const Eigen::MatrixXd &sine_table() const { return sine_values; }
@@ -62,8 +58,6 @@ private:
   unsigned int n;
   std::vector<double> cosines; ///< cos(2 pi k / n_lines)
   std::vector<double> sines;
-  Eigen::MatrixXd mode_values;
-  Eigen::MatrixXd conjugate_values;
   Eigen::MatrixXd cosine_values;
   Eigen::MatrixXd sine_values;
 };

@@ -20,7 +20,7 @@ public:
 
   /// Amplitudes of all modes at points of one cell, cylindrical components. A field at azimuth theta is the
   /// sum over the modes of amplitude times mode (rows `in_phase`) or times the mode's conjugate (rows
-  /// `conjugate`), FourierBasis::values() and conjugates().
+  /// `conjugate`), FourierBasis::evaluate() and evaluate_conjugates().
   struct Amplitudes
   {
     std::vector<dealii::Point<2>> points; ///< (r, z) [m]

@@ -67,23 +67,11 @@ MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmoni
 {
 }
 
-Eigen::MatrixXd MeridianSpace::Factors::solve(const Eigen::MatrixXd &forces) const
-{
-  Eigen::MatrixXd displacements = factors.solve(forces);
-  Vector<double> displacement(static_cast<unsigned int>(forces.rows()));
-  for (auto column : displacements.colwise())
-  {
-    std::copy(column.begin(), column.end(), displacement.begin());
-    constraints.distribute(displacement);
-    std::copy(displacement.begin(), displacement.end(), column.begin());
-  }
-  return displacements;
-}
-
 void MeridianSpace::Factors::solve(Vector<double> &forces) const
 {
   Eigen::Map<Eigen::VectorXd> values(forces.begin(), forces.size());
-  values = solve(Eigen::MatrixXd(values));
+  values = factors.solve(values).col(0);
+  constraints.distribute(forces);
 }
 
 const MeridianSpace::Factors &MeridianSpace::factors(unsigned int harmonic) const

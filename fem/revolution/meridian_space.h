@@ -48,10 +48,8 @@ public:
   {
   public:
     Factors(const MeridianSpace &space, unsigned int harmonic);
-    /// Displacements times int (mode)^2 dtheta [m rad] under forces per radian on the free dofs [N/rad], a
-    /// column each.
-    Eigen::MatrixXd solve(const Eigen::MatrixXd &forces) const;
-    /// Solves for one column of forces, in place.
+    /// Puts displacements times int (mode)^2 dtheta [m rad] in the place of the @p forces per radian on the
+    /// free dofs [N/rad] that make them.
     void solve(dealii::Vector<double> &forces) const;
 
   private:

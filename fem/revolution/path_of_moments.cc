@@ -1,7 +1,8 @@
 #include "fem/revolution/path_of_moments.h"
 
+#include "fem/geometry/require.h"
+
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace stemware::fem
@@ -72,11 +73,11 @@ ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const 
         continue;
       if (conditions.are_resultants() || !path.is_steep())
         throw;
-      std::ostringstream message;
-      message
-        << "the moment grows faster than what the contact can carry as the glass leans over; it ends at "
-        << 100 * path.share << " % of the moment. Lower the centre of mass or the hand, or reduce the speed.";
-      throw ContactFailure(ContactOutcome::tipping, message.str());
+      throw ContactFailure(
+        ContactOutcome::tipping,
+        sentence(
+          "the moment grows faster than what the contact can carry as the glass leans over; it ends at ",
+          100 * path.share, " % of the moment. Lower the centre of mass or the hand, or reduce the speed."));
     }
   return path.last;
 }

@@ -29,6 +29,17 @@ Eigen::Matrix3d strain_of(const Eigen::Matrix3d &stress, const ElasticMaterial &
   return ((1 + nu) * stress - nu * stress.trace() * Eigen::Matrix3d::Identity()) / material.young_modulus;
 }
 
+/// The stress of MeridianField::Amplitudes along e_r, e_theta, e_z.
+Eigen::Matrix3d cylindrical_stress(const Eigen::Matrix<double, 6, 1> &in_phase,
+                                   const Eigen::Vector3d &conjugate)
+{
+  Eigen::Matrix3d stress;
+  stress << in_phase(2), conjugate(1), in_phase(5), //
+    conjugate(1), in_phase(3), conjugate(2),        //
+    in_phase(5), conjugate(2), in_phase(4);
+  return stress;
+}
+
 double von_mises(const Eigen::Matrix3d &stress)
 {
   const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
@@ -110,8 +121,8 @@ public:
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
       const MeridianNode &node = nodes[n];
-      const Eigen::MatrixXd in_phase = node.in_phase / node.n_cells * basis.values().transpose();
-      const Eigen::MatrixXd conjugate = node.conjugate / node.n_cells * basis.conjugates().transpose();
+      const Eigen::MatrixXd in_phase = basis.evaluate(node.in_phase / node.n_cells);
+      const Eigen::MatrixXd conjugate = basis.evaluate_conjugates(node.conjugate / node.n_cells);
       const Eigen::VectorXd on_circle =
         node.is_contact ? pressure.on_circle(node.at[0], basis) : Eigen::VectorXd::Zero(basis.n_lines());
       for (unsigned int line = 0; line < basis.n_lines(); ++line)
@@ -263,11 +274,7 @@ private:
     values.displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
     values.displacement.head<2>() -= tilt * values.point(2);
     values.displacement(2) += motion(0) + tilt.dot(values.point.head<2>());
-    Eigen::Matrix3d stress;
-    stress << in_phase(2), conjugate(1), in_phase(5), //
-      conjugate(1), in_phase(3), conjugate(2),        //
-      in_phase(5), conjugate(2), in_phase(4);
-    values.stress = axes * stress * axes.transpose();
+    values.stress = axes * cylindrical_stress(in_phase, conjugate) * axes.transpose();
     return values;
   }
 
@@ -318,10 +325,8 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
       {
         const auto at = in_phase.segment<6>(6 * p);
         const auto across = conjugate.segment<3>(3 * p);
-        Eigen::Matrix3d stress;
-        stress << at(2), across(1), at(5), across(1), at(3), across(2), at(5), across(2), at(4);
         patch[p / n_points].push_back({ side * amplitudes.points[p][0], amplitudes.points[p][1], side * at(0),
-                                        at(1), von_mises(stress) });
+                                        at(1), von_mises(cylindrical_stress(at, across)) });
       }
       patches.push_back(std::move(patch));
     }

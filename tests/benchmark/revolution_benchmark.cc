@@ -5,7 +5,7 @@
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/self_consistent_ring.h"
-#include "ring_model/yaw_dynamics.h"
+#include "ring_model/yaw_motion.h"
 
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/grid/tria.h>
@@ -115,8 +115,8 @@ void coupled_spin_up(benchmark::State &state)
     for (unsigned int i = 0; i <= 200; ++i)
       times.push_back(0.01 * i);
     const auto samples =
-      ring::spin_up([&](double, double omega) { return glass.torque(omega); }, motion.yaw_inertia, 0, times,
-                    1e-8, motion.orbit_speed / load->radius());
+      ring::yaw_motion([&](double, double, double omega) { return glass.torque(omega); }, motion.yaw_inertia,
+                       0, times, 1e-8, motion.orbit_speed / load->radius());
     state.counters["final spin, rad/s"] = samples.back().omega;
     state.counters["contact solutions"] = load->n_loads;
   }

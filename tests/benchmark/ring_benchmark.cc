@@ -5,7 +5,7 @@
 #include "ring_model/friction_kernels.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/unilateral_foundation.h"
-#include "ring_model/yaw_dynamics.h"
+#include "ring_model/yaw_motion.h"
 
 #include <benchmark/benchmark.h>
 #include <boost/math/constants/constants.hpp>
@@ -64,10 +64,9 @@ BENCHMARK(kernels_to_32)->Unit(benchmark::kMillisecond);
 void torque_of_32_harmonics_by_kernels(benchmark::State &state)
 {
   const RingStack load = load_of_32_harmonics();
-  const CoulombRing ring(0.3);
   const double omega = 0.999 * 0.35 / load.radius();
   for (auto _ : state)
-    benchmark::DoNotOptimize(ring.wrench(load, omega, 0.35).torque);
+    benchmark::DoNotOptimize(coulomb_wrench(0.3, load, omega, 0.35).torque);
 }
 BENCHMARK(torque_of_32_harmonics_by_kernels);
 
@@ -77,7 +76,7 @@ void torque_of_32_harmonics_by_gauss_kronrod(benchmark::State &state)
 {
   const RingStack load = load_of_32_harmonics();
   const double mu = 0.3, R = load.radius(), speed = 0.35, omega = 0.999 * speed / R;
-  const double exact = CoulombRing(mu).wrench(load, omega, speed).torque;
+  const double exact = coulomb_wrench(mu, load, omega, speed).torque;
   const auto integrand = [&](double theta)
   {
     const double x = speed - omega * R * std::sin(theta), y = omega * R * std::cos(theta);
@@ -132,8 +131,8 @@ void trajectory(benchmark::State &state, Closure closure)
   for (int i = 0; i <= 200; ++i)
     times.push_back(0.01 * i);
   for (auto _ : state)
-    benchmark::DoNotOptimize(spin_up([&](double, double omega) { return ring.torque(omega); },
-                                     motion.yaw_inertia, 0., times, 1e-10));
+    benchmark::DoNotOptimize(yaw_motion([&](double, double, double omega) { return ring.torque(omega); },
+                                        motion.yaw_inertia, 0., times, 1e-10, 1.));
 }
 BENCHMARK_CAPTURE(trajectory, paper, Closure::paper)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(trajectory, full, Closure::full)->Unit(benchmark::kMicrosecond);

@@ -1,4 +1,3 @@
-#include "ring_model/coulomb_ring.h"
 #include "ring_model/friction_functionals.h"
 #include "tests/ring_model/quadrature.h"
 
@@ -34,13 +33,13 @@ TEST(FrictionFunctionals, AreTheFrictionOfTheLoad)
 
 TEST(FrictionFunctionals, LeaveOutWhatLiesAboveTheirHarmonics)
 {
-  const Wrench kept = CoulombRing(mu).wrench(load.truncated(1), 4., speed);
+  const Wrench kept = coulomb_wrench(mu, load.truncated(1), 4., speed);
   const FrictionFunctionals friction = friction_functionals(mu, radii, 1, 4., speed);
   EXPECT_EQ(friction.torque(load), kept.torque);
   EXPECT_EQ(friction.drag(load), kept.force_x);
   EXPECT_EQ(friction.side(load), kept.force_y);
   const FrictionFunctionals more = friction_functionals(mu, radii, 9, 4., speed);
-  EXPECT_NEAR(more.torque(load), CoulombRing(mu).wrench(load, 4., speed).torque, 1e-17);
+  EXPECT_NEAR(more.torque(load), coulomb_wrench(mu, load, 4., speed).torque, 1e-17);
 }
 
 TEST(FrictionFunctionals, RefuseAnotherNumberOfRings)

@@ -173,9 +173,6 @@ TEST(FrictionKernels, HaveTheLimitOfPureSpin)
   const double pi = boost::math::constants::pi<double>();
   EXPECT_NEAR(kernels.K(0), 2. * pi, 1e-14);
   EXPECT_NEAR(kernels.U(1), pi, 1e-14); // -K_1(0) and odd in the sense of spin
-  EXPECT_NEAR(kernels.slip_speed(0), 2. * pi * 3., 1e-13);
-  for (unsigned int n = 2; n <= 5; ++n)
-    EXPECT_EQ(kernels.slip_speed(n), 0.);
 }
 
 TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)

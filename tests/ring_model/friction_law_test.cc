@@ -1,5 +1,6 @@
 #include "ring_model/friction_law.h"
 #include "ring_model/terminal_spin.h"
+#include "tests/ring_model/adaptive_friction.h"
 #include "tests/ring_model/reference.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -11,6 +12,8 @@ namespace stemware::ring
 {
 namespace
 {
+using test::adaptive_wrench;
+using test::EstimatedWrench;
 using test::expect_relative;
 
 RingStack some_load()
@@ -32,8 +35,8 @@ TEST(FrictionLaw, QuadratureAgreesWithTheKernelsAtEverySlipRatio)
        { 0., 1e-6, -0.27, 0.5, 0.9, 0.999, 1. - 1e-9, 1., 1. + 1e-12, -1.001, 1.3, 5., 1e4 })
   {
     const double speed = 0.35, omega = eps * speed / load.radius();
-    const Wrench exact = CoulombRing(0.3).wrench(load, omega, speed);
-    const EstimatedWrench found = wrench(DisguisedCoulombLaw(), load, omega, speed);
+    const Wrench exact = coulomb_wrench(0.3, load, omega, speed);
+    const EstimatedWrench found = adaptive_wrench(DisguisedCoulombLaw(), load, omega, speed);
     const auto expect_within_estimate = [&](double value, double expected, double error, double scale)
     {
       EXPECT_NEAR(value, expected, 1e-12 * scale) << eps;
@@ -87,8 +90,8 @@ TEST(FrictionLaw, FunctionalsOfAStackAgreeWithTheAdaptiveQuadratureRingByRing)
     {
       motion.friction_decay_speed = decay;
       const StribeckLaw law({ 0.5, 0.2, decay, 0.1, 2. });
-      const Wrench one = wrench(law, inner, omega, motion.orbit_speed).value,
-                   other = wrench(law, outer, omega, motion.orbit_speed).value;
+      const Wrench one = adaptive_wrench(law, inner, omega, motion.orbit_speed).value,
+                   other = adaptive_wrench(law, outer, omega, motion.orbit_speed).value;
       const Wrench both = wrench(motion, RingStack(rings), omega);
       EXPECT_NEAR(both.torque, one.torque + other.torque, 1e-12 * 0.05) << decay << " " << omega;
       EXPECT_NEAR(both.force_x, one.force_x + other.force_x, 1e-11) << decay << " " << omega;
@@ -109,21 +112,15 @@ TEST(FrictionLaw, TheTruncationBoundHoldsUnderStribecksLaw)
       EXPECT_LE(std::abs(change), truncation_bound(motion, load, n, omega) * (1. + 1e-12));
       EXPECT_GT(truncation_bound(motion, load, n, omega), 0.);
     }
-  motion.friction_law = FrictionLawKind::coulomb;
-  EXPECT_NEAR(truncation_bound(motion, load, 1, -3.),
-              CoulombRing(0.3).truncation_bound(load, 1, -3., motion.orbit_speed), 1e-17);
 }
 
 TEST(FrictionLaw, ConstantLawsUseTheKernels)
 {
   const RingStack load = some_load();
-  const Wrench exact = CoulombRing(0.3).wrench(load, 7., 0.35);
-  for (const EstimatedWrench &found : { wrench(CoulombLaw(0.3), load, 7., 0.35),
-                                        wrench(StribeckLaw({ 0.3, 0.3, 0.1, 0., 2. }), load, 7., 0.35) })
-  {
-    EXPECT_EQ(found.value.torque, exact.torque);
-    EXPECT_EQ(found.error.torque, 0.);
-  }
+  const Wrench exact = coulomb_wrench(0.3, load, 7., 0.35);
+  const Wrench found = friction_functionals(StribeckLaw({ 0.3, 0.3, 0.1, 0., 2. }), load.radii(),
+                                            load.n_harmonics(), 7., 0.35)(load);
+  EXPECT_EQ(found.torque, exact.torque);
 }
 
 TEST(FrictionLaw, ViscousPartIsLinear)
@@ -132,12 +129,11 @@ TEST(FrictionLaw, ViscousPartIsLinear)
   const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius(),
                pi = boost::math::constants::pi<double>();
-  const EstimatedWrench found = wrench(StribeckLaw({ 0., 0., 0.1, c, 2. }), load, omega, speed);
-  expect_relative(found.value.force_x, -c * pi * (2. * load.a(0) * speed - omega * R * load.b(1)), 1e-12,
-                  "T_x");
-  expect_relative(found.value.force_y, -c * pi * omega * R * load.a(1), 1e-12, "T_y");
-  expect_relative(found.value.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12,
-                  "tau");
+  const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),
+                                            load.n_harmonics(), omega, speed)(load);
+  expect_relative(found.force_x, -c * pi * (2. * load.a(0) * speed - omega * R * load.b(1)), 1e-12, "T_x");
+  expect_relative(found.force_y, -c * pi * omega * R * load.a(1), 1e-12, "T_y");
+  expect_relative(found.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12, "tau");
 }
 
 TEST(FrictionLaw, StribeckCurveHasItsLimits)
@@ -168,10 +164,10 @@ TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
       sum.force_y -= force * y;
       sum.torque -= force * R * (std::cos(theta) * y - std::sin(theta) * x);
     }
-    const EstimatedWrench found = wrench(law, load, omega, speed);
-    EXPECT_NEAR(found.value.torque, sum.torque, 1e-14) << omega;
-    EXPECT_NEAR(found.value.force_x, sum.force_x, 5e-13) << omega;
-    EXPECT_NEAR(found.value.force_y, sum.force_y, 5e-13) << omega;
+    const Wrench found = friction_functionals(law, load.radii(), load.n_harmonics(), omega, speed)(load);
+    EXPECT_NEAR(found.torque, sum.torque, 1e-14) << omega;
+    EXPECT_NEAR(found.force_x, sum.force_x, 5e-13) << omega;
+    EXPECT_NEAR(found.force_y, sum.force_y, 5e-13) << omega;
   }
 }
 
@@ -182,11 +178,12 @@ TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
   const RingStack load = RingStack::first_harmonic(2.943, { 0.01225, 0. }, 0.03);
   const auto terminal = [&](const FrictionLaw &law)
   {
-    return terminal_spin([&](double omega) { return wrench(law, load, omega, 0.35).value.torque; }, 3e-4,
-                         0.35 / 0.03)
+    return terminal_spin([&](double omega)
+                         { return friction_functionals(law, load.radii(), 1, omega, 0.35).torque(load); },
+                         3e-4, 0.35 / 0.03)
       .omega;
   };
-  const double coulomb = terminal(CoulombLaw(0.3));
+  const double coulomb = terminal(StribeckLaw({ 0.3, 0.3, 0.3 }));
   expect_relative(coulomb, 3.12055870152586, 1e-12, "constant coefficient");
   EXPECT_GT(terminal(StribeckLaw({ 0.5, 0.2, 0.3, 0., 2. })), 1.1 * coulomb);
   EXPECT_LT(terminal(StribeckLaw({ 0.3, 0.3, 0.3, 0.5, 2. })), 0.95 * coulomb);
@@ -194,15 +191,14 @@ TEST(FrictionLaw, StribeckShiftsTheTerminalSpin)
 
 TEST(FrictionLaw, RefusesBadInput)
 {
-  EXPECT_THROW(CoulombLaw(-0.1), std::invalid_argument);
   EXPECT_THROW(StribeckLaw({ -0.5, 0.3, 0.1, 0., 2. }), std::invalid_argument);
   EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0., 0., 2. }), std::invalid_argument);
   EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0.1, 0., 0. }), std::invalid_argument);
   const StribeckLaw law({ 0.5, 0.3, 0.1, 0., 2. });
-  EXPECT_THROW(wrench(law, some_load(), 0., 0.), std::invalid_argument);
-  EXPECT_THROW(wrench(law, some_load(), 1., -1.), std::invalid_argument);
-  EXPECT_THROW(wrench(law, some_load(), 1., 1., 0.), std::invalid_argument);
-  EXPECT_THROW(wrench(law, some_load(), std::numeric_limits<double>::quiet_NaN(), 1.), std::invalid_argument);
+  const auto ask = [&](double omega, double speed) { friction_functionals(law, { 0.03 }, 4, omega, speed); };
+  EXPECT_THROW(ask(0., 0.), std::invalid_argument);
+  EXPECT_THROW(ask(1., -1.), std::invalid_argument);
+  EXPECT_THROW(ask(std::numeric_limits<double>::quiet_NaN(), 1.), std::invalid_argument);
 }
 } // namespace
 } // namespace stemware::ring

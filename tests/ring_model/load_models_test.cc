@@ -25,7 +25,6 @@ void expect_reference_rows(const char *table, double exponent)
     expect_relative(foundation.edge(m), row["c"], 1e-12, name + " edge");
     EXPECT_EQ(foundation.edge(m) <= -1., row["full_contact"].get<bool>()) << name;
     EXPECT_NEAR(std::acos(std::max(-1., foundation.edge(m))), row["theta_c"].get<double>(), 1e-12) << name;
-    expect_relative(foundation.pointwise(m, 0.), row["lambda_max_over_a0"], 1e-12, name + " peak");
     const auto shape = foundation.shape(m);
     for (std::size_t n = 0; n < shape.size(); ++n)
       EXPECT_NEAR(shape[n], row["a_over_a0"][n].get<double>(), 2e-13) << name << " n " << n;
@@ -87,15 +86,19 @@ TEST(UnilateralFoundation, CoefficientsAreThoseOfThePointwiseLoad)
     const auto shape = foundation.shape(m);
     const unsigned int n_points = 20000;
     std::vector<double> load(n_points);
-    const double c = foundation.edge(m), peak = foundation.pointwise(m, 0.);
+    const double c = foundation.edge(m);
+    double mean = 0.;
     for (unsigned int i = 0; i < n_points; ++i)
-      load[i] = peak * std::pow(std::max(0., std::cos(2. * pi * i / n_points) - c) / (1. - c), p);
+    {
+      load[i] = std::pow(std::max(0., std::cos(2. * pi * i / n_points) - c), p);
+      mean += load[i] / n_points;
+    }
     for (unsigned int n = 0; n <= 12; ++n)
     {
       double sum = 0.;
       for (unsigned int i = 0; i < n_points; ++i)
         sum += load[i] * std::cos(2. * pi * i * n / n_points);
-      EXPECT_NEAR(shape[n], sum * (n == 0 ? 1. : 2.) / n_points, 1e-11) << m << " " << n;
+      EXPECT_NEAR(shape[n], sum * (n == 0 ? 1. : 2.) / n_points / mean, 1e-11) << m << " " << n;
     }
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ inline RingStack mirrored(const RingStack &load)
 }
 
 /**
- * CoulombRing::wrench() with the coefficient @p mu by the periodic trapezoidal rule on @p n_points angles:
+ * coulomb_wrench() with the coefficient @p mu by the periodic trapezoidal rule on @p n_points angles:
  * independent of the kernels, and as slow and inexact near |eps| = 1 as such a rule must be. Points without
  * slip carry no friction.
  */

@@ -1,4 +1,4 @@
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/ring_stack.h"
 #include "tests/ring_model/quadrature.h"
@@ -149,20 +149,17 @@ TEST(RingStack, OfSeveralRingsIsTheirSum)
 
 TEST(RingStack, OfSeveralRingsRubsLikeEachRingByItself)
 {
-  const CoulombRing friction(0.3);
   const RingStack load = three_rings();
   for (const double omega : { 0., -3., 11.7, 40. })
   {
-    const Wrench exact = friction.wrench(load, omega, 0.35),
-                 sum = test::wrench_by_quadrature(friction.friction_coefficient(), load, omega, 0.35, 20000);
+    const Wrench exact = coulomb_wrench(0.3, load, omega, 0.35),
+                 sum = test::wrench_by_quadrature(0.3, load, omega, 0.35, 20000);
     EXPECT_NEAR(exact.torque, sum.torque, 1e-7 * 0.3 * 0.03);
     EXPECT_NEAR(exact.force_x, sum.force_x, 1e-6 * 0.3);
     EXPECT_NEAR(exact.force_y, sum.force_y, 1e-6 * 0.3);
-    // Power: T.v + tau omega.
-    EXPECT_NEAR(friction.dissipation(load, omega, 0.35), -(exact.force_x * 0.35 + exact.torque * omega),
-                1e-15);
   }
-  EXPECT_NEAR(friction.wrench(load, 0, 0.35).torque, 0.3 * load.moment().x(), 1e-17); // tau_z(0) = mu M_Nx
+  EXPECT_NEAR(coulomb_wrench(0.3, load, 0, 0.35).torque, 0.3 * load.moment().x(),
+              1e-17); // tau_z(0) = mu M_Nx
 }
 
 TEST(RingStack, GoesThroughItsCoefficients)

@@ -82,9 +82,7 @@ TEST(SelfConsistentRing, BalancesEverythingForAnyModelInBothSenses)
         const double z = closure == Closure::full ? motion.centre_of_mass_height : 0.;
         EXPECT_NEAR(there.load.moment().x(), dz * F_y - z * T_y, 1e-14);
         EXPECT_NEAR(there.load.moment().y(), -dz * F_x + z * T_x, 1e-14);
-        EXPECT_NEAR(there.hand_force.x(), -T_x, 1e-15);
-        EXPECT_NEAR(there.friction.torque * omega + T_x * 0.35,
-                    -CoulombRing(0.3).dissipation(there.load, omega, 0.35), 1e-13);
+        EXPECT_NEAR(there.friction.torque, coulomb_wrench(0.3, there.load, omega, 0.35).torque, 1e-13);
 
         motion.orbit_sense = OrbitSense::clockwise;
         const RingEquilibrium back = SelfConsistentRing(closure, motion, model).at(-omega);

@@ -1,5 +1,5 @@
-#include "ring_model/coulomb_ring.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin_search.h"
 #include "ring_model/terminal_spin.h"
@@ -91,13 +91,12 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 {
   // Reference: all zeros by a scan of 300 intervals.
   test::Numbers numbers(7);
-  const CoulombRing ring(0.3);
   unsigned int n_evaluations = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
     const auto [a, b] = numbers.nonnegative_load(8);
     const RingStack load(a, b, radius);
-    const auto torque = [&](double omega) { return ring.wrench(load, omega, 0.35).torque; };
+    const auto torque = [&](double omega) { return coulomb_wrench(0.3, load, omega, 0.35).torque; };
     const SpinZero zero = find_terminal_spin(torque, { scale, b[1] * scale });
     const double sign = std::copysign(1., b[1]);
     const auto all =

@@ -1,5 +1,5 @@
-#include "ring_model/coulomb_ring.h"
 #include "ring_model/first_harmonic_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/friction_law.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/terminal_spin.h"
@@ -186,10 +186,20 @@ TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyByANegativeLoad)
 
 TEST(TerminalSpin, StopsAtTheFirstRootInTheDirectionOfTheTorque)
 {
-  const auto torque = [](double omega) { return -(omega + 3.) * (omega - 1.) * (omega - 4.5); };
-  expect_relative(terminal_spin(torque, 1., 10., 0.).omega, -3., 1e-14, "from 0");
-  expect_relative(terminal_spin(torque, 1., 10., 2.).omega, 4.5, 1e-14, "from 2");
-  expect_relative(terminal_spin(torque, 1., 10., 9.).omega, 4.5, 1e-14, "from 9");
+  const auto from = [](double initial)
+  {
+    return initial + terminal_spin(
+                       [=](double change)
+                       {
+                         const double omega = initial + change;
+                         return -(omega + 3.) * (omega - 1.) * (omega - 4.5);
+                       },
+                       1., 10.)
+                       .omega;
+  };
+  expect_relative(from(0.), -3., 1e-14, "from 0");
+  expect_relative(from(2.), 4.5, 1e-14, "from 2");
+  expect_relative(from(9.), 4.5, 1e-14, "from 9");
 }
 
 TEST(TerminalSpin, SaysThatThereIsNone)

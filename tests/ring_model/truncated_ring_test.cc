@@ -56,7 +56,7 @@ TEST(TruncatedRing, FrictionActsBackOnTheMoment)
   EXPECT_GT(std::abs(two.load.b(1) - whole.load.b(1)) / whole.load.a(0), 1e-5);
   const auto imbalance = [&](const RingStack &load)
   {
-    const Wrench friction = CoulombRing(motion.friction_coefficient).wrench(load, omega, motion.orbit_speed);
+    const Wrench friction = coulomb_wrench(motion.friction_coefficient, load, omega, motion.orbit_speed);
     return (required_moment(Closure::full, motion, { friction.force_x, friction.force_y }) - load.moment())
              .norm() /
            (motion.normal_force() * 0.03);

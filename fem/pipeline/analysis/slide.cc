@@ -47,12 +47,11 @@ FrictionLaw friction_of_body(const ring::FreeSlider &slider)
 FrictionLaw friction_of_load(const BalancedLoad &load, const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
-  return
-    [load = load.shared_from_this(), ring = ring::CoulombRing(motion.friction_coefficient),
-     reference = motion.orbit_speed, radius = study.glass.profile.contact_radius](double speed, double omega)
+  return [load = load.shared_from_this(), mu = motion.friction_coefficient, reference = motion.orbit_speed,
+          radius = study.glass.profile.contact_radius](double speed, double omega)
   {
     const LeaningLoad at_spin = load->at(omega / speed * reference);
-    return TiltingFriction{ ring.wrench(at_spin, omega, speed), at_spin.moment_ratio(radius) };
+    return TiltingFriction{ ring::coulomb_wrench(mu, at_spin, omega, speed), at_spin.moment_ratio(radius) };
   };
 }
 

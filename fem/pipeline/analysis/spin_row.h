@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/terminal_spin.h"

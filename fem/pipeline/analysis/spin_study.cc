@@ -241,14 +241,11 @@ std::vector<double> driven_spins(const Study &study, const std::shared_ptr<Elast
                                  const ring::OrbitSpeedTable &speeds, const std::vector<double> &times,
                                  double accuracy)
 {
-  const ring::TimedTorqueFunction table_torque = driven_torque(study, foot, speeds);
-  const auto torque = [&](double time, double omega)
-  { return against_grip(table_torque(time, omega), omega, study.motion.grip_torque); };
-  std::vector<double> spins;
-  for (const ring::SpinSample &sample :
-       ring::spin_up(torque, study.motion.orbit.yaw_inertia, 0, times, accuracy, spin_unit(study)))
-    spins.push_back(sample.omega);
-  return spins;
+  const ring::PhasedTorqueFunction table_torque = driven_torque(study, foot, speeds);
+  const auto torque = [&](double time, double yaw_angle, double omega)
+  { return against_grip(table_torque(time, yaw_angle, omega), omega, study.motion.grip_torque); };
+  return spins_of(
+    ring::yaw_motion(torque, study.motion.orbit.yaw_inertia, 0, times, accuracy, spin_unit(study)));
 }
 
 std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,

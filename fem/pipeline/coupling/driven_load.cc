@@ -12,14 +12,14 @@
 namespace stemware::pipeline
 {
 
-ring::TimedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                        const ring::OrbitSpeedTable &speeds)
+ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                                         const ring::OrbitSpeedTable &speeds)
 {
   const ring::Motion &motion = study.motion.orbit;
   if (!study.load.is_from_contact())
     return ring::driven_torque(study.motion.closure, motion, study.glass.profile.contact_radius, speeds);
   return [foot, speeds, motion, tilts = study.tilts(), moments = moment_balance(study),
-          file = study.motion.orbit_speed_file](double time, double omega)
+          file = study.motion.orbit_speed_file](double time, double, double omega)
   {
     ContactBalance balance = { moments, tilts };
     balance.moments.motion = speeds.motion_at(motion, time);

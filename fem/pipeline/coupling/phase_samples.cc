@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/phase_samples.h"
 
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +33,12 @@ Eigen::VectorXd PhaseGrids::weights(const ring::Orientation &phase) const
 
 double torque_difference(const LeaningLoad &one, const LeaningLoad &other)
 {
-  const ring::CoulombRing friction(1);
   const double radius = other.radius();
   double largest = 0;
   for (int quarter = -4; quarter <= 4; ++quarter)
   {
     const auto torque = [&](const LeaningLoad &load)
-    { return friction.wrench(load, quarter / 4., radius).torque; };
+    { return ring::coulomb_wrench(1, load, quarter / 4., radius).torque; };
     largest = std::max(largest, std::abs(torque(one) - torque(other)));
   }
   return largest / (other.normal_force() * radius);

@@ -7,17 +7,29 @@
 
 using namespace stemware::fem;
 
-TEST(FourierBasis, ValuesAreTheTrigonometricFunctions)
+namespace
 {
-  const FourierBasis basis(5, 24);
+/// Values of the modes on the lines, or of their conjugates, shape [n_lines, n_modes].
+Eigen::MatrixXd mode_table(const FourierBasis &basis, bool of_conjugates)
+{
+  Eigen::MatrixXd table(basis.n_lines(), basis.n_modes());
   for (unsigned int j = 0; j < basis.n_lines(); ++j)
     for (unsigned int mode = 0; mode < basis.n_modes(); ++mode)
     {
       const double angle = FourierBasis::harmonic(mode) * basis.azimuth(j);
       const bool sine = FourierBasis::is_sine(mode);
-      EXPECT_NEAR(basis.values()(j, mode), sine ? std::sin(angle) : std::cos(angle), 1e-14);
-      EXPECT_NEAR(basis.conjugates()(j, mode), sine ? -std::cos(angle) : std::sin(angle), 1e-14);
+      table(j, mode) = sine != of_conjugates ? std::sin(angle) : (of_conjugates ? -1 : 1) * std::cos(angle);
     }
+  return table;
+}
+} // namespace
+
+TEST(FourierBasis, ValuesAreTheTrigonometricFunctions)
+{
+  const FourierBasis basis(5, 24);
+  const Eigen::MatrixXd each = Eigen::MatrixXd::Identity(basis.n_modes(), basis.n_modes());
+  EXPECT_LT((basis.evaluate(each) - mode_table(basis, false).transpose()).norm(), 1e-13);
+  EXPECT_LT((basis.evaluate_conjugates(each) - mode_table(basis, true).transpose()).norm(), 1e-13);
 }
 
 TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
@@ -25,6 +37,7 @@ TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
   const FourierBasis basis(4, 16); // products reach beyond the highest harmonic that the lines tell apart
   const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(2, 16);
   const FourierProducts products(basis, samples, true);
+  const Eigen::MatrixXd modes = mode_table(basis, false), conjugates = mode_table(basis, true);
   for (unsigned int row = 0; row < basis.n_modes(); ++row)
     for (unsigned int column = 0; column < basis.n_modes(); ++column)
       for (Eigen::Index f = 0; f < 2; ++f)
@@ -33,8 +46,8 @@ TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
         double partner_sum = 0;
         for (unsigned int j = 0; j < 16; ++j)
         {
-          sum += samples(f, j) * basis.values()(j, row) * basis.values()(j, column);
-          partner_sum += samples(f, j) * basis.conjugates()(j, row) * basis.values()(j, column);
+          sum += samples(f, j) * modes(j, row) * modes(j, column);
+          partner_sum += samples(f, j) * conjugates(j, row) * modes(j, column);
         }
         EXPECT_NEAR(products(row, column)(f), sum, 1e-13) << row << ", " << column;
         EXPECT_NEAR(products.with_conjugate(row, column)(f), partner_sum, 1e-13) << row << ", " << column;
@@ -54,9 +67,9 @@ TEST(FourierBasis, ProjectsAndEvaluatesLikeTheTablesOfItsModes)
     const FourierBasis basis(4, n_lines);
     const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(3, n_lines);
     const Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Random(3, basis.n_modes());
-    EXPECT_LT((basis.project(samples) - samples * basis.values()).norm(), 1e-13);
-    EXPECT_LT((basis.project_on_conjugates(samples) - samples * basis.conjugates()).norm(), 1e-13);
-    EXPECT_LT((basis.evaluate(amplitudes) - amplitudes * basis.values().transpose()).norm(), 1e-13);
+    EXPECT_LT((basis.project(samples) - samples * mode_table(basis, false)).norm(), 1e-13);
+    EXPECT_LT((basis.project_on_conjugates(samples) - samples * mode_table(basis, true)).norm(), 1e-13);
+    EXPECT_LT((basis.evaluate(amplitudes) - amplitudes * mode_table(basis, false).transpose()).norm(), 1e-13);
   }
 }
 

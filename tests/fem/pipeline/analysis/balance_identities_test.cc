@@ -131,7 +131,7 @@ TEST_P(BalanceOnTables, TorqueAtRestIsThatOfTheMoment)
     const ring::Motion &motion = study.motion.orbit;
     const LeaningLoad rest = load->at(0);
     const ring::Wrench friction =
-      ring::CoulombRing(motion.friction_coefficient).wrench(rest, 0, motion.orbit_speed);
+      ring::coulomb_wrench(motion.friction_coefficient, rest, 0, motion.orbit_speed);
     const Eigen::Vector3d T(friction.force_x, friction.force_y, 0), k(0, 0, 1),
       F = Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -
           T;

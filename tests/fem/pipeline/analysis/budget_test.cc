@@ -245,7 +245,6 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   const Budget budget = budget_of(study, rich_load());
-  const ring::CoulombRing friction(motion.friction_coefficient);
   const double terminal = *budget.rows.back().omega_terminal;
   for (const BudgetRow &row : budget.rows)
     if (row.step.number != 1)
@@ -253,7 +252,9 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
       {
         const ring::RingStack kept = rich_load().truncated(row.harmonics.value_or(9));
         const double omega = terminal * static_cast<double>(i) / 2;
-        EXPECT_NEAR(*row.torques[i], friction.wrench(kept, omega, motion.orbit_speed).torque, 1e-16)
+        EXPECT_NEAR(*row.torques[i],
+                    ring::coulomb_wrench(motion.friction_coefficient, kept, omega, motion.orbit_speed).torque,
+                    1e-16)
           << row.name << " " << i;
       }
   EXPECT_NEAR(*budget.rows.front().torques[0],
@@ -266,7 +267,10 @@ TEST(Budget, TorquesOfEveryRowAtTheSpinsOfTheStudy)
   for (std::size_t i = 0; i < budget.omega.size(); ++i)
   {
     const auto torque = [&](const ring::RingStack &load)
-    { return friction.wrench(load, budget.omega[i], motion.orbit_speed).torque; };
+    {
+      return ring::coulomb_wrench(motion.friction_coefficient, load, budget.omega[i], motion.orbit_speed)
+        .torque;
+    };
     EXPECT_NEAR(budget.torque_all[i], torque(rich_load()), 1e-16);
     EXPECT_NEAR(budget.torque_first[i], torque(rich_load().truncated(1)), 1e-16);
   }

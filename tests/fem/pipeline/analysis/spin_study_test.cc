@@ -45,14 +45,16 @@ TEST(SpinStudy, TerminalSpinIsFreeOfTorque)
 TEST(SpinStudy, BoundHoldsForEveryTruncation)
 {
   const ring::Motion motion;
-  const ring::CoulombRing friction(motion.friction_coefficient);
   const ring::RingStack load = rich_load();
   const SpinStudy study = study_spin_of(load);
   const double omega = study.all().terminal->omega;
   for (const SpinRow &row : study.rows)
   {
-    const double change = friction.wrench(load.truncated(row.harmonics), omega, motion.orbit_speed).torque -
-                          friction.wrench(load, omega, motion.orbit_speed).torque;
+    const double change =
+      ring::coulomb_wrench(motion.friction_coefficient, load.truncated(row.harmonics), omega,
+                           motion.orbit_speed)
+        .torque -
+      ring::coulomb_wrench(motion.friction_coefficient, load, omega, motion.orbit_speed).torque;
     EXPECT_LE(std::abs(change), *row.bound + 1e-16) << row.harmonics;
   }
   EXPECT_GT(*study.rows.front().bound, 0);
@@ -88,10 +90,11 @@ TEST(SpinStudy, TorqueCurvePassesThroughRestAndTerminalSpin)
     EXPECT_EQ(curve.friction[i - 1].torque * curve.friction[i].torque < 0, encloses_terminal) << i;
   }
   EXPECT_EQ(curve.harmonics, std::vector<unsigned int>{ 1 });
-  const ring::CoulombRing friction(ring::Motion().friction_coefficient);
-  EXPECT_NEAR(
-    curve.truncations.front().front(),
-    friction.wrench(rich_load().truncated(1), curve.omega.front(), ring::Motion().orbit_speed).torque, 1e-16);
+  EXPECT_NEAR(curve.truncations.front().front(),
+              ring::coulomb_wrench(ring::Motion().friction_coefficient, rich_load().truncated(1),
+                                   curve.omega.front(), ring::Motion().orbit_speed)
+                .torque,
+              1e-16);
 }
 
 TEST(SpinStudy, EulerConvergesAtFirstOrderToTheAdaptiveSpinUp)
@@ -118,12 +121,14 @@ TEST(SpinStudy, EveryCurveIsOfTheLoadThatItIsNamedAfter)
   const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
   const auto follow = [&](const ring::RingStack &load)
   {
-    const ring::CoulombRing friction(motion.friction_coefficient);
     double omega = 0;
     const int n_steps = 4000;
     const double step = study.motion.end_time / n_steps;
     const auto rate = [&](double spin)
-    { return friction.wrench(load, spin, motion.orbit_speed).torque / motion.yaw_inertia; };
+    {
+      return ring::coulomb_wrench(motion.friction_coefficient, load, spin, motion.orbit_speed).torque /
+             motion.yaw_inertia;
+    };
     for (int i = 0; i < n_steps; ++i) // midpoint rule
       omega += step * rate(omega + step / 2 * rate(omega));
     return omega;
@@ -216,9 +221,11 @@ TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
   EXPECT_EQ(fallen.budget.rows.back().standing, Standing::tips);
   EXPECT_FALSE(fallen.budget.harmonics.absolute);
 
-  const ring::CoulombRing friction(motion.friction_coefficient);
   const auto time_per_spin = [&](double omega)
-  { return motion.yaw_inertia / friction.wrench(rich_load(), omega, motion.orbit_speed).torque; };
+  {
+    return motion.yaw_inertia /
+           ring::coulomb_wrench(motion.friction_coefficient, rich_load(), omega, motion.orbit_speed).torque;
+  };
   double time = 0;
   constexpr int n_intervals = 200;
   const double step = row.fall->omega / n_intervals;

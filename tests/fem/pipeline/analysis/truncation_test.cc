@@ -29,7 +29,6 @@ TEST(Truncation, RowsOfAGivenLoad)
   const TruncationStudy result =
     study_truncations(study, nullptr, *given_load(rich_load()), { -1, -5 }, cache);
   const ring::Motion &motion = study.motion.orbit;
-  const ring::CoulombRing friction(motion.friction_coefficient);
   std::vector<unsigned int> orders;
   for (const SpinRow &row : result.rows)
   {
@@ -37,8 +36,12 @@ TEST(Truncation, RowsOfAGivenLoad)
     const ring::RingStack kept = rich_load().truncated(row.harmonics);
     EXPECT_NEAR(row.terminal->omega, ring::terminal_spin(kept, motion).omega, 1e-10) << row.harmonics;
     ASSERT_EQ(row.torques.size(), 2u);
-    EXPECT_NEAR(row.torques[0], friction.wrench(kept, -1, motion.orbit_speed).torque, 1e-16);
-    EXPECT_NEAR(row.torques[1], friction.wrench(kept, -5, motion.orbit_speed).torque, 1e-16);
+    EXPECT_NEAR(row.torques[0],
+                ring::coulomb_wrench(motion.friction_coefficient, kept, -1, motion.orbit_speed).torque,
+                1e-16);
+    EXPECT_NEAR(row.torques[1],
+                ring::coulomb_wrench(motion.friction_coefficient, kept, -5, motion.orbit_speed).torque,
+                1e-16);
     EXPECT_EQ(row.spin_up.size(), result.time.size());
   }
   EXPECT_EQ(orders, (std::vector<unsigned int>{ 1, 2, 3, 4, 6, 8, 9 }));

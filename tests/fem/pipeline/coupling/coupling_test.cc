@@ -1,7 +1,7 @@
 // Loads in balance with friction at every spin: balances from their neighbours, curves between samples.
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/load_curve.h"
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/unilateral_foundation.h"
 
 #include <Eigen/Geometry>
@@ -126,13 +126,13 @@ TEST(BalancedLoad, CarriesWhatItsOwnFrictionAsksFor)
 {
   // M_N = -dz k x F + z_CM k x T with F = m a - T, written out in three dimensions.
   const ring::Motion motion;
-  const ring::CoulombRing friction(motion.friction_coefficient);
   for (const unsigned int n : { 1u, 3u, 1000u })
     for (const double omega : { 0., -3.6, 5. })
     {
       const ring::RingStack load = balanced_rim(n)->at(omega);
       EXPECT_LE(load.n_harmonics(), n);
-      const ring::Wrench wrench = friction.wrench(load, omega, motion.orbit_speed);
+      const ring::Wrench wrench =
+        ring::coulomb_wrench(motion.friction_coefficient, load, omega, motion.orbit_speed);
       const Eigen::Vector3d T(wrench.force_x, wrench.force_y, 0),
         F =
           Eigen::Vector3d(0, motion.mass * motion.orbit_speed * motion.orbit_speed / motion.orbit_radius, 0) -

@@ -1,7 +1,7 @@
 // A load that depends on where the marks of glass and table stand: entries, interpolation, and the spin that
 // follows.
 #include "fem/pipeline/coupling/phase_loads.h"
-#include "ring_model/coulomb_ring.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/no_balance.h"
 #include "tests/ring_model/quadrature.h"
 
