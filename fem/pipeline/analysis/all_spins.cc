@@ -81,10 +81,7 @@ private:
     const LeaningLoad &below = at(lower), &above = at(upper);
     const unsigned int n = std::max(below.n_harmonics(), above.n_harmonics());
     const double share = (omega - lower) / (upper - lower);
-    std::vector<double> row = below.coefficients(n);
-    const std::vector<double> other = above.coefficients(n);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      row[i] += share * (other[i] - row[i]);
+    const Eigen::VectorXd row = (1 - share) * below.coefficients(n) + share * above.coefficients(n);
     return LeaningLoad::from_coefficients(row, below.rings().size());
   }
 

@@ -2,7 +2,7 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/phases.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/variants/solve.h"

@@ -39,11 +39,9 @@ private:
 class InterpolatedLoad : public ChangedLoad
 {
 public:
-  InterpolatedLoad(SharedLoad whole, const LoadCurve &samples, double lower, double upper)
+  InterpolatedLoad(SharedLoad whole, const LoadCurve &curve, double lower, double upper)
       : ChangedLoad(std::move(whole))
-      , inside(samples.interpolate())
-      , is_one_polynomial(samples.n_pieces() == 1)
-      , error(samples.error())
+      , inside(curve)
       , lower(lower)
       , upper(upper)
   {
@@ -58,19 +56,18 @@ public:
   {
     std::optional<CouplingStatistics> statistics = whole->statistics();
     if (statistics)
-      statistics->interpolation_error = error;
+      statistics->interpolation_error = inside.error();
     return statistics;
   }
   /// The load between @p begin and @p end where one polynomial gives it; else nothing.
   LoadFunction polynomial_on(double begin, double end) const
   {
-    return is_one_polynomial && lower <= begin && end <= upper ? inside : LoadFunction();
+    return inside.n_pieces() == 1 && lower <= begin && end <= upper ? inside : LoadFunction();
   }
 
 private:
-  const LoadFunction inside;
-  const bool is_one_polynomial;
-  const double error, lower, upper;
+  const LoadCurve inside;
+  const double lower, upper;
 };
 
 /// The load of a model of the ring in balance at every spin. Loads are kept.
@@ -129,7 +126,7 @@ SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarses
     source.reference = other->polynomial_on(lower, upper);
   CurveTolerance tolerance;
   tolerance.coarsest = std::max(coarsest, tolerance.coarsest);
-  const LoadCurve curve = sample_load_curve(source, lower, upper, tolerance);
+  const LoadCurve curve(source, lower, upper, tolerance);
   if (curve.error() > tolerance.coarsest)
     return shared_from_this();
   return std::make_shared<InterpolatedLoad>(shared_from_this(), curve, lower, upper);

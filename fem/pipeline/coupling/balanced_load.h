@@ -62,7 +62,7 @@ public:
   SharedLoad truncated(unsigned int n_harmonics) const;
 
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
-  /// would be a balance of its own: interpolated between exact ones (sample_load_curve()) to 1e-6 of a_0
+  /// would be a balance of its own: interpolated between exact ones (LoadCurve) to 1e-6 of a_0
   /// where few of them suffice, else to 1e-5, or to @p coarsest if that is more, else exact; outside exact.
   /// The error is in its statistics(). A load that is not costly stays as it is. Where @p like, another
   /// interpolated load on the same rings, has no kink, the difference to it is interpolated.

@@ -14,23 +14,21 @@ namespace stemware::pipeline
 template <typename Find>
 auto if_balanced(const Find &find, std::string *reason = nullptr) -> std::optional<decltype(find())>
 {
-  const auto note = [&](const std::exception &failure)
-  {
-    if (reason)
-      *reason = failure.what();
-  };
+  std::string sentence;
   try
   {
     return find();
   }
   catch (const ring::NoBalance &failure)
   {
-    note(failure);
+    sentence = failure.what();
   }
   catch (const fem::ContactFailure &failure)
   {
-    note(failure);
+    sentence = failure.what();
   }
+  if (reason)
+    *reason = sentence;
   return std::nullopt;
 }
 

@@ -30,16 +30,16 @@ struct LeaningLoad : ring::RingStack
 
   /// All numbers in a row, RingStack::coefficients() and the tilt: rows of equally many rings and harmonics
   /// may be added and interpolated.
-  std::vector<double> coefficients(unsigned int n_harmonics) const
+  Eigen::VectorXd coefficients(unsigned int n_harmonics) const
   {
-    std::vector<double> row = RingStack::coefficients(n_harmonics);
-    row.insert(row.end(), { tilt.x(), tilt.y() });
+    const std::vector<double> of_rings = RingStack::coefficients(n_harmonics);
+    Eigen::VectorXd row(of_rings.size() + 2);
+    row << Eigen::Map<const Eigen::VectorXd>(of_rings.data(), row.size() - 2), tilt;
     return row;
   }
-  static LeaningLoad from_coefficients(const std::vector<double> &row, std::size_t n_rings)
+  static LeaningLoad from_coefficients(const Eigen::VectorXd &row, std::size_t n_rings)
   {
-    const Eigen::Vector2d tilt(*(row.end() - 2), row.back());
-    return { RingStack::from_coefficients({ row.begin(), row.end() - 2 }, n_rings), tilt };
+    return { RingStack::from_coefficients({ row.begin(), row.end() - 2 }, n_rings), row.tail<2>() };
   }
 
   LeaningLoad truncated(unsigned int n_harmonics) const

@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/coupling/leaning_load.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -36,70 +38,70 @@ struct CurveTolerance
   std::size_t most_samples = 200;
 };
 
-/// Samples from which a load can be interpolated, piece by piece: a new piece begins where the rim lifts off,
-/// and where one polynomial would need too many.
+/// A load interpolated between samples, piece by piece: a new piece begins where the rim lifts off, and where
+/// one polynomial would need too many.
 class LoadCurve
 {
 public:
-  /// One polynomial, in a coordinate in which the load is smooth. Where a rim lifts off, a load has half
-  /// powers of the distance to that place, or logarithms: towards it the coordinate is the root of the
-  /// distance.
-  class Piece
-  {
-  public:
-    /// Between @p begin and @p end; @p kink_at_begin and @p kink_at_end: whether the rim lifts off there, or
-    /// stands again.
-    Piece(double begin, double end, bool kink_at_begin, bool kink_at_end);
+  /// Samples @p source on [@p lower, @p upper]. Where the rim begins to lift off is found first. The
+  /// polynomial on each piece is given sample after sample at Leja's points (or next to them, where the load
+  /// is known), each of which tells the error of the polynomial before it; a piece for which 17 do not do is
+  /// halved. The worst piece comes first, until @p tolerance is reached or the samples are used up: error()
+  /// tells. @p source is not asked afterwards, but for its reference.
+  LoadCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
-    double end() const { return last; }
-    bool has_inside(double x) const { return first < x && x < last; }
-
-    /// Its smooth coordinate, from 0 to 1.
-    double coordinate(double x) const;
-    /// The inverse of coordinate().
-    double place(double coordinate) const;
-    /// The two halves in the smooth coordinate.
-    std::pair<Piece, Piece> halves() const;
-
-  private:
-    double first, last;
-    bool kink_at_first, kink_at_last;
-  };
-
-  /// The load between the samples; from the first sample to the last.
-  LoadFunction interpolate() const;
+  /// The load between the samples, and beyond the first and the last as there.
+  LeaningLoad operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }
-  std::size_t n_samples() const { return n_sampled; }
-  /// Bound on the interpolation's error that checks have confirmed, see RingStack::difference().
+  /// Samples that were not known.
+  std::size_t n_samples() const { return n_new; }
+  /// Bound on the interpolation's error that checks have confirmed.
   double error() const;
   /// Where the rim lifts off, ascending.
   const std::vector<double> &lift_offs() const { return kinks; }
 
 private:
-  friend class CurveSampler;
-  /// The polynomial through its nodes, made anew with each of them.
-  struct Interpolated
+  /// One polynomial, in a coordinate in which the load is smooth. Where a rim lifts off, or stands again, a
+  /// load has half powers of the distance to that place, or logarithms: towards it the coordinate is the root
+  /// of the distance.
+  struct Piece
   {
-    void interpolate();
+    /// Its smooth coordinate, from 0 to 1.
+    double coordinate(double x) const;
+    /// The inverse of coordinate().
+    double place(double coordinate) const;
+    /// Weights of the nodes' values in the polynomial.
+    Eigen::VectorXd weights(double coordinate) const;
+    LeaningLoad at(double x) const;
     double error() const;
+    void add(double x, const LeaningLoad &load);
 
-    Piece piece;
-    std::map<double, LeaningLoad> nodes; ///< by the piece's coordinate
-    LoadFunction reference;              ///< CurveSource::reference
-    LoadFunction load;                   ///< between the nodes
-    double estimate = 0;                 ///< of its error, by what its nodes have told
+    double begin, end;
+    bool kink_at_begin, kink_at_end;
+    LoadFunction reference;                   ///< CurveSource::reference
+    std::map<double, LeaningLoad> nodes = {}; ///< by coordinate()
+    double estimate = 0;                      ///< of its error, by what its nodes have told
+    unsigned int n_harmonics = 0;
+    Eigen::MatrixXd rows = {}; ///< LeaningLoad::coefficients() of the nodes, less those of the reference
   };
-  std::vector<Interpolated> pieces; ///< ascending
-  std::vector<double> kinks;
-  std::size_t n_sampled = 0;
-};
 
-/// Samples @p source on [@p lower, @p upper]. Where the rim begins to lift off is found first. The polynomial
-/// on each piece is given sample after sample at Leja's points (or next to them, where the load is known),
-/// each of which tells the error of the polynomial before it; a piece for which 17 do not do is halved. The
-/// worst piece comes first, until @p tolerance is reached or the samples are used up: error() tells.
-LoadCurve sample_load_curve(const CurveSource &source, double lower, double upper,
-                            const CurveTolerance &tolerance = {});
+  const LeaningLoad &sample(const CurveSource &source, double x);
+  /// Between which of the known places the rim begins to lift off, or stands again, and where.
+  void find_kinks(const CurveSource &source);
+  Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
+                     bool kink_at_end);
+  /// Adds a sample where the polynomial through the others is worst known: what it is off by there tells its
+  /// error, and bounds that of the polynomial through all.
+  void refine(const CurveSource &source, Piece &piece);
+  /// Where the product of the distances to all nodes is largest (Leja's points), or a place where the load is
+  /// known and that product is not much smaller.
+  double next_place(const Piece &piece) const;
+
+  std::map<double, LeaningLoad> samples; ///< by x
+  std::vector<Piece> pieces;             ///< ascending
+  std::vector<double> kinks;
+  std::size_t n_new = 0; ///< of the samples
+};
 
 } // namespace stemware::pipeline

@@ -24,7 +24,8 @@ void require_known_body(const Study &study)
       "set Contact/Body = revolution, or build it with a deal.II that has the three.");
 }
 
-std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache)
+std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
+                                     const fem::Foot *similar)
 {
   require_known_body(study);
   try
@@ -32,7 +33,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     switch (study.contact.body)
     {
     case BodyKind::solid:
-      return make_solid_foot(study);
+      return make_solid_foot(study, similar);
     case BodyKind::revolution:
       return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study), cache);
     }
@@ -48,7 +49,8 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache
                                         const ElasticFoot *similar)
 {
   return study_foot(
-    study, [&](const Study &asked) { return make_foot(asked, cache); }, progress, similar);
+    study, [&](const Study &asked, const fem::Foot *like) { return make_foot(asked, cache, like); }, progress,
+    similar);
 }
 
 bool has_focused_mesh(const Study &study)

@@ -60,9 +60,9 @@ std::vector<PhaseSamples> sample(const LoadAtPhase &load, const std::vector<doub
     {
       const LeaningLoad exact = load(omegas[k], grids.phase(i));
       n_rings = exact.rings().size();
-      const std::vector<double> row_of = exact.coefficients(exact.n_harmonics());
-      columns[k].conservativeResize(static_cast<Eigen::Index>(row_of.size()), grids.size());
-      columns[k].col(i) = Eigen::Map<const Eigen::VectorXd>(row_of.data(), columns[k].rows());
+      const Eigen::VectorXd column = exact.coefficients(exact.n_harmonics());
+      columns[k].conservativeResize(column.size(), grids.size());
+      columns[k].col(i) = column;
     }
   }
   std::vector<PhaseSamples> samples;

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/coupling/phase_samples.h"
-#include "fem/pipeline/coupling/spin_interval.h"
-
-#include <Eigen/Core>
+#include "fem/pipeline/coupling/phases.h"
 
 #include <exception>
 #include <functional>

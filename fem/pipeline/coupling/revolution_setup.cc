@@ -1,7 +1,6 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 
-#include "fem/pipeline/coupling/deforming_friction.h"
-#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/phases.h"
 
 namespace stemware::pipeline
 {

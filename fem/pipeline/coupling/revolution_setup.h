@@ -9,4 +9,18 @@ namespace stemware::pipeline
 /// The foot of revolution and the table that @p study asks for, resolved for its weight.
 fem::RevolutionSetup revolution_setup(const Study &study);
 
+/// Gives @p setup, a fem::RevolutionSetup or fem::SolidSetup, the friction that deforms the body, where one
+/// does.
+template <typename Setup>
+void set_friction(const Study &study, Setup &setup)
+{
+  if (!study.friction_deforms())
+    return;
+  const ring::Motion &motion = study.motion.orbit;
+  setup.friction_coefficient = motion.friction_coefficient;
+  if (!motion.has_constant_friction())
+    setup.friction_by_slip = [motion](double relative_slip)
+    { return motion.friction_at(relative_slip * motion.orbit_speed); };
+}
+
 } // namespace stemware::pipeline

@@ -1,6 +1,6 @@
 #include "fem/pipeline/coupling/solid_feet.h"
 
-#include "fem/pipeline/coupling/deforming_friction.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
@@ -9,9 +9,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <iterator>
-#include <map>
 #include <string>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -73,6 +72,21 @@ fem::SolidSetup solid_setup(const Study &study)
   return setup;
 }
 
+/// A solid foot that knows with which others it may share its mesh and elements.
+class StudyFoot : public fem::SolidFoot
+{
+public:
+  /// @p similar has the same @p elements_given, if any.
+  StudyFoot(const fem::SolidMesh &mesh, const fem::SolidSetup &setup, const StudyFoot *similar,
+            std::string elements_given)
+      : SolidFoot(mesh, setup, similar)
+      , elements(std::move(elements_given))
+  {
+  }
+
+  const std::string elements; ///< elements_of()
+};
+
 } // namespace
 
 bool has_solid_feet()
@@ -80,21 +94,14 @@ bool has_solid_feet()
   return true;
 }
 
-std::shared_ptr<fem::Foot> make_solid_foot(const Study &study)
+std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const fem::Foot *similar)
 {
-  // Variants of a study differ mostly in what lies under the mesh or slides there: such feet, solved one
-  // after another on all ranks, share the elements of the first while one of them is in use.
-  static std::map<std::string, std::weak_ptr<const fem::SolidFoot>> in_use;
-  for (auto one = in_use.begin(); one != in_use.end();)
-    one = one->second.expired() ? in_use.erase(one) : std::next(one);
   const fem::SolidSetup setup = solid_setup(study);
   const std::string elements = elements_of(study);
-  const std::shared_ptr<const fem::SolidFoot> similar = in_use[elements].lock();
-  const auto foot =
-    std::make_shared<fem::SolidFoot>(similar ? similar->own_mesh() : solid_mesh(study), setup, similar.get());
-  if (!similar)
-    in_use[elements] = foot;
-  return foot;
+  const auto *other = dynamic_cast<const StudyFoot *>(similar);
+  if (other && other->elements != elements)
+    other = nullptr;
+  return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study), setup, other, elements);
 }
 
 } // namespace stemware::pipeline

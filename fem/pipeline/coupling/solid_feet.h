@@ -14,6 +14,6 @@ bool has_solid_feet();
 
 /// make_foot() of a study with a solid body, where has_solid_feet(). Throws BadInput for a mesh file that
 /// cannot be used, std::invalid_argument for a setup that cannot.
-std::shared_ptr<fem::Foot> make_solid_foot(const Study &study);
+std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const fem::Foot *similar);
 
 } // namespace stemware::pipeline

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/orientation.h"
 #include "fem/pipeline/coupling/phase_loads.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
@@ -372,7 +371,8 @@ std::shared_ptr<ElasticFoot> study_foot(const Study &study, const FootMaker &mak
 {
   if (!study.load.is_from_contact())
     return nullptr;
-  auto foot = std::make_shared<ElasticFoot>(make_foot(study), study.glass.profile.contact_radius);
+  auto foot = std::make_shared<ElasticFoot>(make_foot(study, similar ? &similar->body() : nullptr),
+                                            study.glass.profile.contact_radius);
   if (similar)
     foot->start_like(*similar);
   progress.stage_done("mesh_and_stiffness");

@@ -12,8 +12,9 @@
 namespace stemware::pipeline
 {
 
-/// Makes the foot that a study asks for, on its table; answers depend on the study alone.
-using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &)>;
+/// Makes the foot that a study asks for, on its table; answers depend on the study alone. It may share what
+/// is the same with @p similar, nothing or a foot that is not asked while it solves.
+using FootMaker = std::function<std::shared_ptr<fem::Foot>(const Study &, const fem::Foot *similar)>;
 
 /// The foot of a study, by @p make_foot; nothing where the load does not come from a contact. Its contacts
 /// start from what those of @p similar let expect, the foot of a study that differs little, if any. Throws as

@@ -10,7 +10,7 @@ bool has_solid_feet()
   return false;
 }
 
-std::shared_ptr<fem::Foot> make_solid_foot(const Study &)
+std::shared_ptr<fem::Foot> make_solid_foot(const Study &, const fem::Foot *)
 {
   throw std::logic_error("a solid foot is asked of a program that makes none");
 }

@@ -12,8 +12,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -26,91 +28,79 @@ std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: a 
 std::optional<fem::ContactState> last_contact;                     // NOLINT
 std::string reply;                                                 // NOLINT: what the page reads
 
-std::string json(double value)
+/// A value as JSON.
+struct Json
 {
-  if (!std::isfinite(value))
-    return "null";
-  // Not the shortest text: where the standard library does not have it, that takes seventeen trials.
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.17g", value);
-  return text.data();
-}
-
-std::string json(bool value)
-{
-  return value ? "true" : "false";
-}
-
-std::string json(unsigned int value)
-{
-  return std::to_string(value);
-}
-
-std::string json(const std::string &text)
-{
-  std::string result = "\"";
-  for (const char letter : text)
-    if (letter == '"' || letter == '\\')
-      result += std::string("\\") + letter;
-    else
-      result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-  return result + '"';
-}
-
-std::string json(const char *text)
-{
-  return json(std::string(text));
-}
-
-std::string json(const Eigen::Vector2d &vector)
-{
-  return '[' + json(vector.x()) + ',' + json(vector.y()) + ']';
-}
-
-template <typename Value>
-std::string json(const std::optional<Value> &value)
-{
-  return value ? json(*value) : "null";
-}
-
-template <typename Value>
-std::string json(const std::vector<Value> &values)
-{
-  std::string text;
-  for (const Value &value : values)
-    text += (text.empty() ? "[" : ",") + json(value);
-  return text.empty() ? "[]" : text + ']';
-}
-
-/// Text that is JSON already.
-struct Made
-{
-  std::string text;
-};
-
-std::string json(const Made &made)
-{
-  return made.text;
-}
-
-/// A JSON object that grows.
-class Object
-{
-public:
-  template <typename Value>
-  Object &add(const std::string &key, const Value &value)
+  Json(double value)
+      : text("null")
   {
-    text += (text.empty() ? "{" : ",") + json(key) + ':' + json(value);
-    return *this;
+    if (!std::isfinite(value))
+      return;
+    // Not the shortest text: where the standard library does not have it, that takes seventeen trials.
+    std::array<char, 32> digits;
+    std::snprintf(digits.data(), digits.size(), "%.17g", value);
+    text = digits.data();
   }
-  Made made() const { return { text.empty() ? "{}" : text + '}' }; }
+  Json(bool value)
+      : text(value ? "true" : "false")
+  {
+  }
+  Json(unsigned int value)
+      : text(std::to_string(value))
+  {
+  }
+  Json(const std::string &value)
+      : text("\"")
+  {
+    for (const char letter : value)
+      if (letter == '"' || letter == '\\')
+        text += std::string("\\") + letter;
+      else
+        text += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    text += '"';
+  }
+  Json(const char *value)
+      : Json(std::string(value))
+  {
+  }
+  Json(const Eigen::Vector2d &vector)
+      : Json(std::vector<double>(vector.begin(), vector.end()))
+  {
+  }
+  template <typename Value>
+  Json(const std::optional<Value> &value)
+      : text(value ? Json(*value).text : "null")
+  {
+  }
+  template <typename Value>
+  Json(const std::vector<Value> &values)
+      : text("[")
+  {
+    for (const Value &value : values)
+      text += (text == "[" ? "" : ",") + Json(value).text;
+    text += ']';
+  }
+  /// An object.
+  using Members = std::initializer_list<std::pair<const char *, Json>>;
+  Json(Members members)
+      : text("{}")
+  {
+    for (const auto &[key, value] : members)
+      add(key, value);
+  }
 
-private:
+  /// Adds a member to an object.
+  void add(const std::string &key, const Json &value)
+  {
+    text.pop_back();
+    text += (text == "{" ? "" : ",") + Json(key).text + ':' + value.text + '}';
+  }
+
   std::string text;
 };
 
 /// State of the rim: its load by harmonics, friction and torques.
-Made state_json(const RingState &state, double contact_radius)
+Json state_json(const RingState &state, double contact_radius)
 {
   const ring::RingStack &load = state.load;
   std::vector<double> a, b;
@@ -119,42 +109,39 @@ Made state_json(const RingState &state, double contact_radius)
     a.push_back(load.a(n));
     b.push_back(load.b(n));
   }
-  return Object()
-    .add("a", a)
-    .add("b", b)
-    .add("normal_force", load.normal_force())
-    .add("moment", Eigen::Vector2d(load.moment()))
-    .add("moment_ratio", load.moment_ratio(contact_radius))
-    .add("friction", std::vector<double>{ state.friction.force_x, state.friction.force_y })
-    .add("torque", state.friction.torque)
-    .add("lean_torque", state.lean_torque)
-    .add("grip_torque", state.grip_torque)
-    .add("minimum", state.minimum)
-    .add("pulling_share", state.pulling_share)
-    .made();
+  return Json{ { "a", a },
+               { "b", b },
+               { "normal_force", load.normal_force() },
+               { "moment", load.moment() },
+               { "moment_ratio", load.moment_ratio(contact_radius) },
+               { "friction", std::vector<double>{ state.friction.force_x, state.friction.force_y } },
+               { "torque", state.friction.torque },
+               { "lean_torque", state.lean_torque },
+               { "grip_torque", state.grip_torque },
+               { "minimum", state.minimum },
+               { "pulling_share", state.pulling_share } };
 }
 
-Made row_json(const SpinRow &row, double contact_radius)
+Json row_json(const SpinRow &row, double contact_radius)
 {
-  Object object;
-  object.add("omega", row.omega_terminal())
-    .add("last_spin", row.last_spin())
-    .add("falls", row.fall.has_value())
-    .add("time_constant", row.time_constant())
-    .add("harmonics", row.harmonics)
-    .add("standing", to_string(row.standing))
-    .add("contact_fraction", row.contact_fraction)
-    .add("reason", row.reason);
+  Json object = { { "omega", row.omega_terminal() },
+                  { "last_spin", row.last_spin() },
+                  { "falls", row.fall.has_value() },
+                  { "time_constant", row.time_constant() },
+                  { "harmonics", row.harmonics },
+                  { "standing", to_string(row.standing) },
+                  { "contact_fraction", row.contact_fraction },
+                  { "reason", row.reason } };
   if (row.at_rest)
     object.add("at_rest", state_json(*row.at_rest, contact_radius));
   if (row.at_terminal)
     object.add("at_end", state_json(*row.at_terminal, contact_radius));
   else if (row.fall)
     object.add("at_end", state_json(row.fall->state, contact_radius));
-  return object.made();
+  return object;
 }
 
-Made contact_json(const fem::ContactState &contact)
+Json contact_json(const fem::ContactState &contact)
 {
   std::vector<double> azimuths, loads;
   for (const fem::AzimuthLoad &place : contact.load.pointwise)
@@ -162,14 +149,13 @@ Made contact_json(const fem::ContactState &contact)
     azimuths.push_back(place.azimuth);
     loads.push_back(place.density);
   }
-  return Object()
-    .add("azimuth", azimuths)
-    .add("load", loads)
-    .add("inner_radius", contact.inner_radius)
-    .add("outer_radius", contact.outer_radius)
-    .add("motion", std::vector<double>(contact.solution.motion.begin(), contact.solution.motion.end()))
-    .add("contact_fraction", contact.load.contact_fraction)
-    .made();
+  return Json{ { "azimuth", azimuths },
+               { "load", loads },
+               { "inner_radius", contact.inner_radius },
+               { "outer_radius", contact.outer_radius },
+               { "motion",
+                 std::vector<double>(contact.solution.motion.begin(), contact.solution.motion.end()) },
+               { "contact_fraction", contact.load.contact_fraction } };
 }
 
 /// Answers with what @p make returns, or with why it throws.
@@ -182,16 +168,16 @@ const char *answer(const Make &make)
   }
   catch (const ring::Tipping &failure)
   {
-    reply = Object().add("error", failure.what()).add("tips", true).made().text;
+    reply = Json{ { "error", failure.what() }, { "tips", true } }.text;
   }
   catch (const fem::ContactFailure &failure)
   {
     const bool tips = failure.outcome == fem::ContactOutcome::tipping;
-    reply = Object().add("error", failure.what()).add("tips", tips).made().text;
+    reply = Json{ { "error", failure.what() }, { "tips", tips } }.text;
   }
   catch (const std::exception &failure)
   {
-    reply = Object().add("error", failure.what()).add("tips", false).made().text;
+    reply = Json{ { "error", failure.what() }, { "tips", false } }.text;
   }
   return reply.c_str();
 }
@@ -224,7 +210,7 @@ const char *explore_set(const char *path, const char *value)
     [&]
     {
       explorer->set(path, value);
-      return Object().made();
+      return Json(Json::Members{});
     });
 }
 
@@ -239,17 +225,15 @@ const char *explore_entries()
     [&]
     {
       Study copy = explorer->study();
-      std::vector<Made> entries;
+      std::vector<Json> entries;
       for (const StudyEntry &entry : study_entries(copy))
-        entries.push_back(Object()
-                            .add("path", entry.path())
-                            .add("unit", entry.unit)
-                            .add("allowed", entry.allowed)
-                            .add("help", entry.help)
-                            .add("value", entry.text())
-                            .add("acts", entry.has_effect(copy))
-                            .made());
-      return Made{ json(entries) };
+        entries.push_back(Json{ { "path", entry.path() },
+                                { "unit", entry.unit },
+                                { "allowed", entry.allowed },
+                                { "help", entry.help },
+                                { "value", entry.text() },
+                                { "acts", entry.has_effect(copy) } });
+      return Json(entries);
     });
 }
 
@@ -260,17 +244,16 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
     {
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
-      Object object;
-      object.add("fit", name_of(found.fit))
-        .add("contact_radius", found.contact_radius)
-        .add("all", row_json(found.all, found.contact_radius))
-        .add("paper", row_json(found.paper, found.contact_radius))
-        .add("notes", implausible_notes(explorer->study()));
+      Json object = { { "fit", name_of(found.fit) },
+                      { "contact_radius", found.contact_radius },
+                      { "all", row_json(found.all, found.contact_radius) },
+                      { "paper", row_json(found.paper, found.contact_radius) },
+                      { "notes", implausible_notes(explorer->study()) } };
       if (found.first_n)
         object.add("first_n", row_json(*found.first_n, found.contact_radius));
       if (found.contact)
         object.add("contact", contact_json(*found.contact));
-      return object.made();
+      return object;
     });
 }
 
@@ -280,11 +263,11 @@ const char *explore_pressure(unsigned int n_azimuths)
     [&]
     {
       if (!last_contact)
-        return Object().made();
+        return Json(Json::Members{});
       const fem::PressureMap map = explorer->pressure(*last_contact);
       const std::size_t step = std::max<std::size_t>(1, map.cuts.size() / std::max(1u, n_azimuths));
       std::vector<double> azimuths;
-      std::vector<Made> cuts;
+      std::vector<Json> cuts;
       for (std::size_t i = 0; i < map.cuts.size(); i += step)
       {
         if (map.cuts[i].empty())
@@ -296,9 +279,10 @@ const char *explore_pressure(unsigned int n_azimuths)
           pressures += (pressures.empty() ? "[" : ",") + to_short_text(point.pressure);
         }
         azimuths.push_back(map.cuts[i].front().azimuth);
-        cuts.push_back({ "[" + radii + "]," + pressures + "]]" });
+        cuts.emplace_back("");
+        cuts.back().text = "[" + radii + "]," + pressures + "]]";
       }
-      return Object().add("azimuth", azimuths).add("cuts", cuts).made();
+      return Json{ { "azimuth", azimuths }, { "cuts", cuts } };
     });
 }
 
@@ -309,23 +293,18 @@ const char *explore_curves()
     {
       const std::optional<LiveCurves> curves = explorer->curves();
       if (!curves)
-        return Object().made();
+        return Json(Json::Members{});
       const TorqueCurve &torque = curves->torque;
       std::vector<double> of_all;
       for (const ring::Wrench &friction : torque.friction)
         of_all.push_back(friction.torque);
-      Object object;
-      object.add("spin", torque.omega)
-        .add("torque", of_all)
-        .add("sum", torque.sum)
-        .add("of_paper", curves->of_paper)
-        .add("time", curves->time)
-        .add("omega", curves->spin)
-        .add("omega_n", curves->spin_n)
-        .add("omega_paper", curves->spin_paper);
+      Json object = { { "spin", torque.omega },      { "torque", of_all },
+                      { "sum", torque.sum },         { "of_paper", curves->of_paper },
+                      { "time", curves->time },      { "omega", curves->spin },
+                      { "omega_n", curves->spin_n }, { "omega_paper", curves->spin_paper } };
       if (!torque.truncations.empty())
         object.add("of_n", torque.truncations.front());
-      return object.made();
+      return object;
     });
 }
 
@@ -334,18 +313,16 @@ const char *explore_budget()
   return answer(
     [&]
     {
-      std::vector<Made> steps;
+      std::vector<Json> steps;
       for (const BudgetRow &row : explorer->budget())
-        steps.push_back(Object()
-                          .add("name", row.name)
-                          .add("step", row.step.number)
-                          .add("is_addition", row.step.is_addition)
-                          .add("harmonics", row.harmonics)
-                          .add("omega", row.omega_terminal)
-                          .add("difference", row.difference)
-                          .add("standing", to_string(row.standing))
-                          .add("reason", row.reason)
-                          .made());
-      return Object().add("rows", steps).made();
+        steps.push_back(Json{ { "name", row.name },
+                              { "step", row.step.number },
+                              { "is_addition", row.step.is_addition },
+                              { "harmonics", row.harmonics },
+                              { "omega", row.omega_terminal },
+                              { "difference", row.difference },
+                              { "standing", to_string(row.standing) },
+                              { "reason", row.reason } });
+      return Json{ { "rows", steps } };
     });
 }

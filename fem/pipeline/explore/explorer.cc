@@ -102,7 +102,7 @@ std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study) const
 
 Executor Explorer::executor() const
 {
-  return Executor([this](const Study &asked) { return make_foot(asked); });
+  return Executor([this](const Study &asked, const fem::Foot *) { return make_foot(asked); });
 }
 
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)

@@ -23,7 +23,10 @@
 #include <map>
 #include <set>
 #include <utility>
-#include <zlib.h>
+
+#ifndef DEAL_II_WITH_ZLIB
+#error "The page is packed by deal.II's zlib."
+#endif
 
 namespace stemware::pipeline
 {
@@ -37,25 +40,6 @@ namespace
 std::string base64(const std::string &bytes)
 {
   return dealii::Utilities::encode_base64({ bytes.begin(), bytes.end() });
-}
-
-std::string gzipped(const std::string &bytes)
-{
-  z_stream stream = {};
-  constexpr int gzip_window = 15 + 16;
-  if (deflateInit2(&stream, 9, Z_DEFLATED, gzip_window, 9, Z_DEFAULT_STRATEGY) != Z_OK)
-    throw std::runtime_error("zlib does not start.");
-  std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())), '\0');
-  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data())); // NOLINT: zlib reads it
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef *>(result.data());
-  stream.avail_out = static_cast<uInt>(result.size());
-  const int end = deflate(&stream, Z_FINISH);
-  result.resize(stream.total_out);
-  deflateEnd(&stream);
-  if (end != Z_STREAM_END)
-    throw std::runtime_error("zlib does not finish.");
-  return result;
 }
 
 /// A compliance as the page has it: its numbers as whole multiples of a step, one for `normal`, `radial` and
@@ -266,7 +250,7 @@ LiveSolver live_solver()
     const std::string script = read_text_file(folder / "explore.js"),
                       wasm = read_text_file(folder / "explore.wasm");
     if (!script.empty() && !wasm.empty())
-      return { base64(gzipped(script)), base64(gzipped(wasm)) };
+      return { base64(dealii::Utilities::compress(script)), base64(dealii::Utilities::compress(wasm)) };
   }
   for (const std::filesystem::path &folder : shared_folders())
   {
@@ -361,7 +345,7 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
   };
   put("STYLE", text_of(texts, "style.css"));
   put("DATA", data.dump());
-  put("BODIES", base64(gzipped(bodies.bytes)));
+  put("BODIES", base64(dealii::Utilities::compress(bodies.bytes)));
   put("WASM", solver.wasm);
   put("GLUE", solver.script);
   put("WORKER", text_of(texts, "worker.js"));

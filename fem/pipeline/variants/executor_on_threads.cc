@@ -69,7 +69,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
 } // namespace
 
 Executor::Executor(fem::ComplianceCache &cache, unsigned int n_threads)
-    : Executor([&cache](const Study &study) { return pipeline::make_foot(study, cache); })
+    : Executor([&cache](const Study &study, const fem::Foot *similar)
+               { return pipeline::make_foot(study, cache, similar); })
 {
   if (n_threads > 1)
     side_by_side = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };

@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/orientation.h"
+#include "fem/pipeline/coupling/phases.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/band_changes.h"

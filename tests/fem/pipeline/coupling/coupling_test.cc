@@ -47,25 +47,24 @@ TEST(LoadCurve, StatesAnErrorThatHolds)
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
       {
-        const LoadCurve curve = sample_load_curve(source, 0, upper, to(tolerance));
+        const LoadCurve curve(source, 0, upper, to(tolerance));
         EXPECT_LE(curve.error(), tolerance);
         EXPECT_GT(curve.error(), 0);
-        const LoadFunction load = curve.interpolate();
         for (unsigned int i = 0; i <= 501; ++i)
         {
           const double m = upper * i / 501;
-          EXPECT_LE(load(m).difference(rim_load(m)), bounds * curve.error()) << m;
+          EXPECT_LE(curve(m).difference(rim_load(m)), bounds * curve.error()) << m;
         }
       }
 }
 
 TEST(LoadCurve, TakesMoreSamplesOnlyWhereTheyAreNeeded)
 {
-  const LoadCurve smooth = sample_load_curve({ rim_load }, 0, 0.7);
+  const LoadCurve smooth({ rim_load }, 0, 0.7);
   EXPECT_EQ(smooth.n_pieces(), 1u);
   EXPECT_LE(smooth.n_samples(), 10u);
   // The known ones are nodes.
-  const LoadCurve known = sample_load_curve({ rim_load, {}, { 0.08, 0.32, 0.57 } }, 0, 0.7);
+  const LoadCurve known({ rim_load, {}, { 0.08, 0.32, 0.57 } }, 0, 0.7);
   EXPECT_LE(known.n_samples(), smooth.n_samples() - 2);
 }
 
@@ -75,19 +74,16 @@ TEST(LoadCurve, TellsALoadByItsDifferenceToALikeOne)
   const LoadFunction like = [](double m) { return rim_load(m); };
   const LoadFunction load = [](double m)
   {
-    std::vector<double> row = LeaningLoad(rim_load(m)).coefficients(24);
-    for (double &value : row)
-      value *= 1 + 1e-3 * m * m;
-    return LeaningLoad::from_coefficients(row, 1);
+    const Eigen::VectorXd row = LeaningLoad(rim_load(m)).coefficients(24);
+    return LeaningLoad::from_coefficients((1 + 1e-3 * m * m) * row, 1);
   };
   CurveSource source = { load };
-  const LoadCurve alone = sample_load_curve(source, 0, 1.1, to(1e-6));
+  const LoadCurve alone(source, 0, 1.1, to(1e-6));
   source.reference = like;
-  const LoadCurve beside = sample_load_curve(source, 0, 1.1, to(1e-6));
+  const LoadCurve beside(source, 0, 1.1, to(1e-6));
   EXPECT_LT(beside.n_samples(), alone.n_samples());
-  const LoadFunction found = beside.interpolate();
   for (unsigned int i = 0; i <= 200; ++i)
-    EXPECT_LE(found(1.1 * i / 200).difference(load(1.1 * i / 200)), beside.error()) << i;
+    EXPECT_LE(beside(1.1 * i / 200).difference(load(1.1 * i / 200)), beside.error()) << i;
 }
 
 TEST(LoadCurve, FindsWhereTheRimLiftsOff)
@@ -98,10 +94,10 @@ TEST(LoadCurve, FindsWhereTheRimLiftsOff)
   for (const double upper : { 1.3, 1.5 })
   {
     const CurveSource source = { load, [](double m) { return (lift_off - m) * (1 + m); } };
-    const LoadCurve curve = sample_load_curve(source, 0, upper, to(1e-6));
+    const LoadCurve curve(source, 0, upper, to(1e-6));
     ASSERT_EQ(curve.lift_offs().size(), 1u);
     EXPECT_NEAR(curve.lift_offs().front(), lift_off, 1e-5 * upper);
-    EXPECT_LT(3 * curve.n_samples(), 2 * sample_load_curve({ load }, 0, upper, to(1e-6)).n_samples());
+    EXPECT_LT(3 * curve.n_samples(), 2 * LoadCurve({ load }, 0, upper, to(1e-6)).n_samples());
   }
 }
 
@@ -109,7 +105,7 @@ TEST(LoadCurve, SaysWhenSamplesDoNotSuffice)
 {
   CurveTolerance tolerance = to(1e-12);
   tolerance.most_samples = 60;
-  const LoadCurve curve = sample_load_curve({ rim_load }, 0, 1.5, tolerance);
+  const LoadCurve curve({ rim_load }, 0, 1.5, tolerance);
   EXPECT_GT(curve.error(), 1e-12);
   EXPECT_LT(curve.n_samples(), 100u);
 }

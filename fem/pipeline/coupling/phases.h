@@ -1,8 +1,10 @@
 #pragma once
 
+#include "fem/geometry/waviness.h"
 #include "fem/pipeline/coupling/leaning_load.h"
-#include "fem/pipeline/coupling/orientation.h"
-#include "fem/pipeline/coupling/periodic_grid.h"
+#include "fem/pipeline/study/study.h"
+#include "ring_model/load/slip.h"
+#include "ring_model/motion.h"
 
 #include <Eigen/Core>
 
@@ -11,6 +13,73 @@
 
 namespace stemware::pipeline
 {
+
+/// Where the marks of glass and table stand in the slip frame at @p time, the glass having yawed by @p
+/// yaw_angle since t = 0: theta = chi + psi - phi -/+ pi/2 and theta = chi - phi -/+ pi/2 with the orbit
+/// angle phi = +/- v t / rho, upper signs for a counter-clockwise orbit.
+ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle);
+
+/// Rim and table of a study as gaps.
+fem::RimImperfection imperfection_of(const Study &study);
+
+/// The periods [rad] with which the load repeats itself when glass or table turn: 2 pi over the greatest
+/// common divisor of the harmonics. 0 for a perfect surface.
+struct PhasePeriods
+{
+  double glass = 0;
+  double table = 0;
+
+  bool any() const { return glass > 0 || table > 0; }
+};
+
+PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
+
+/// Equidistant nodes over one period of an angle, with the trigonometric interpolation between them. One node
+/// stands for a function that does not depend on the angle.
+class PeriodicGrid
+{
+public:
+  /// @p period > 0 [rad]; @p n_nodes is 1 or even.
+  PeriodicGrid(double period, unsigned int n_nodes);
+
+  unsigned int size() const { return n_nodes; }
+  double node(unsigned int i) const { return period * i / n_nodes; }
+  double step() const { return period / n_nodes; }
+  PeriodicGrid refined() const { return PeriodicGrid(period, 2 * n_nodes); }
+  /// With half the nodes; one remains one.
+  PeriodicGrid halved() const;
+  /// Weights of the nodes' values in the interpolant at @p angle. Shape [size()].
+  Eigen::VectorXd weights(double angle) const;
+
+private:
+  double period;
+  unsigned int n_nodes;
+};
+
+/// Chebyshev points on an interval of spins, both ends included, with the polynomial interpolation between
+/// them.
+class SpinInterval
+{
+public:
+  /// n_steps + 1 points on [lower, upper] [rad/s].
+  SpinInterval(double lower, double upper, unsigned int n_steps);
+
+  unsigned int size() const { return n_steps + 1; }
+  double node(unsigned int i) const { return at(i); }
+  std::vector<double> nodes() const;
+  /// Weights of the nodes' values in the interpolant at @p omega. Shape [size()].
+  Eigen::VectorXd weights(double omega) const;
+
+  /// The points halfway between the nodes: what refined() adds.
+  std::vector<double> between() const;
+  SpinInterval refined() const { return SpinInterval(lower, upper, 2 * n_steps); }
+
+private:
+  double at(double place) const;
+
+  double lower, upper;
+  unsigned int n_steps;
+};
 
 /// Phases of glass and table at which a load is sampled: every node of one angle with every node of the
 /// other, the table's running fastest.

@@ -1,12 +1,121 @@
-#include "fem/pipeline/coupling/phase_samples.h"
+#include "fem/pipeline/coupling/phases.h"
 
 #include "ring_model/friction_functionals.h"
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
 
 namespace stemware::pipeline
 {
+
+namespace
+{
+
+double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
+{
+  unsigned int divisor = 0;
+  for (const fem::WavinessHarmonic &harmonic : harmonics)
+    divisor = std::gcd(divisor, harmonic.n);
+  return divisor > 0 ? boost::math::double_constants::two_pi / divisor : 0;
+}
+
+} // namespace
+
+ring::Orientation orientation_of_marks(const ring::Motion &motion, double time, double yaw_angle)
+{
+  const double behind =
+    motion.orbit_rate() * time + motion.sense_sign() * boost::math::double_constants::half_pi;
+  return { yaw_angle - behind, -behind };
+}
+
+fem::RimImperfection imperfection_of(const Study &study)
+{
+  return study.model.waviness ? fem::RimImperfection{ study.glass.waviness, study.table.waviness }
+                              : fem::RimImperfection();
+}
+
+PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
+{
+  return { period_of(imperfection.glass), period_of(imperfection.table) };
+}
+
+PeriodicGrid::PeriodicGrid(double period, unsigned int n_nodes)
+    : period(period)
+    , n_nodes(n_nodes)
+{
+  if (!(period > 0) || n_nodes == 0 || (n_nodes > 1 && n_nodes % 2 == 1))
+    throw std::logic_error("a periodic grid has a positive period and one or an even number of nodes");
+}
+
+PeriodicGrid PeriodicGrid::halved() const
+{
+  return PeriodicGrid(period, n_nodes > 1 ? n_nodes / 2 : 1);
+}
+
+Eigen::VectorXd PeriodicGrid::weights(double angle) const
+{
+  if (n_nodes == 1)
+    return Eigen::VectorXd::Ones(1);
+  // Barycentric form for an even number of nodes: (-1)^i cot((x - x_i) / 2).
+  Eigen::VectorXd values(n_nodes);
+  for (unsigned int i = 0; i < n_nodes; ++i)
+  {
+    const double half = boost::math::double_constants::pi * (angle - node(i)) / period;
+    const double sine = std::sin(half);
+    if (std::abs(sine) < 1e-14)
+      return Eigen::VectorXd::Unit(n_nodes, i);
+    values(i) = (i % 2 == 0 ? 1 : -1) * std::cos(half) / sine;
+  }
+  return values / values.sum();
+}
+
+SpinInterval::SpinInterval(double lower, double upper, unsigned int n_steps)
+    : lower(lower)
+    , upper(upper)
+    , n_steps(n_steps)
+{
+  if (!(lower < upper) || n_steps == 0)
+    throw std::logic_error("an interval of spins has two ends and at least one step");
+}
+
+double SpinInterval::at(double place) const
+{
+  const double share = (1 - std::cos(boost::math::double_constants::pi * place / n_steps)) / 2;
+  return lower * (1 - share) + upper * share;
+}
+
+Eigen::VectorXd SpinInterval::weights(double omega) const
+{
+  Eigen::VectorXd values(size());
+  for (unsigned int k = 0; k <= n_steps; ++k)
+  {
+    const double distance = omega - node(k);
+    if (distance == 0)
+      return Eigen::VectorXd::Unit(size(), k);
+    values(k) = (k % 2 == 0 ? 1. : -1.) * (k == 0 || k == n_steps ? 0.5 : 1.) / distance;
+  }
+  return values / values.sum();
+}
+
+std::vector<double> SpinInterval::nodes() const
+{
+  std::vector<double> spins;
+  for (unsigned int i = 0; i < size(); ++i)
+    spins.push_back(node(i));
+  return spins;
+}
+
+std::vector<double> SpinInterval::between() const
+{
+  std::vector<double> spins;
+  for (unsigned int k = 0; k < n_steps; ++k)
+    spins.push_back(at(k + 0.5));
+  return spins;
+}
 
 ring::Orientation PhaseGrids::phase(unsigned int i) const
 {
@@ -84,7 +193,7 @@ SampleError PhaseSamples::error() const
 
 LeaningLoad PhaseSamples::load_of(const Eigen::VectorXd &column) const
 {
-  return LeaningLoad::from_coefficients({ column.begin(), column.end() }, rings_per_load);
+  return LeaningLoad::from_coefficients(column, rings_per_load);
 }
 
 PhaseSamples PhaseSamples::halved(PhaseGrids::Angle angle) const
