@@ -247,7 +247,7 @@ const char *explore_entries()
                             .add("allowed", entry.allowed)
                             .add("help", entry.help)
                             .add("value", entry.text())
-                            .add("acts", entry.has_effect(copy))
+                            .add("acts", entry.has_effect)
                             .made());
       return Made{ json(entries) };
     });
