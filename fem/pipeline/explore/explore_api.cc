@@ -232,7 +232,7 @@ const char *explore_entries()
                                 { "allowed", entry.allowed },
                                 { "help", entry.help },
                                 { "value", entry.text() },
-                                { "acts", entry.has_effect(copy) } });
+                                { "acts", entry.has_effect } });
       return Json(entries);
     });
 }

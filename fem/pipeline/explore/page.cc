@@ -164,7 +164,7 @@ std::vector<std::string> acting_entries(const Study &study)
   Study copy = study;
   std::vector<std::string> acting;
   for (const StudyEntry &entry : study_entries(copy))
-    if (entry.has_effect(copy))
+    if (entry.has_effect)
       acting.push_back(entry.path());
   return acting;
 }

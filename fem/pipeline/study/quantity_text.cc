@@ -22,10 +22,15 @@ namespace stemware::pipeline
 namespace
 {
 
+/// Exponents of kg, m, s, rad and byte.
+using Dimension = std::array<int, 5>;
+constexpr Dimension mass = { 1 }, length = { 0, 1 }, duration = { 0, 0, 1 }, angle = { 0, 0, 0, 1 },
+                    memory = { 0, 0, 0, 0, 1 }, force = { 1, 1, -2 }, pressure = { 1, -1, -2 };
+
 /// A unit in terms of those of SI: 10^decimal times factor.
 struct Unit
 {
-  std::array<int, 5> dimension = {}; ///< exponents of kg, m, s, rad and byte
+  Dimension dimension = {};
   int decimal = 0;
   double factor = 1;
 
@@ -39,35 +44,27 @@ struct Unit
 };
 
 /// Units that take prefixes.
-const std::map<std::string, Unit> metric_units = {
-  { "g", { { 1 }, -3 } },        { "m", { { 0, 1 } } },       { "s", { { 0, 0, 1 } } },
-  { "N", { { 1, 1, -2 } } },     { "Pa", { { 1, -1, -2 } } }, { "rad", { { 0, 0, 0, 1 } } },
-  { "B", { { 0, 0, 0, 0, 1 } } }
-};
-
-/// A unit as 10^decimal times factor of another one.
-struct Multiple
-{
-  std::string unit;
-  int decimal = 0;
-  double factor = 1;
-};
+const std::map<std::string, Unit> metric_units = { { "g", { mass, -3 } },  { "m", { length } },
+                                                   { "s", { duration } },  { "N", { force } },
+                                                   { "Pa", { pressure } }, { "rad", { angle } },
+                                                   { "B", { memory } } };
 
 /// Units that take no prefixes.
-const std::map<std::string, Multiple> other_units = { { "byte", { "B" } },
-                                                      { "bytes", { "B" } },
-                                                      { "deg", { "rad", 0, M_PI / 180 } },
-                                                      { "degrees", { "rad", 0, M_PI / 180 } },
-                                                      { "°", { "rad", 0, M_PI / 180 } },
-                                                      { "min", { "s", 0, 60 } },
-                                                      { "h", { "s", 2, 36 } },
-                                                      { "inch", { "m", -4, 254 } },
-                                                      { "in", { "m", -4, 254 } },
-                                                      { "ft", { "m", -4, 3048 } },
-                                                      { "oz", { "kg", -12, 28349523125. } },
-                                                      { "lb", { "kg", -8, 45359237 } },
-                                                      { "bar", { "Pa", 5 } },
-                                                      { "%", { "1", -2 } } };
+const std::map<std::string, Unit> other_units = { { "1", {} },
+                                                  { "%", { {}, -2 } },
+                                                  { "byte", { memory } },
+                                                  { "bytes", { memory } },
+                                                  { "deg", { angle, 0, M_PI / 180 } },
+                                                  { "degrees", { angle, 0, M_PI / 180 } },
+                                                  { "°", { angle, 0, M_PI / 180 } },
+                                                  { "min", { duration, 0, 60 } },
+                                                  { "h", { duration, 2, 36 } },
+                                                  { "inch", { length, -4, 254 } },
+                                                  { "in", { length, -4, 254 } },
+                                                  { "ft", { length, -4, 3048 } },
+                                                  { "oz", { mass, -12, 28349523125. } },
+                                                  { "lb", { mass, -8, 45359237 } },
+                                                  { "bar", { pressure, 5 } } };
 const std::map<std::string, int> prefixes = {
   { "", 0 },   { "n", -9 }, { "u", -6 }, { "µ", -6 }, { "μ", -6 },
   { "m", -3 }, { "c", -2 }, { "k", 3 },  { "M", 6 },  { "G", 9 }
@@ -76,15 +73,8 @@ const std::map<std::string, int> prefixes = {
 /// "mm", "kg", "GPa", without an exponent.
 std::optional<Unit> parse_name(const std::string &name)
 {
-  if (name == "1")
-    return Unit();
   if (const auto found = other_units.find(name); found != other_units.end())
-  {
-    Unit unit = *parse_name(found->second.unit);
-    unit.decimal += found->second.decimal;
-    unit.factor = found->second.factor;
-    return unit;
-  }
+    return found->second;
   for (const auto &[prefix, decimal] : prefixes)
     if (name.rfind(prefix, 0) == 0)
       if (const auto metric = metric_units.find(name.substr(prefix.size())); metric != metric_units.end())

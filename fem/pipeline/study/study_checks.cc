@@ -17,16 +17,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// The entries that @p study was given and that have an effect, or those that have none.
-std::vector<StudyEntry> given_entries(const Study &study, bool with_effect)
-{
-  std::vector<StudyEntry> given;
-  for (const StudyEntry &entry : entries_of(study))
-    if (study.given_entries.count(entry.path()) > 0 && entry.has_effect(study) == with_effect)
-      given.push_back(entry);
-  return given;
-}
-
 bool is_implausible(const StudyEntry &entry, double value)
 {
   return entry.plausible && value != 0 && !entry.plausible->contains(value);
@@ -36,8 +26,8 @@ bool is_implausible(const StudyEntry &entry, double value)
 std::vector<StudyEntry> implausible_entries(const Study &study)
 {
   std::vector<StudyEntry> implausible;
-  for (const StudyEntry &entry : given_entries(study, true))
-    if (entry.quantity != nullptr && is_implausible(entry, *entry.quantity))
+  for (const StudyEntry &entry : entries_of(study))
+    if (entry.is_given && entry.has_effect && entry.plausible && is_implausible(entry, *entry.quantity))
       implausible.push_back(entry);
   return implausible;
 }
@@ -67,7 +57,7 @@ void require_conceivable(const Study &study)
 {
   constexpr double far = 1e9;
   for (const StudyEntry &entry : entries_of(study))
-    if (entry.plausible && study.given_entries.count(entry.path()) > 0)
+    if (entry.plausible && entry.is_given)
     {
       const auto [least, most] = *entry.plausible;
       const double size = std::abs(*entry.quantity);
@@ -83,7 +73,7 @@ void require_alike_lengths(const Study &study)
 {
   const double radius = study.glass.profile.contact_radius;
   for (const StudyEntry &entry : entries_of(study))
-    if (const auto &range = entry.times_contact_radius; range && entry.has_effect(study))
+    if (const auto &range = entry.times_contact_radius; range && entry.has_effect)
       require(range->contains(*entry.quantity / radius),
               filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
                      "both in one unit.",
@@ -260,8 +250,9 @@ void require_flat(const Study &study, const std::string &verb)
 std::vector<std::string> idle_entries(const Study &study)
 {
   std::vector<std::string> idle;
-  for (const StudyEntry &entry : given_entries(study, false))
-    idle.push_back(entry.path());
+  for (const StudyEntry &entry : entries_of(study))
+    if (entry.is_given && !entry.has_effect)
+      idle.push_back(entry.path());
   return idle;
 }
 

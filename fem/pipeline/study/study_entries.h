@@ -25,8 +25,6 @@ using EntryValue = std::variant<double, unsigned int, std::string>;
 /// One entry of a study file with all that is known of it, tied to the member of a Study that it sets.
 struct StudyEntry
 {
-  using Condition = bool (*)(const Study &);
-
   std::string section;
   std::string name;
   std::string allowed;               ///< as part of a sentence: "a number greater than 0 (m)"
@@ -36,7 +34,9 @@ struct StudyEntry
   std::string *path_value = nullptr; ///< where the entry is a path: its value
   bool is_folder = false;            ///< the path is that of a folder, and not of a file to read
   bool follows_from_profile = false; ///< from the points of a drawn section, where it is not given
-  Condition has_effect = nullptr;    ///< whether a result of the study depends on the entry
+  // The study as it was when its entries were asked for:
+  bool is_given = false;  ///< the study was given the entry (Study::given_entries)
+  bool has_effect = true; ///< a result of the study depends on the entry
   /// Values that a glass on a table has; with others a study is computed too, after a warning. docs/values.md
   /// shows them as a table.
   std::optional<Interval> plausible;

@@ -1,0 +1,166 @@
+#pragma once
+
+#include "fem/contact/contact_goal.h"
+#include "fem/elasticity/linear_solver.h"
+#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/mesh_io.h"
+#include "fem/pipeline/study/entry_facts.h"
+
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+enum class BodyKind
+{
+  solid,     ///< three-dimensional finite elements
+  revolution ///< displacement harmonics on a meridional mesh
+};
+
+/// Abilities that only one of the two bodies has.
+struct BodyAbilities
+{
+  bool reads_meshes = false;     ///< takes its shape from Contact/Mesh file
+  bool is_of_revolution = false; ///< answers a moment in all directions alike, and has a gap that can turn
+  bool stands_on_elastic_disc = false;
+  bool is_collective = false;      ///< solving takes all MPI ranks together
+  unsigned int highest_degree = 2; ///< of its elements
+};
+
+BodyAbilities abilities(BodyKind body);
+
+enum class FrictionCoupling
+{
+  none,   ///< friction tractions do not act back on the pressure
+  elastic ///< they deform foot and substrate
+};
+
+/// The number that a mesh is refined for.
+enum class Goal
+{
+  none,
+  terminal_spin,
+  a2,    ///< a_2 / a_0 at rest
+  torque ///< at half the terminal spin
+};
+
+/// Most rings on which a load is gathered. Nodes with forces lie beside the band of the J Chebyshev points
+/// too, where the polynomials that share a force among the rings grow like cosh(J acosh x), x the distance
+/// from the band's middle over its half-width. They take turns in sign, so that the sum is right, but
+/// rounding, 1e-16, grows with them: at x = 1.5 to 1e-6 of the load with 25 rings, 1e-3 with 32, and all of
+/// it with 40.
+constexpr unsigned int most_rings = 25;
+
+/// Subsection Contact: the elastic body and its discretisation.
+struct ContactSection
+{
+  BodyKind body = BodyKind::revolution;
+  std::string mesh_file; ///< empty: the mesh is generated from the glass
+  fem::MeshMarks mesh_marks;
+  std::string checkpoint_folder; ///< empty: no checkpoint is kept
+  std::string checkpoint_owner;  ///< the study as it was given, whose variants share the folder; not an entry
+  unsigned int degree = 2;
+  fem::FootResolution resolution;
+  fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
+  unsigned int refinements = 0; ///< halvings of every cell
+  double land_grading = 3;      ///< size ratio of neighbouring cells across the land of a body of revolution
+  unsigned int harmonics = 16;  ///< of a body of revolution
+  unsigned int azimuth_lines = 128; ///< on which a body of revolution meets the table
+  unsigned int rings = 5;           ///< that take the pressure over
+  double fineness = 1;              ///< of the cells, over the usual; not an entry: error bands change it
+  unsigned int halvings_beyond_zone = 0; ///< of cells, see fem::RevolutionSetup; likewise
+  double hardness = 1; ///< of the spring in the place of a hard interface, over the usual; below 1 under a
+                       ///< solid foot of any interface over its own; not an entry
+  unsigned int load_harmonics = 0; ///< of each ring; 0: as many as the lines resolve and the kernels ask for
+  FrictionCoupling friction_coupling = FrictionCoupling::elastic;
+  Goal goal = Goal::none;
+  double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
+  std::vector<fem::MarkedCells>
+    halved; ///< cells, mesh by mesh, by the body's numbers; not an entry: the goal asks for them
+  double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
+
+  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  template <typename List>
+  void declare(List &list)
+  {
+    using fem::LinearSolver;
+    const bool has_contact = list.study.load.is_from_contact();
+    const bool has_mesh_file = has_contact && !mesh_file.empty();
+    const bool is_generated = has_contact && mesh_file.empty();
+    const bool is_of_revolution = has_contact && abilities(body).is_of_revolution;
+    const bool is_crowned = is_of_revolution && list.study.glass.profile.crown_radius > 0;
+    const bool is_solid = has_contact && !is_of_revolution;
+    const bool is_generated_solid = is_solid && is_generated;
+    list.enter("Contact", has_contact);
+    list.choice("Body", body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
+                "revolution: displacement harmonics on a meridional mesh, for feet that are bodies of "
+                "revolution: fast, and the way to elastic tables; solid: the foot in three-dimensional "
+                "finite elements, for any mesh");
+    list.path("Mesh file", mesh_file,
+              "Mesh of the foot (.msh, .inp or .vtu, hexahedra), which then also gives its shape; empty: "
+              "generated from the subsection Glass. A relative path starts at the study file");
+    list.count("Mesh contact id", mesh_marks.contact_id, 1, 65000,
+               "Id of the faces of the mesh file that may touch the table", used_if(has_mesh_file));
+    list.count("Mesh stem id", mesh_marks.stem_id, 1, 65000,
+               "Id of the faces of the mesh file where the stem was cut", used_if(has_mesh_file));
+    list.number("Mesh contact height", mesh_marks.contact_height, not_negative, "m",
+                "All faces of the mesh file that look down and lie at most this high above its lowest point "
+                "may touch the table, whatever their ids; 0: those of the id",
+                used_if(has_mesh_file));
+    list.count("Degree", degree, 1, 4,
+               "Polynomial degree of the elements: 1 or 2 for a solid body, 1 to 4 for a body of revolution");
+    list.count("Azimuthal cells", resolution.azimuthal_cells, 8, 2000,
+               "Cells round the rim of the generated mesh of a solid body, a multiple of 4",
+               used_if(is_generated_solid));
+    list.count("Radial cells", resolution.radial_cells, 2, 200,
+               "Cells across the land of a generated mesh, an even number", used_if(is_generated));
+    list.count("Foot layers", resolution.foot_layers, 1, 100,
+               "Cells through the thickness of the foot of the generated mesh of a solid body",
+               used_if(is_generated_solid));
+    list.count("Refinements", refinements, 0, 6,
+               "Halvings of every cell of the mesh with these counts; the way to a large solid body, which "
+               "is then solved by multigrid over the meshes between");
+    list.number("Land grading", land_grading,
+                { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
+                "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
+                "crowned body of revolution; 1 means equal cells",
+                used_if(is_crowned));
+    list.choice("Linear solver", linear_solver,
+                { { "automatic", LinearSolver::automatic },
+                  { "direct", LinearSolver::direct },
+                  { "multigrid", LinearSolver::multigrid } },
+                "automatic: direct for small systems, multigrid for large ones", used_if(is_solid));
+    list.count("Harmonics", harmonics, 1, 1000,
+               "Elastic harmonics of a body of revolution; without effect on a solid body",
+               used_if(is_of_revolution));
+    list.count("Azimuth lines", azimuth_lines, 16, 100000,
+               "Azimuths at which a body of revolution meets the table, more than twice the harmonics; "
+               "without effect on a solid body",
+               used_if(is_of_revolution));
+    list.count("Rings", rings, 1, most_rings,
+               "Circles that take the pressure over, with all its radial moments below that number; 1: one "
+               "ring of the radius that the moment asks for. More than 25 would magnify rounding");
+    list.count("Load harmonics", load_harmonics, 0, 1000,
+               "Harmonics of each ring's load; 0: as many as the lines resolve and the torque asks for");
+    list.choice("Friction coupling", friction_coupling,
+                { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
+                "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction "
+                "does not act back on the pressure");
+    list.choice("Goal", goal,
+                { { "none", Goal::none },
+                  { "terminal spin", Goal::terminal_spin },
+                  { "a2", Goal::a2 },
+                  { "torque", Goal::torque } },
+                "What the cells that matter are halved for (torque: at half the terminal spin)");
+    list.number("Goal tolerance", goal_tolerance, positive, "", "Error left of the goal, over its value");
+    list.path("Checkpoint folder", checkpoint_folder,
+              "Folder for the state of a long contact solve of a refined solid body, kept after each Newton "
+              "step: the same study goes on from there when it was killed; empty: none. The state of another "
+              "study is kept and said. A relative path starts at the study file",
+              used_if(is_solid), of_a_folder());
+    list.number("Memory limit", memory_limit, positive, "B", "More is refused before the work");
+  }
+};
+
+} // namespace stemware::pipeline

@@ -1,0 +1,53 @@
+#pragma once
+
+namespace stemware::pipeline
+{
+
+/// Numbers that an entry takes, with the words for it.
+struct Range
+{
+  const char *words;
+  bool (*contains)(double);
+};
+
+constexpr Range any_number = { "a finite number", [](double) { return true; } };
+constexpr Range positive = { "a number greater than 0", [](double value) { return value > 0; } };
+constexpr Range not_negative = { "a number not less than 0", [](double value) { return value >= 0; } };
+constexpr Range poisson_range = { "a number greater than -1 and less than 0.5",
+                                  [](double value) { return -1 < value && value < 0.5; } };
+
+// Further facts of a declaration: each sets the member of StudyEntry that has its name.
+
+/// The entry has an effect where @p condition holds, whatever the other entries of its subsection do.
+constexpr auto used_if(bool condition)
+{
+  return [=](auto &entry) { entry.has_effect = condition; };
+}
+
+constexpr auto plausible(double least, double most, const char *from_what_to_what)
+{
+  return [=](auto &entry)
+  {
+    entry.plausible = { least, most };
+    entry.plausible_reason = from_what_to_what;
+  };
+}
+
+/// By default the bounds of a length that lies outside only if it is given in another unit.
+constexpr auto times_contact_radius(double least = 1e-5, double most = 300)
+{
+  return [=](auto &entry) { entry.times_contact_radius = { least, most }; };
+}
+
+/// The path is that of a folder, which the program may make.
+constexpr auto of_a_folder()
+{
+  return [](auto &entry) { entry.is_folder = true; };
+}
+
+constexpr auto follows_from_profile()
+{
+  return [](auto &entry) { entry.follows_from_profile = true; };
+}
+
+} // namespace stemware::pipeline

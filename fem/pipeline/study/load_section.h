@@ -1,0 +1,77 @@
+#pragma once
+
+#include "fem/pipeline/study/entry_facts.h"
+#include "ring_model/load/ring_stack.h"
+
+#include <memory>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+enum class LoadSource
+{
+  contact,        ///< the finite-element contact
+  first_harmonic, ///< the paper's ansatz, balanced at every spin; no finite elements
+  file            ///< Fourier coefficients from a file
+};
+
+enum class LoadCoupling
+{
+  two_way, ///< contact, friction and moments are in balance at every spin
+  one_way  ///< the load of omega = 0 is kept at every spin
+};
+
+/// Subsection Load: where lambda(theta) comes from.
+struct LoadSection
+{
+  LoadSource source = LoadSource::contact;
+  LoadCoupling coupling = LoadCoupling::two_way;
+  double moment_ratio = -1;             ///< m = |M_N| / (N R / 2); negative: the closure's
+  double moment_direction = -1.5707963; ///< theta of the load's maximum [rad], used with moment_ratio >= 0
+  std::string file;                     ///< Fourier coefficients, used with source = file
+  std::shared_ptr<const ring::RingStack> from_file = {}; ///< the load of that file, used likewise
+
+  bool is_from_contact() const { return source == LoadSource::contact; }
+  /// Whether the moment is given, instead of following from the moment balance.
+  bool is_static() const { return moment_ratio >= 0; }
+  /// Whether the closure decides the moment, which is neither given nor that of a file.
+  bool has_closure() const { return !is_static() && source != LoadSource::file; }
+  /// Whether the load is one of a contact in balance with friction at every spin; with a given moment it is
+  /// that of rest, whatever the coupling.
+  bool is_in_balance() const
+  {
+    return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
+  }
+
+  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  template <typename List>
+  void declare(List &list)
+  {
+    list.enter("Load", true);
+    list.choice("Source", source,
+                { { "contact", LoadSource::contact },
+                  { "first harmonic", LoadSource::first_harmonic },
+                  { "file", LoadSource::file } },
+                "contact: the finite-element contact; first harmonic: the paper's ansatz, in balance with "
+                "the closure at every spin; file: Fourier coefficients from a file");
+    list.choice(
+      "Coupling", coupling, { { "two-way", LoadCoupling::two_way }, { "one-way", LoadCoupling::one_way } },
+      "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the glass "
+      "that does not spin yet is kept at every spin, as a given moment and a load from a file are by nature",
+      used_if(is_from_contact() && has_closure()));
+    list.number("Moment ratio", moment_ratio,
+                { "a number less than 2, where the foot tips", [](double value) { return value < 2; } }, "",
+                "Moment of the table's pressure over N R / 2 for a static study; negative: the closure's "
+                "moment. The foot tips at 2");
+    list.number("Moment direction", moment_direction, any_number, "rad",
+                "Where a static study's load is largest, counter-clockwise from the direction of travel; "
+                "used with Moment ratio >= 0",
+                used_if(is_static()), plausible(-6.2832, 6.2832, "one turn either way"));
+    list.path("File", file,
+              "Fourier coefficients for Source = file: a line \"# ring radius: 0.03 (m)\", then rows n a_n "
+              "b_n (N/rad) for n = 0, 1, 2, ...; harmonics.dat of a results folder is such a file");
+  }
+};
+
+} // namespace stemware::pipeline

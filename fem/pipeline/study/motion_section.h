@@ -1,0 +1,112 @@
+#pragma once
+
+#include "fem/pipeline/study/entry_facts.h"
+#include "ring_model/moment_balance.h"
+#include "ring_model/motion.h"
+#include "ring_model/orbit_speed_table.h"
+
+#include <memory>
+#include <string>
+
+namespace stemware::pipeline
+{
+
+/// Subsection Motion: the glass, the hand that leads it, the friction.
+struct MotionSection
+{
+  ring::Motion orbit;
+  ring::Closure closure = ring::Closure::full;
+  bool tilt = true;             ///< the glass leans on its foot; see Study::tilts()
+  double grip_torque = 0;       ///< of the fingers, against the spin [N m]
+  std::string orbit_speed_file; ///< v(t) of the spin-up; empty: Motion/Orbit speed throughout
+  std::shared_ptr<const ring::OrbitSpeedTable> orbit_speeds = {}; ///< of that file, where there is one
+  std::string measured_spin_file; ///< points that are drawn beside the spin-up; empty: none
+  double end_time = 2;            ///< of the spin-up [s]
+  double euler_step = 1e-3;       ///< largest step of the forward Euler method [s]
+  double step_limit = 1e6;        ///< estimated steps of the spin-up above which a study is refused
+
+  /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
+  template <typename List>
+  void declare(List &list)
+  {
+    using ring::Closure;
+    using ring::OrbitSense;
+    const auto &load = list.study.load;
+    const bool is_full = load.has_closure() && closure == ring::Closure::full;
+    const bool is_stribeck = orbit.friction_law == ring::FrictionLawKind::stribeck;
+    list.enter("Motion", true);
+    list.number("Mass", orbit.mass, positive, "kg", "Mass of the glass with what is in it",
+                plausible(0.02, 2, "a liqueur glass to a full beer mug"));
+    list.number(
+      "Yaw inertia", orbit.yaw_inertia, positive, "kg m^2",
+      "Moment of inertia about the axis of the glass; sets how fast the spin builds up, not where it ends",
+      plausible(1e-6, 1e-2, "20 g at 7 mm from the axis to 2 kg at 7 cm"));
+    list.number("Centre of mass height", orbit.centre_of_mass_height, not_negative, "m",
+                "Height of the centre of mass above the table; used by the closure full", used_if(is_full),
+                plausible(0.01, 0.3, "a liqueur glass to a tall flute"));
+    list.number(
+      "Force offset", orbit.force_offset, any_number, "m",
+      "Height of the hand's force minus that of the centre of mass, negative when the hand is below it",
+      plausible(-0.3, 0.3, "the hand on the glass"));
+    list.number("Orbit radius", orbit.orbit_radius, positive, "m",
+                "Radius of the circle on which the glass is led", times_contact_radius(0.01, 1e5),
+                plausible(0.01, 2, "fingers to a whole arm"));
+    list.number("Orbit speed", orbit.orbit_speed, positive, "m/s", "Speed along that circle",
+                plausible(0.01, 3, "hardly moving to as fast as a hand can lead"));
+    list.path("Orbit speed file", orbit_speed_file,
+              "Speeds of a hand that is no motor, for the spin-up: a CSV file with the header \"t (s), v "
+              "(m/s)\" (other units too) and a row for each time, from 0 to End time at least. All else "
+              "belongs to Orbit speed. A relative path starts at the study file");
+    list.path("Measured spin file", measured_spin_file,
+              "Spins of a real glass, to be drawn beside the spin-up; nothing is fitted to them. A CSV file "
+              "with the header \"t (s), omega (rad/s)\" (other units too) and a row for each point, "
+              "clockwise negative. A relative path starts at the study file");
+    list.choice(
+      "Orbit sense", orbit.orbit_sense,
+      { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },
+      "Which way round, seen from above: counterclockwise or clockwise");
+    list.number("Friction coefficient", orbit.friction_coefficient, positive, "",
+                "Friction between foot and table; of Stribeck's law the kinetic coefficient",
+                plausible(0.02, 1.5, "wet and soapy to clean rubber"));
+    list.choice(
+      "Friction law", orbit.friction_law,
+      { { "Coulomb", ring::FrictionLawKind::coulomb }, { "Stribeck", ring::FrictionLawKind::stribeck } },
+      "How friction depends on the slip speed s of each place. Coulomb: not at all; Stribeck: mu_k + (mu_s - "
+      "mu_k) exp(-(s/v_s)^2) + c s with the kinetic coefficient mu_k in Friction coefficient and the three "
+      "entries below");
+    list.number("Static friction coefficient", orbit.static_coefficient, positive, "",
+                "mu_s of Stribeck's law, in the limit of no slip", used_if(is_stribeck),
+                plausible(0.02, 2, "wet and soapy to clean rubber"));
+    list.number("Friction decay speed", orbit.friction_decay_speed, positive, "m/s",
+                "v_s of Stribeck's law, the slip speed at which the static part has fallen to 1/e",
+                used_if(is_stribeck), plausible(1e-4, 1, "creeping to as fast as the glass is led"));
+    list.number("Viscous friction", orbit.viscous_friction, not_negative, "s/m",
+                "c of Stribeck's law, the growth of the coefficient with the slip speed",
+                used_if(is_stribeck), plausible(0, 10, "dry to a thick film of syrup"));
+    list.number("Gravity", orbit.gravity, positive, "m/s^2", "Acceleration of free fall",
+                plausible(1, 30, "the Moon (1.6) to Jupiter (25)"));
+    list.choice("Closure", closure,
+                { { "paper", Closure::paper }, { "hand", Closure::hand }, { "full", Closure::full } },
+                "Which moments the table's pressure has to balance. paper: the centripetal part of the "
+                "hand's force only; hand: the whole force of the hand; full: also the moment of the friction "
+                "about the centre of mass",
+                used_if(load.has_closure()));
+    list.choice("Tilt", tilt, { { "included", true }, { "neglected", false } },
+                "Whether the lean of the glass on its foot shifts the centre of mass in the balance of "
+                "moments. Acts in the closure full, on a contact whose moment is not given",
+                used_if(load.is_from_contact() && is_full));
+    list.number(
+      "Grip torque", grip_torque, not_negative, "N m",
+      "Friction of the fingers on the stem, against the spin: at most the friction coefficient of the "
+      "fingers times the hand's force times the stem's radius; 0: the stem slips through without",
+      plausible(0, 0.1, "no grip to 10 N of fingers on a stem of 1 cm"));
+    list.number("End time", end_time, positive, "s", "How long the spin-up is followed",
+                plausible(0.01, 1000, "a hundredth of a second to a quarter of an hour"));
+    list.number("Euler step", euler_step, positive, "s",
+                "Largest step of the forward Euler method that is shown beside the adaptive one");
+    list.number("Step limit", step_limit, positive, "",
+                "A study whose spin-up would take more steps is refused before the work");
+  }
+};
+
+} // namespace stemware::pipeline
