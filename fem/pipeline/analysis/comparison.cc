@@ -5,14 +5,12 @@
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/model_variants.h"
-#include "ring_model/unilateral_foundation.h"
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <iterator>
+#include <map>
 
 namespace stemware::pipeline
 {
@@ -20,22 +18,19 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr ring::Closure closures[] = { ring::Closure::paper, ring::Closure::hand, ring::Closure::full };
-
-/// A load that a glass may stand on: that of a study's foot, or of a rim.
-struct ComparedLoad
+/// The study's glass on a load, whose friction acts with all its harmonics.
+Variant on_load(const std::string &name, const Study &study, bool on_same_foot = false)
 {
-  std::string name;
-  Study study;
-  std::shared_ptr<ElasticFoot> foot = nullptr;
-  std::shared_ptr<const ring::UnilateralFoundation> rim = nullptr;
-};
+  return { "", name, study, all_harmonics, on_same_foot };
+}
 
-/// A rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
-ComparedLoad rigid_rim(const std::string &name, const Study &study, double exponent)
+/// On a rigid ring of the contact radius on a foundation that only pushes, lambda ~ max(0, cos - c)^p.
+Variant on_rigid_rim(const std::string &name, const Study &study, double exponent)
 {
-  return { name, first_harmonic_study(study), nullptr,
-           std::make_shared<ring::UnilateralFoundation>(study.glass.profile.contact_radius, exponent) };
+  Variant variant = on_load(name, first_harmonic_study(study));
+  variant.rigid_ring =
+    std::make_shared<ring::UnilateralFoundation>(study.glass.profile.contact_radius, exponent);
+  return variant;
 }
 
 Study with_coupling(Study study, LoadCoupling coupling)
@@ -44,65 +39,51 @@ Study with_coupling(Study study, LoadCoupling coupling)
   return study;
 }
 
-Study with_closure(Study study, ring::Closure closure)
+/// The loads that a glass may stand on under any moment balance: those of rims, and of the study's foot.
+std::vector<Variant> compared_loads(const Study &study)
 {
-  study.motion.closure = closure;
-  return study;
-}
-
-/// A foot in contact with the table, on the rings that its loads under all moment balances have in common:
-/// those of the first one that has a load.
-ComparedLoad foot_load(const std::string &name, const Study &study, const std::shared_ptr<ElasticFoot> &foot)
-{
-  for (const ring::Closure closure : closures)
-    if (!foot->has_rings())
-      if_balanced(
-        [&]
-        {
-          require_standing(with_closure(study, closure));
-          return find_load(with_closure(study, closure), foot);
-        });
-  return { name, study, foot };
-}
-
-std::vector<ComparedLoad> compared_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         const Executor &executor)
-{
-  std::vector<ComparedLoad> loads = { { compared_load::first_harmonic, first_harmonic_study(study) },
-                                      rigid_rim(compared_load::rigid_flat_rim, study, 1.),
-                                      rigid_rim(compared_load::rigid_round_rim, study, 1.5) };
-  if (!foot)
+  std::vector<Variant> loads = { on_load(compared_load::first_harmonic, first_harmonic_study(study)),
+                                 on_rigid_rim(compared_load::rigid_flat_rim, study, 1.),
+                                 on_rigid_rim(compared_load::rigid_round_rim, study, 1.5) };
+  if (!study.load.is_from_contact())
     return loads;
   const BodyAbilities can = abilities(study.contact.body);
-  Study rigid = with_coupling(study, LoadCoupling::two_way);
+  const Study two_way = with_coupling(study, LoadCoupling::two_way);
+  Study rigid = two_way;
   rigid.model.foot_is_rigid = true;
   if (can.is_of_revolution && has_compliance(rigid))
-    try
-    {
-      loads.push_back(foot_load(compared_load::rigid_foot, rigid, study_foot(rigid, executor.make_foot)));
-    }
-    catch (const BadInput &) // a foot that cannot be made: each row says so
-    {
-      loads.push_back({ compared_load::rigid_foot, rigid });
-    }
-  loads.push_back(foot_load(compared_load::foot_at_rest, with_coupling(study, LoadCoupling::one_way), foot));
+    loads.push_back(on_load(compared_load::rigid_foot, rigid));
+  loads.push_back(on_load(compared_load::foot_at_rest, with_coupling(study, LoadCoupling::one_way), true));
   // Hundreds of contacts: for a foot that takes all ranks together only where the study asks for that.
   if (!can.is_collective || study.load.coupling == LoadCoupling::two_way)
-    loads.push_back(
-      foot_load(compared_load::foot_in_balance, with_coupling(study, LoadCoupling::two_way), foot));
+    loads.push_back(on_load(compared_load::foot_in_balance, two_way, true));
   return loads;
 }
 
-/// Share of the rim that carries @p load in balance at a spin; nothing for a formal load.
-std::optional<double> contact_fraction(const ComparedLoad &compared, const BalancedLoad &load, double omega)
+/// Places the rings that loads on the study's foot have in common: those of the first variant that has one.
+void place_rings(const std::vector<Variant> &variants, const std::shared_ptr<ElasticFoot> &foot)
 {
-  if (!compared.rim)
+  for (const Variant &variant : variants)
+    if (variant.on_same_foot && !foot->has_rings())
+      if_balanced(
+        [&]
+        {
+          require_standing(variant.study);
+          return find_load(variant.study, foot);
+        });
+}
+
+/// Share of the rim that carries @p load in balance at a spin; nothing for a formal load.
+std::optional<double> contact_fraction(const Variant &variant, const BalancedLoad &load, double omega)
+{
+  if (!variant.rigid_ring)
   {
     const std::optional<fem::ContactState> state = load.contact(omega);
     return state ? std::optional(state->load.contact_fraction) : std::nullopt;
   }
   // Share of the ring on which cos(theta - beta) > c.
-  const double edge = compared.rim->edge(load.at(omega).moment_ratio(compared.rim->radius()));
+  const ring::UnilateralFoundation &rim = *variant.rigid_ring;
+  const double edge = rim.edge(load.at(omega).moment_ratio(rim.radius()));
   return edge <= -1 ? 1 : std::acos(edge) / boost::math::double_constants::pi;
 }
 
@@ -114,55 +95,6 @@ Standing standing_of(const SpinRow &row)
   if (!row.contact_fraction || (!row.all_harmonics && pulls))
     return pulls ? Standing::formal : Standing::full_contact;
   return *row.contact_fraction < 1 ? Standing::lift_off : Standing::full_contact;
-}
-
-/// The rows of a load under each moment balance, with 1, 2, 3 and all harmonics, where these are more.
-std::vector<SpinRow> compared_rows(const ComparedLoad &compared, const Executor &executor)
-{
-  std::vector<Variant> variants;
-  for (const ring::Closure closure : closures)
-    for (const unsigned int n : { 1u, 2u, 3u, all_harmonics })
-      variants.push_back({ "", compared.name, with_closure(compared.study, closure), n,
-                           compared.foot != nullptr, "", compared.rim });
-  std::vector<SpinRow> rows;
-  unsigned int n_all = 1;
-  for (const LoadedRow &solved : solve_rows(variants, compared.foot, {}, executor))
-  {
-    const Variant &variant = variants[rows.size()];
-    SpinRow &row = rows.emplace_back(solved.row);
-    row.load = compared.name;
-    row.all_harmonics = variant.n_harmonics == all_harmonics;
-    if (row.terminal)
-    {
-      row.contact_fraction = contact_fraction(compared, *solved.load, row.terminal->omega);
-      row.standing = standing_of(row);
-    }
-    if (row.reason.empty())
-      row.reason = held_by_the_grip(variant.study, row);
-    if (row.all_harmonics)
-      n_all = std::max(n_all, row.harmonics);
-  }
-  for (SpinRow &row : rows)
-    row.harmonics = row.all_harmonics ? n_all : row.harmonics;
-  rows.erase(std::remove_if(rows.begin(), rows.end(),
-                            [=](const SpinRow &row) { return !row.all_harmonics && row.harmonics >= n_all; }),
-             rows.end());
-  return rows;
-}
-
-/// Gives the elastic foot two-way with all its harmonics its error bands under the moment balances that the
-/// answer names.
-void add_error_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
-                     std::vector<SpinRow> &rows)
-{
-  for (SpinRow &row : rows)
-  {
-    if (row.load != compared_load::foot_in_balance || !row.all_harmonics || !row.terminal ||
-        row.closure == ring::Closure::hand)
-      continue;
-    const Study own = with_closure(with_coupling(study, LoadCoupling::two_way), row.closure);
-    row.band = band_of(estimate_bands(own, foot, row, std::nullopt, executor), "omega_terminal");
-  }
 }
 
 } // namespace
@@ -182,39 +114,83 @@ HarmonicEffect Comparison::harmonic_effect(ring::Closure closure, const std::str
                       : HarmonicEffect();
 }
 
-Comparison compare_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          const Executor &executor, Progress &progress)
+std::vector<Variant> compared_models(const Study &study)
 {
-  const std::vector<ComparedLoad> loads = compared_loads(study, foot, executor);
+  std::vector<Variant> variants;
+  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
+    for (const Variant &load : compared_loads(study))
+      for (const unsigned int n : { 1u, 2u, 3u, all_harmonics })
+      {
+        Variant &variant = variants.emplace_back(load);
+        variant.study.motion.closure = closure;
+        variant.n_harmonics = n;
+      }
+  return variants;
+}
+
+Comparison compare_variants(const Study &study, const std::vector<Variant> &variants,
+                            const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                            Progress &progress)
+{
+  place_rings(variants, foot);
   Comparison comparison;
   comparison.spin_scale = spin_scale(study);
   std::vector<SpinRow> &rows = comparison.rows;
-  std::size_t n_done = 0;
-  for (const ComparedLoad &load : loads)
+  std::map<std::string, unsigned int> n_all; // harmonics of each load
+  for (const LoadedRow &solved : solve_rows(variants, foot, {}, executor, progress, "models"))
   {
-    const std::vector<SpinRow> of_load = compared_rows(load, executor);
-    rows.insert(rows.end(), of_load.begin(), of_load.end());
-    progress.pieces_done("loads", ++n_done, loads.size());
+    const Variant &variant = variants[rows.size()];
+    SpinRow &row = rows.emplace_back(solved.row);
+    row.load = variant.name;
+    row.all_harmonics = variant.n_harmonics == all_harmonics;
+    if (row.terminal)
+    {
+      row.contact_fraction = contact_fraction(variant, *solved.load, row.terminal->omega);
+      row.standing = standing_of(row);
+    }
+    if (row.reason.empty())
+      row.reason = held_by_the_grip(variant.study, row);
+    if (row.all_harmonics)
+      n_all[row.load] = std::max(n_all[row.load], row.harmonics);
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const SpinRow &one, const SpinRow &other) { return one.closure < other.closure; });
-  const std::optional<double> paper = rows.front().omega_terminal();
+  const std::optional<double> first = rows.front().omega_terminal();
   for (SpinRow &row : rows)
-    if (paper && row.terminal)
-      row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_scale);
+  {
+    if (row.all_harmonics)
+      row.harmonics = n_all[row.load];
+    if (first && row.terminal)
+      row.difference_to_paper = relative_to(first, row.terminal->omega - *first, comparison.spin_scale);
+  }
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [&](const SpinRow &row)
+                            { return !row.all_harmonics && row.harmonics >= n_all[row.load]; }),
+             rows.end());
   progress.stage_done("comparison");
-  add_error_bands(study, foot, executor, rows);
-  const std::string &own_load = loads.back().name;
-  std::vector<SpinRow> own;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
-               [&](const SpinRow &row)
-               { return row.closure == study.motion.closure && row.load == own_load; });
-  const bool in_balance = own_load == compared_load::foot_in_balance;
-  comparison.budget =
-    budget_rows(in_balance ? with_coupling(study, LoadCoupling::two_way) : study, foot, own, executor);
-  add_bands(own.back().band, std::nullopt, comparison.budget);
-  progress.stage_done("error_bands");
   return comparison;
+}
+
+void judge_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
+                  Comparison &comparison)
+{
+  const std::string own_load = comparison.rows.back().load;
+  const bool in_balance = own_load == compared_load::foot_in_balance;
+  Study own = in_balance ? with_coupling(study, LoadCoupling::two_way) : study;
+  std::vector<SpinRow> of_study;
+  for (SpinRow &row : comparison.rows)
+  {
+    // Bands of what the answer names.
+    if (in_balance && row.load == own_load && row.all_harmonics && row.terminal &&
+        row.closure != ring::Closure::hand)
+    {
+      own.motion.closure = row.closure;
+      row.band = band_of(estimate_bands(own, foot, row, std::nullopt, executor), "omega_terminal");
+    }
+    if (row.load == own_load && row.closure == study.motion.closure)
+      of_study.push_back(row);
+  }
+  own.motion.closure = study.motion.closure;
+  comparison.budget = budget_rows(own, foot, of_study, executor);
+  add_bands(of_study.back().band, std::nullopt, comparison.budget);
 }
 
 } // namespace stemware::pipeline

@@ -1,5 +1,6 @@
 #include "fem/pipeline/app/console_progress.h"
 
+#include "fem/contact/contact_newton.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/interruption.h"
@@ -72,14 +73,14 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
 }
 
-void ConsoleProgress::iteration(const SolverIteration &step)
+void ConsoleProgress::iteration(const fem::ContactIteration &step)
 {
   note_done(fmt::format(FMT_STRING("{} Newton steps of the contact"), step.number));
   if (!has_header)
     console() << "  step   active  changed    residual   step length   CG iterations\n";
   has_header = true;
   console() << fmt::format(FMT_STRING("  {:4} {:8} {:8}   {:9.2e}   {:11.3g}   {:13}"), step.number,
-                           step.n_active, step.n_changed, step.residual, step.step_length,
+                           step.n_loaded, step.n_changed, step.residual, step.step_length,
                            step.linear_iterations)
             << std::endl;
 }

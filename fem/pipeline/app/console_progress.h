@@ -22,7 +22,7 @@ public:
 
   void stage_done(const std::string &stage) override;
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
-  void iteration(const SolverIteration &step) override;
+  void iteration(const fem::ContactIteration &step) override;
   void note(const std::string &subject, const std::string &text) override;
 
 private:

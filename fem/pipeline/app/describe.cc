@@ -26,12 +26,6 @@ namespace
 using Json = nlohmann::ordered_json;
 using Words = std::vector<std::string>;
 
-/// The verbs that --help lists.
-std::vector<const CLI::App *> shown_verbs(const CLI::App &program)
-{
-  return program.get_subcommands([](const CLI::App *verb) { return !verb->get_group().empty(); });
-}
-
 /// Text as troff shows it as it stands.
 std::string roff(std::string text)
 {
@@ -46,16 +40,6 @@ Json man_section(const std::string &heading, const CLI::App &app, const std::str
 {
   return { { "heading", heading },
            { "text", roff(app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal)) } };
-}
-
-/// Names of the options of @p app and what they mean, in one line each.
-std::vector<std::pair<std::string, std::string>> described_options(const CLI::App &app)
-{
-  std::vector<std::pair<std::string, std::string>> options;
-  for (const CLI::Option *option : app.get_options())
-    for (const std::string &name : option->get_lnames())
-      options.emplace_back("--" + name, boost::replace_all_copy(option->get_description(), "\n", " "));
-  return options;
 }
 
 /// A word as a shell takes it.
@@ -88,17 +72,20 @@ Json description_of(const CLI::App &program)
     entries.push_back(entry.path());
   Json verbs = Json::array(), sections = Json::array();
   sections.push_back(man_section("DESCRIPTION", program, "stemware"));
-  for (const CLI::App *verb : shown_verbs(program))
+  const auto is_listed = [](const CLI::App *verb) { return !verb->get_group().empty(); };
+  for (const CLI::App *verb : program.get_subcommands(is_listed))
   {
     const std::string name = verb->get_name();
     verb_names.push_back(name);
     Words option_names;
     std::string option_items;
-    for (const auto &[option, meaning] : described_options(*verb))
-    {
-      option_names.push_back(option);
-      option_items += zsh_item(option, meaning);
-    }
+    for (const CLI::Option *option : verb->get_options())
+      for (const std::string &option_name : option->get_lnames())
+      {
+        option_names.push_back("--" + option_name);
+        option_items +=
+          zsh_item(option_names.back(), boost::replace_all_copy(option->get_description(), "\n", " "));
+      }
     verbs.push_back({ { "name", name },
                       { "word", shell_word(name) },
                       { "item", zsh_item(name, verb->get_description()) },

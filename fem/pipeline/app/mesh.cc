@@ -12,7 +12,6 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
@@ -110,8 +109,7 @@ void mesh(const MeshOptions &options)
   std::optional<Study> study;
   if (has_study(options))
     study = read_study(options.study.study_file, options.study.overrides);
-  if (const std::string note = study ? profile_note(*study) : ""; !note.empty())
-    console() << wrapped(note, "Profile   ") << std::endl;
+  say_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
   std::optional<ResultsFolder> folder;
   if (!options.study.output.empty())

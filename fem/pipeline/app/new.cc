@@ -27,35 +27,16 @@ struct NewOptions
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
 
-/// Refuses names that no study file has.
-void require_study_name(const NewOptions &options)
+/// Writes a study @p file, the first of @p parts, and the files that it reads beside it, and says so in @p
+/// words. Throws BadInput for a name that no study file has, and OutputFailure where there is a file already;
+/// nothing is written then.
+void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
 {
-  require(options.file.find_first_not_of(" \t") != std::string::npos,
+  require(file.find_first_not_of(" \t") != std::string::npos,
           "The name of the study file is empty; write stemware new my_glass.prm.");
-  require(std::filesystem::path(options.file).extension() == ".prm",
-          "A study file ends in .prm, but " + shortened_path(options.file) +
-            " does not; write stemware new my_glass.prm.");
-}
-
-/// Writes the study file. Throws BadInput, and OutputFailure where there is one already.
-void write_new_study(const NewOptions &options)
-{
-  const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
-  const Preset &table = preset_of(table_presets(), "--table", options.table);
-  require_study_name(options);
-  on_first_rank([&] { create_text_file(options.file, new_study_text(glass, table, options.file)); });
-  console() << "Written   " << options.file << ": " << glass.name << " on " << table.name
-            << "\nNext      stemware run " << options.file << std::endl;
-}
-
-/// Writes the study of a cookbook and the files that it reads beside it. Throws as write_new_study(); nothing
-/// is written then.
-void write_cookbook(NewOptions options)
-{
-  if (options.file.empty())
-    options.file = options.cookbook + ".prm";
-  const std::vector<StudyPart> parts = cookbook_parts(options.cookbook, options.file);
-  require_study_name(options);
+  require(std::filesystem::path(file).extension() == ".prm", "A study file ends in .prm, but " +
+                                                               shortened_path(file) +
+                                                               " does not; write stemware new my_glass.prm.");
   on_first_rank(
     [&parts]
     {
@@ -64,10 +45,27 @@ void write_cookbook(NewOptions options)
       for (const StudyPart &part : parts)
         create_text_file(part.file, part.text);
     });
-  console() << "Written   " << options.file << ", the study of the cookbook " << options.cookbook;
+  console() << "Written   " << file << words;
   for (std::size_t i = 1; i < parts.size(); ++i)
     console() << (i == 1 ? ", and what it reads: " : ", ") << parts[i].file.string();
-  console() << "\nNext      stemware run " << options.file << std::endl;
+  console() << "\nNext      stemware run " << file << std::endl;
+}
+
+/// Throws as write_study().
+void write_new_study(const NewOptions &options)
+{
+  const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
+  const Preset &table = preset_of(table_presets(), "--table", options.table);
+  write_study(options.file, { { options.file, new_study_text(glass, table, options.file) } },
+              ": " + glass.name + " on " + table.name);
+}
+
+/// Throws as write_study().
+void write_cookbook(const NewOptions &options)
+{
+  const std::string file = options.file.empty() ? options.cookbook + ".prm" : options.file;
+  write_study(file, cookbook_parts(options.cookbook, file),
+              ", the study of the cookbook " + options.cookbook);
 }
 
 std::string list_of(const std::vector<Preset> &presets)

@@ -53,13 +53,6 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Values that no glass has. A slip of a unit is behind most of what follows.
-void note_implausible_values(const Study &study)
-{
-  for (const std::string &note : implausible_notes(study))
-    console() << wrapped(note, "Check     ") << std::endl;
-}
-
 /// Refuses a glass that would tip, with the values that no glass has: they are the likelier trouble.
 void require_standing_glass(const Study &study)
 {
@@ -77,18 +70,23 @@ void require_standing_glass(const Study &study)
 }
 
 /// The entries that have no effect, where the verb asks nothing but the study: the cases of a sweep have
-/// studies of their own.
-void note_idle_entries(Study study, const std::string &verb)
+/// studies of their own, a slide names its own.
+std::string unused_note(Study study, const std::string &verb)
 {
-  if (verb == "sweep" || verb == "slide") // a slide names its own
-    return;
+  if (verb == "sweep" || verb == "slide")
+    return "";
   if (verb == "compare") // asks for every moment balance
     study.motion.closure = ring::Closure::full;
-  if (const std::string note = idle_note(idle_entries(study)); !note.empty())
-    console() << wrapped(note, "Unused    ") << std::endl;
+  return idle_note(idle_entries(study));
 }
 
 } // namespace
+
+void say_note(const std::string &label, const std::string &note)
+{
+  if (!note.empty())
+    console() << wrapped(note, label) << std::endl;
+}
 
 void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &role)
 {
@@ -174,12 +172,12 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
-  note_implausible_values(study);
+  for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
+    say_note("Check     ", note);
   if (options.verb != "slide") // no hand leads it
     require_standing_glass(study);
-  if (const std::string note = profile_note(study); !note.empty())
-    console() << wrapped(note, "Profile   ") << std::endl;
-  note_idle_entries(study, options.verb);
+  say_note("Profile   ", profile_note(study));
+  say_note("Unused    ", unused_note(study, options.verb));
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
   return study;

@@ -49,6 +49,9 @@ void add_override_option(CLI::App &verb, StudyOptions &options);
 /// Declares --quiet and --json alone.
 void add_console_options(CLI::App &verb, StudyOptions &options);
 
+/// Says @p note on the console behind @p label; nothing where it is empty.
+void say_note(const std::string &label, const std::string &note);
+
 /// Begins a verb: directs the console, reads and checks the study, starts MPI where @p needs_mpi or a contact
 /// asks for it, and watches for interruptions. Refuses everything that can be refused before the work; throws
 /// BadInput.

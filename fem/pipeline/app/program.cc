@@ -3,13 +3,153 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
+#include "fem/pipeline/support/shared_files.h"
+#include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
 
+#include <iostream>
+#include <memory>
+#include <optional>
+
 namespace stemware::pipeline
 {
+
+/// The files of help/.
+const CompiledTexts &compiled_help();
+
+namespace
+{
+
+std::vector<std::string> verbs_of(const CLI::App &program)
+{
+  std::vector<std::string> names;
+  for (const CLI::App *verb : program.get_subcommands([](const CLI::App *) { return true; }))
+    if (!verb->get_group().empty()) // `describe` is hidden
+      names.push_back(verb->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App &verb)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option *option : verb.get_options())
+    for (const std::string &name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+/// A word that fits nowhere, and what may have been meant; ends with "see".
+std::string not_known(const std::string &word, const std::vector<std::string> &known,
+                      const std::string &otherwise)
+{
+  const auto meant = likeliest(word, known);
+  return "\"" + shortened(word) + "\" is " + otherwise +
+         (meant ? "; did you mean " + *meant + "? See" : "; see");
+}
+
+/// Description of the error in the command line, up to the word "see".
+std::string trouble_with(const CLI::App &program, const CLI::ParseError &error)
+{
+  const auto chosen = program.get_subcommands();
+  const CLI::App &verb = chosen.empty() ? program : *chosen.front();
+  const std::vector<std::string> known = chosen.empty() ? verbs_of(program) : options_of(verb);
+  const std::vector<std::string> rest = verb.remaining();
+  if (!rest.empty())
+    return not_known(rest.front(), known,
+                     chosen.empty() ? "not one of the verbs " + listed(known, "and")
+                                    : "not expected by " + verb.get_name());
+  return chosen.empty() ? "say what to do: one of " + listed(known, "and") + "; see"
+                        : shortened(error.what(), 160) + "; see";
+}
+
+/// Adds to the program the parts that all verbs share: version, exit codes, first examples.
+void describe_program(CLI::App &program)
+{
+  program.require_subcommand(1);
+  program.get_formatter()->label("SUBCOMMAND", "VERB");
+  program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
+  program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
+  program.footer(help_of("stemware"));
+}
+
+/// A sentence that says that there is no verb of that name, and which there are.
+std::string why_no_verb(const CLI::App &program, const std::string &name)
+{
+  const std::vector<std::string> verbs = verbs_of(program);
+  return not_known(name, verbs, "not one of the verbs " + listed(verbs, "and")) +
+         " `stemware --help` for examples.";
+}
+
+/// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
+/// error, which is reported in one sentence.
+std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
+{
+  for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
+    if (!verb->get_group().empty())
+      verb->group("Verbs");
+  try
+  {
+    program.parse(argc, argv);
+    return std::nullopt;
+  }
+  catch (const CLI::Success &request)
+  {
+    program.exit(request);
+    return ExitCode::success;
+  }
+  catch (const CLI::ParseError &error)
+  {
+    const auto verbs = program.get_subcommands();
+    std::cerr << "stemware: " << trouble_with(program, error) << " `stemware "
+              << (verbs.empty() ? "" : verbs.front()->get_name() + " ") << "--help` for examples."
+              << std::endl;
+    return ExitCode::bad_input;
+  }
+}
+
+} // namespace
+
+std::string help_of(const std::string &name)
+{
+  const std::string &text = text_of(compiled_help(), name + ".txt");
+  return text.substr(0, text.size() - 1); // the parser of the command line ends the line
+}
+
+CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
+                   const Verb &work)
+{
+  CLI::App *verb = program.add_subcommand(name, words);
+  verb->footer(help_of(name));
+  verb->callback([&chosen, work] { chosen = work; });
+  return verb;
+}
+
+void add_help_verb(CLI::App &program, Verb &chosen)
+{
+  const auto topic = std::make_shared<std::string>();
+  CLI::App *verb = program.add_subcommand("help", "Print this text, or that of a verb");
+  verb->add_option("VERB", *topic, "Verb to be explained; default: all of them in short");
+  verb->footer(help_of("help"));
+  verb->callback(
+    [&program, &chosen, topic]
+    {
+      const CLI::App *found = topic->empty() ? &program : nullptr;
+      for (const CLI::App *candidate : program.get_subcommands([](const CLI::App *) { return true; }))
+        if (candidate->get_name() == *topic)
+          found = candidate;
+      if (found == nullptr)
+        throw BadInput(why_no_verb(program, *topic));
+      const std::string name = program.get_name() + (topic->empty() ? "" : ' ' + *topic);
+      chosen = [found, name] {
+        console() << found->get_formatter()->make_help(found, name, CLI::AppFormatMode::Normal) << std::flush;
+      };
+    });
+}
 
 int run_program(int argc, char *argv[])
 {

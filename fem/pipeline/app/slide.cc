@@ -6,9 +6,7 @@
 #include "fem/pipeline/report/slide_results.h"
 #include "fem/pipeline/study/quantity_text.h"
 #include "fem/pipeline/study/study_checks.h"
-#include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -66,8 +64,7 @@ void slide(const SlideOptions &options)
   const SlideQuestion question = read_question(options);
   const Study study = begin_study(options);
   check_slide(study, question);
-  if (const std::string note = idle_note(idle_in_slide(study, question.body)); !note.empty())
-    console() << wrapped(note, "Unused    ") << std::endl;
+  say_note("Unused    ", idle_note(idle_in_slide(study, question.body)));
   ResultsFolder folder(options.results_place());
   stopwatch.finish("input");
 

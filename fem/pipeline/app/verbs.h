@@ -1,9 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/support/failures.h"
-
 #include <functional>
-#include <optional>
 #include <string>
 
 // NOLINTNEXTLINE(readability-identifier-naming): the library's name
@@ -22,13 +19,9 @@ using Verb = std::function<void()>;
 std::string help_of(const std::string &name);
 
 /// Adds a verb, with the examples and explanations that end its help. When it is chosen, @p chosen becomes
-/// its
-/// @p work.
+/// its @p work.
 CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
                    const Verb &work);
-
-/// Adds to the program the parts that all verbs share: version, exit codes, first examples.
-void describe_program(CLI::App &program);
 
 /// The verbs in the order of --help; `describe` is for those who install the program. Each has a function
 /// add_NAME_verb(), which adds its options and work.
@@ -49,12 +42,5 @@ void describe_program(CLI::App &program);
 #define STEMWARE_VERB(name) void add_##name##_verb(CLI::App &program, Verb &chosen);
 STEMWARE_VERBS(STEMWARE_VERB)
 #undef STEMWARE_VERB
-
-/// A sentence that says that there is no verb of that name, and which there are.
-std::string why_no_verb(const CLI::App &program, const std::string &name);
-
-/// Parses; an exit code when there is nothing left to do: after --help and --version, and after a usage
-/// error, which is reported in one sentence.
-std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[]);
 
 } // namespace stemware::pipeline

@@ -51,11 +51,7 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   demand.n_harmonics = highest;
   fem::ContactState state =
     foot->solve(demand, slip, path.guess(demand, slip, before),
-                [&progress](const fem::ContactIteration &step)
-                {
-                  progress.iteration({ step.number, step.n_loaded, step.n_changed, step.residual,
-                                       step.step_length, step.linear_iterations });
-                });
+                [&progress](const fem::ContactIteration &step) { progress.iteration(step); });
   path.append(state);
   ++*n_solved;
   return state;

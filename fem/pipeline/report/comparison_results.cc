@@ -55,22 +55,6 @@ Json comparison_rows(const Comparison &comparison)
   return declared(rows, "comparison");
 }
 
-Findings findings_of(const Study &study, const Comparison &comparison)
-{
-  const std::string &load = comparison.rows.back().load; // the study's own, the last
-  const SpinRow *own = comparison.find(study.motion.closure, load);
-  const HarmonicEffect effect = comparison.harmonic_effect(study.motion.closure, load);
-  Findings findings;
-  findings.key_figures = { { "omega_terminal", own->omega_terminal() },
-                           { "omega_terminal_band", own->band },
-                           { "harmonic_effect", effect.absolute },
-                           { "harmonic_effect_relative", effect.relative } };
-  findings.summary = { { "harmonic_effect", harmonic_effect_summary(effect) },
-                       { "budget", budget_summary(study, comparison.budget) },
-                       { "comparison", comparison_rows(comparison) } };
-  return findings;
-}
-
 /// A terminal spin with its state: on the console "f" marks formal loads.
 std::string spin_text(const SpinRow &row, bool on_console)
 {
@@ -195,27 +179,51 @@ Json facts_of(const Study &study, const Comparison &comparison)
 
 } // namespace
 
-Results tabulate(const Study &study, const Comparison &comparison)
+void add_models(const Study &study, const Comparison &comparison, Document &document)
 {
+  const std::string &load = comparison.rows.back().load; // the study's own, the last
+  const Closure own = study.motion.closure;
+  const SpinRow &own_row = *comparison.find(own, load);
+  const HarmonicEffect effect = comparison.harmonic_effect(own, load);
   Budget budget;
   budget.rows = comparison.budget;
-  Document document = { findings_of(study, comparison), facts_of(study, comparison) };
-  const auto spin = [&](Closure closure, const std::string &load)
-  { return comparison.find(closure, load)->omega_terminal(); };
-  add_study(study,
-            { { "complete balance", spin(Closure::full, comparison.rows.back().load) },
-              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
-            document);
+  document.findings.key_figures = { { "omega_terminal", own_row.omega_terminal() },
+                                    { "omega_terminal_band", own_row.band },
+                                    { "harmonic_effect", effect.absolute },
+                                    { "harmonic_effect_relative", effect.relative } };
+  document.findings.summary["harmonic_effect"] = harmonic_effect_summary(effect);
+  document.findings.summary["budget"] = budget_summary(study, budget.rows);
+  document.facts.update(facts_of(study, comparison));
   add_chain(study, budget, document);
   add_comparison_plots(comparison, document);
-  const Closure own = study.motion.closure;
   document.facts["overview"] = overview_rows(comparison);
   document.facts["console_overview"] = console_overview(comparison, own);
   document.quantities["console_overview"]["harmonic_effect"]["label"] =
     "harmonics,\nclosure " + ring::to_string(own);
   for (const Closure closure : closures)
     document.facts["closures"][ring::to_string(closure)] = closure_rows(comparison, closure);
-  return shown(document, "compare");
+  const auto spin = [&](Closure closure, const std::string &of_load)
+  { return comparison.find(closure, of_load)->omega_terminal(); };
+  add_study(study,
+            { { "complete balance", spin(Closure::full, load) },
+              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
+            document);
+}
+
+Results tabulate(const std::string &verb, const Study &study, const Comparison &comparison,
+                 ShownBeside add_own)
+{
+  Document document;
+  std::vector<TurningGlass> glasses;
+  for (const SpinRow &row : comparison.rows)
+    if (row.all_harmonics)
+      glasses.push_back({ row.load, row.omega_terminal() });
+  document.facts["rows"] = shown_spin_rows(comparison.rows);
+  add_study(study, glasses, document);
+  if (add_own)
+    add_own(study, comparison, document);
+  document.findings.summary["comparison"] = comparison_rows(comparison);
+  return shown(document, verb);
 }
 
 } // namespace stemware::pipeline

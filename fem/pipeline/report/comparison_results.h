@@ -6,7 +6,17 @@
 namespace stemware::pipeline
 {
 
-/// The results of `compare`: loads and truncations beside moment balances.
-Results tabulate(const Study &study, const Comparison &comparison);
+/// Adds to @p document what a verb shows beside the rows of its variants.
+using ShownBeside = void (*)(const Study &study, const Comparison &comparison, Document &document);
+
+/// The results of a verb that compares variants of a study, by the template of its name: "comparison" of
+/// summary.json, the rows for people as "rows", the study with a glass for each row of all harmonics, and
+/// what it shows beside them, if anything.
+Results tabulate(const std::string &verb, const Study &study, const Comparison &comparison,
+                 ShownBeside add_own = nullptr);
+
+/// Adds what `compare` shows beside its rows: loads and truncations down, moment balances along, their plots,
+/// the sentences of its answer and the budget.
+void add_models(const Study &study, const Comparison &comparison, Document &document);
 
 } // namespace stemware::pipeline

@@ -1,8 +1,7 @@
 #include "fem/pipeline/support/failures.h"
 
-#include <algorithm>
-#include <cctype>
-#include <sstream>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim_all.hpp>
 
 namespace stemware::pipeline
 {
@@ -16,14 +15,7 @@ void require(bool condition, const std::string &sentence)
 std::string on_one_line(const std::string &text)
 {
   // Control characters would end a message, or move a console's cursor.
-  std::string printable = text;
-  std::replace_if(
-    printable.begin(), printable.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
-  std::istringstream words(printable);
-  std::string line;
-  for (std::string word; words >> word;)
-    line += (line.empty() ? "" : " ") + word;
-  return line;
+  return boost::trim_fill_copy_if(text, " ", boost::is_space() || boost::is_cntrl());
 }
 
 std::string shortened(const std::string &text, std::size_t longest)

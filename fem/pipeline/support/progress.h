@@ -3,19 +3,13 @@
 #include <cstddef>
 #include <string>
 
+namespace stemware::fem
+{
+struct ContactIteration; // a step of Newton's method, of which support/ knows the name alone
+}
+
 namespace stemware::pipeline
 {
-
-/// One step of an iterative solver.
-struct SolverIteration
-{
-  unsigned int number = 0;
-  unsigned int n_active = 0;  ///< size of the active set
-  unsigned int n_changed = 0; ///< how many of its members differ from the step before
-  double residual = 0;        ///< relative
-  double step_length = 0;     ///< share of the Newton increment that was taken
-  unsigned int linear_iterations = 0;
-};
 
 /// Listener to the progress of long work. Nobody listens unless a function is overridden; the console's
 /// progress is made in app/. Not called from several threads at a time.
@@ -28,7 +22,7 @@ public:
   virtual void stage_done(const std::string & /*stage*/) {}
   /// @p n_done pieces of @p what have been done; @p n_all is 0 where nobody knows how many there will be.
   virtual void pieces_done(const std::string & /*what*/, std::size_t /*n_done*/, std::size_t /*n_all*/) {}
-  virtual void iteration(const SolverIteration & /*step*/) {}
+  virtual void iteration(const fem::ContactIteration & /*step*/) {}
   /// Something that a reader of the console should know, with a word or two that name its subject.
   virtual void note(const std::string & /*subject*/, const std::string & /*text*/) {}
 };

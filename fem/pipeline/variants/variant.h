@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
+#include "ring_model/unilateral_foundation.h"
 
 #include <memory>
 #include <string>
@@ -21,7 +22,7 @@ struct Variant
   std::string reason = {};                  ///< why it is not solved; empty where it is
   /// Rigid ring in closed form, whose load in balance stands in the place of the study's; nothing: the
   /// study's.
-  std::shared_ptr<const ring::LoadModel> rigid_ring = nullptr;
+  std::shared_ptr<const ring::UnilateralFoundation> rigid_ring = nullptr;
   bool on_other_rings = false; ///< of the same foot: they are placed anew
 };
 

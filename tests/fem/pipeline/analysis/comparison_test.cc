@@ -18,7 +18,10 @@ using namespace stemware::test;
 Comparison compare_quickly(const Study &study)
 {
   fem::ComplianceCache cache;
-  return compare_models(study, study_foot(study, cache), cache);
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  Comparison comparison = compare_variants(study, compared_models(study), foot, cache);
+  judge_models(study, foot, cache, comparison);
+  return comparison;
 }
 
 std::vector<std::string> loads_of(const Comparison &comparison)

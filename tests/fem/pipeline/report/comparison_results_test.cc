@@ -14,7 +14,7 @@ using namespace test;
 
 Results made_comparison()
 {
-  return tabulate({}, comparison_by_hand());
+  return tabulate("compare", {}, comparison_by_hand(), add_models);
 }
 
 TEST(ComparisonByHand, Console)
@@ -60,10 +60,11 @@ closure hand, elastic foot: no balance. No balance of moments was found
 TEST(ComparisonByHand, SaysWhatTheEffectOfHarmonicsIsCountedFrom)
 {
   Study study;
-  EXPECT_NE(console_text(tabulate(study, comparison_by_hand())).find("with tilt for a foot"),
-            std::string::npos);
+  EXPECT_NE(
+    console_text(tabulate("compare", study, comparison_by_hand(), add_models)).find("with tilt for a foot"),
+    std::string::npos);
   study.motion.tilt = false;
-  const std::string upright = console_text(tabulate(study, comparison_by_hand()));
+  const std::string upright = console_text(tabulate("compare", study, comparison_by_hand(), add_models));
   EXPECT_EQ(upright.find("tilt for a foot"), std::string::npos);
   EXPECT_NE(upright.find("against its own first harmonic:"), std::string::npos) << upright;
 }
@@ -75,7 +76,7 @@ TEST(ComparisonByHand, AGlassThatDoesNotSpinHasNoPercentages)
   for (SpinRow &row : comparison.rows)
     if (row.terminal)
       row.terminal->omega = 1e-12;
-  EXPECT_EQ(tabulate({}, comparison).report.answer,
+  EXPECT_EQ(tabulate("compare", {}, comparison, add_models).report.answer,
             "The glass does not spin up, whatever its load and its moment balance.");
 }
 
