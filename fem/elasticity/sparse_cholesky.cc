@@ -28,13 +28,6 @@ std::mutex entering_blas;
     "the body.");
 }
 
-cholmod_sparse view_of(LowerTriangle &lower)
-{
-  cholmod_sparse view = Eigen::viewAsCholmod(Eigen::Ref<LowerTriangle>(lower));
-  view.stype = -1;
-  return view;
-}
-
 } // namespace
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
@@ -81,80 +74,66 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) c
   return factors->solve(right_hand_sides);
 }
 
-/// CHOLMOD's parameters and work space.
-struct BlockInverse::Workspace
+/// Factors L L' in the order of the matrix, of blocks where that pays.
+struct BlockInverse::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen::Lower>
 {
-  Workspace()
+  Factors()
   {
     hold_blas_to_one_thread();
     omp_set_num_threads(1);       // an OpenBLAS built on OpenMP goes by the number of each thread
     omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
-    cholmod_start(&common);
-    common.print = 0;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;
-    common.postorder = 0;
-    common.supernodal = CHOLMOD_AUTO;
-    common.final_asis = 0;
-    common.final_super = 0;
-    common.final_ll = 1;
+    cholmod().print = 0;
+    cholmod().nmethods = 1;
+    cholmod().method[0].ordering = CHOLMOD_NATURAL;
+    cholmod().postorder = 0;
+    cholmod().supernodal = CHOLMOD_AUTO;
+    cholmod().final_super = 0;
   }
-  ~Workspace() { cholmod_finish(&common); }
-  Workspace(const Workspace &) = delete;
-  Workspace &operator=(const Workspace &) = delete;
-
-  cholmod_common common = {};
-};
-
-/// Factors L L', freed with the work space that they belong to.
-struct BlockInverse::Factors
-{
-  Factors(cholmod_factor *factors, Workspace &workspace)
-      : factors(factors)
-      , workspace(workspace)
+  /// With the pattern of @p symbolic.
+  Factors(const Factors &symbolic)
+      : Factors()
   {
+    m_cholmodFactor = cholmod_copy_factor(symbolic.m_cholmodFactor, &cholmod());
+    m_isInitialized = true;
+    m_analysisIsOk = 1;
   }
-  ~Factors() { cholmod_free_factor(&factors, &workspace.common); }
-  Factors(const Factors &) = delete;
   Factors &operator=(const Factors &) = delete;
+
+  bool are_blocks() const { return m_cholmodFactor->is_super != 0; }
+  bool are_whole() { return cholmod().status == CHOLMOD_OK && info() == Eigen::Success; }
 
   /// The last @p n rows and columns of L.
   Eigen::MatrixXd end(Eigen::Index n) const
   {
-    const auto *starts = static_cast<const int *>(factors->p);
-    const auto *lengths = static_cast<const int *>(factors->nz);
-    const auto *rows = static_cast<const int *>(factors->i);
-    const auto *values = static_cast<const double *>(factors->x);
-    const Eigen::Index first = static_cast<Eigen::Index>(factors->n) - n;
+    const auto *starts = static_cast<const int *>(m_cholmodFactor->p);
+    const auto *lengths = static_cast<const int *>(m_cholmodFactor->nz);
+    const auto *rows = static_cast<const int *>(m_cholmodFactor->i);
+    const auto *values = static_cast<const double *>(m_cholmodFactor->x);
+    const Eigen::Index first = static_cast<Eigen::Index>(m_cholmodFactor->n) - n;
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index j = 0; j < n; ++j)
       for (int k = starts[first + j]; k < starts[first + j] + lengths[first + j]; ++k)
         result(rows[k] - first, j) = values[k];
     return result;
   }
-
-  cholmod_factor *factors;
-  Workspace &workspace;
 };
 
 struct BlockInverse::Plan
 {
-  Workspace workspace;
   LowerTriangle reordered;           ///< pattern in the order of elimination
   std::vector<Eigen::Index> sources; ///< of its values in the matrix as given
   std::vector<Eigen::Index> of_kept; ///< places of the kept rows among the last ones
-  std::unique_ptr<Factors> symbolic;
+  Factors symbolic;
 };
 
 BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsigned int> &kept)
     : plan(std::make_unique<Plan>())
 {
-  LowerTriangle given = pattern;
-  std::vector<int> part(static_cast<std::size_t>(given.rows()), 0), order(part.size()), place(part.size());
+  std::vector<int> part(static_cast<std::size_t>(pattern.rows()), 0), order(part.size()), place(part.size());
   for (const unsigned int row : kept)
     part[row] = 1;
-  cholmod_sparse view_of_given = view_of(given);
-  cholmod_camd(&view_of_given, nullptr, 0, part.data(), order.data(), &plan->workspace.common);
+  cholmod_sparse view = Eigen::viewAsCholmod(pattern.selfadjointView<Eigen::Lower>());
+  cholmod_camd(&view, nullptr, 0, part.data(), order.data(), &plan->symbolic.cholmod());
   for (std::size_t i = 0; i < order.size(); ++i)
     place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
   for (const unsigned int row : kept)
@@ -172,28 +151,24 @@ BlockInverse::BlockInverse(const LowerTriangle &pattern, const std::vector<unsig
   plan->reordered.setFromTriplets(entries.begin(), entries.end());
   for (Eigen::Index k = 0; k < plan->reordered.nonZeros(); ++k)
     plan->sources.push_back(static_cast<Eigen::Index>(plan->reordered.valuePtr()[k]));
-  cholmod_sparse view = view_of(plan->reordered);
-  plan->symbolic =
-    std::make_unique<Factors>(cholmod_analyze(&view, &plan->workspace.common), plan->workspace);
+  plan->symbolic.analyzePattern(plan->reordered);
 }
 
 BlockInverse::~BlockInverse() = default;
 
 Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const
 {
-  Workspace workspace;
   LowerTriangle matrix = plan->reordered;
   for (Eigen::Index k = 0; k < matrix.nonZeros(); ++k)
     matrix.valuePtr()[k] = entries(plan->sources[static_cast<std::size_t>(k)]);
-  Factors numeric(cholmod_copy_factor(plan->symbolic->factors, &workspace.common), workspace);
+  Factors numeric(plan->symbolic);
   {
     std::unique_lock<std::mutex> alone(entering_blas, std::defer_lock);
-    if (numeric.factors->is_super && !blas_takes_threads())
+    if (numeric.are_blocks() && !blas_takes_threads())
       alone.lock();
-    cholmod_sparse view = view_of(matrix);
-    cholmod_factorize(&view, numeric.factors, &workspace.common);
+    numeric.factorize(matrix);
   }
-  if (workspace.common.status != CHOLMOD_OK || numeric.factors->minor != numeric.factors->n)
+  if (!numeric.are_whole())
     throw_indefinite();
 
   // With the kept rows last, (L L')^-1 has (L_e L_e')^-1 in their rows and columns, L_e the end of L.

@@ -57,7 +57,6 @@ public:
   Eigen::MatrixXd operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const;
 
 private:
-  struct Workspace;
   struct Factors;
   struct Plan;
   std::unique_ptr<Plan> plan;

@@ -60,8 +60,6 @@ public:
 
   void initialize_dof_vector(Vector &vector) const override { cells.initialize_dof_vector(vector); }
 
-  std::size_t memory_consumption() const override { return cells.memory_consumption(); }
-
 private:
   using Cells = MatrixFree<3, Number>;
   using Lanes = VectorizedArray<Number>;

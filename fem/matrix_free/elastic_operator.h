@@ -38,9 +38,6 @@ public:
 
   /// Gives @p vector the partition, ghosts included, that vmult() works on, and zeros.
   virtual void initialize_dof_vector(Vector &vector) const = 0;
-
-  /// Bytes on this rank.
-  virtual std::size_t memory_consumption() const = 0;
 };
 
 /// K of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All arguments but the

@@ -12,7 +12,7 @@ namespace stemware::fem
 {
 
 /// The stiffness K of a body, and an approximate inverse of K + B' T B, T that of the table between its
-/// contact nodes: what a SolidSystem is solved with.
+/// contact nodes: what a SolidBody is solved with.
 class BodyStiffness
 {
 public:
@@ -37,11 +37,9 @@ public:
   /// How many iterations that has cost the last system, of which set_contact() may learn.
   virtual void learn(unsigned int /*n_iterations*/) {}
 
-  /// Whether there are the meshes that its own was refined from.
-  virtual bool has_coarser_meshes() const { return false; }
-  /// Whether its own is the coarsest of them.
-  virtual bool is_coarsest() const { return true; }
-  /// The stiffness of this body on the next coarser mesh; nothing on the coarsest.
+  /// Whether there are coarser ones of the meshes that its own was refined from.
+  virtual bool has_coarser() const { return false; }
+  /// The stiffness of this body on the next coarser of them; nothing where there is none.
   virtual std::unique_ptr<BodyStiffness> coarser() const { return nullptr; }
   /// @p fine becomes the function that @p coarse is on the mesh of coarser(), to single precision.
   virtual void prolongate(Vector & /*fine*/, const Vector & /*coarse*/) const {}

@@ -12,6 +12,7 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -61,22 +62,7 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
   LinearAlgebra::distributed::Vector<double> positions(dof_handler.locally_owned_dofs(), relevant,
                                                        communicator);
-  FEValues<3> at_nodes(*smooth, element, Quadrature<3>(element.base_element(0).get_unit_support_points()),
-                       update_quadrature_points);
-  std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-  for (const auto &cell : dof_handler.active_cell_iterators())
-  {
-    if (!cell->is_locally_owned())
-      continue;
-    at_nodes.reinit(cell);
-    cell->get_dof_indices(dofs);
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-      if (positions.in_local_range(dofs[i]))
-      {
-        const auto [component, node] = element.system_to_component_index(i);
-        positions(dofs[i]) = at_nodes.quadrature_point(node)[component];
-      }
-  }
+  VectorTools::get_position_vector(*smooth, dof_handler, positions);
   AffineConstraints<double> hanging(relevant);
   DoFTools::make_hanging_node_constraints(dof_handler, hanging);
   hanging.close();

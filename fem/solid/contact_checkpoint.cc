@@ -1,6 +1,7 @@
 #include "fem/solid/contact_checkpoint.h"
 
 #include "fem/solid/binary_stream.h"
+#include "fem/solid/solid_body.h"
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,6 @@
 
 #include "fem/contact/contact_newton.h"
 #include "fem/solid/checkpoint_manifest.h"
-#include "fem/solid/solid_body.h"
 
 #include <filesystem>
 #include <optional>
@@ -11,6 +10,8 @@
 
 namespace stemware::fem
 {
+
+class SolidBody;
 
 /// The state of a contact solve in files, from which it goes on when the program was killed: displacement and
 /// table motions of the mesh that it was at, written whole after each Newton step. For bodies with a mesh

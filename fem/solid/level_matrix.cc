@@ -1,9 +1,5 @@
 #include "fem/solid/level_matrix.h"
 
-#include "fem/solid/stiffness_3d.h"
-
-#include <deal.II/base/mpi.h>
-
 #include <stdexcept>
 
 namespace stemware::fem
@@ -53,57 +49,6 @@ LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
   data.eig_cg_n_iterations = multigrid_numbers.n_eigenvalue_iterations;
   data.preconditioner = matrix.jacobi();
   return data;
-}
-
-FactorizedLevel::FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material,
-                                 std::shared_ptr<const ContactNodes> contact_nodes)
-    : communicator(level.dof_handler.get_communicator())
-    , owned(level.dof_handler.locally_owned_dofs())
-    , nodes(std::move(contact_nodes))
-{
-  TrilinosWrappers::SparseMatrix matrix;
-  assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, matrix);
-  std::vector<std::array<double, 3>> local;
-  for (const auto row : owned)
-    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-      local.push_back({ double(row), double(entry->column()), entry->value() });
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const auto &part : Utilities::MPI::all_gather(communicator, local))
-    for (const auto &[row, column, value] : part)
-      entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-  const auto n = static_cast<Eigen::Index>(level.dof_handler.n_dofs());
-  stiffness.resize(n, n);
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-}
-
-void FactorizedLevel::set_contact(const Eigen::SparseMatrix<double> &tangent)
-{
-  std::vector<double> packed; // row, column, value: of a level as small as this, a rank can have all
-  for (Eigen::Index column = 0; column < tangent.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(tangent, column); entry; ++entry)
-      packed.insert(packed.end(), { double(nodes->dofs()[static_cast<std::size_t>(entry.row())]),
-                                    double(nodes->dofs()[static_cast<std::size_t>(column)]), entry.value() });
-  packed = nodes->parts().gather_everywhere(std::move(packed));
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t i = 0; i < packed.size(); i += 3)
-    entries.emplace_back(static_cast<int>(packed[i]), static_cast<int>(packed[i + 1]), packed[i + 2]);
-  Eigen::SparseMatrix<double> table(stiffness.rows(), stiffness.cols());
-  table.setFromTriplets(entries.begin(), entries.end());
-  factors.compute(stiffness + table);
-  if (factors.info() != Eigen::Success)
-    throw std::runtime_error("the stiffness of the coarsest mesh is not positive definite.");
-}
-
-void FactorizedLevel::operator()(unsigned int, FloatVector &dst, const FloatVector &src) const
-{
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(stiffness.rows());
-  for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
-    rhs(static_cast<Eigen::Index>(owned.nth_index_in_set(i))) = src.local_element(i);
-  const ArrayView<double> values(rhs.data(), static_cast<std::size_t>(rhs.size()));
-  Utilities::MPI::sum(ArrayView<const double>(values), communicator, values);
-  const Eigen::VectorXd solution = factors.solve(rhs);
-  for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-    dst.local_element(i) = static_cast<float>(solution(static_cast<Eigen::Index>(owned.nth_index_in_set(i))));
 }
 
 } // namespace stemware::fem

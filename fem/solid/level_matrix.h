@@ -6,8 +6,6 @@
 #include <deal.II/lac/precondition.h>
 #include <deal.II/multigrid/mg_base.h>
 
-#include <Eigen/SparseCholesky>
-
 namespace stemware::fem
 {
 
@@ -65,33 +63,5 @@ inline constexpr MultigridNumbers multigrid_numbers = {};
 
 /// How every level is smoothed.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
-
-/// An approximate inverse of K + B' T B on the coarsest level.
-class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
-{
-public:
-  /// @p tangent T between the contact nodes, this rank's part of it, which operator() then knows. Throws
-  /// std::runtime_error when the sum is not positive definite.
-  virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
-};
-
-/// The inverse, factorised on every rank.
-class FactorizedLevel : public CoarseSolver
-{
-public:
-  /// @p nodes: contact nodes of the level.
-  FactorizedLevel(const SolidLevel &level, const ElasticMaterial &material,
-                  std::shared_ptr<const ContactNodes> nodes);
-
-  void set_contact(const Eigen::SparseMatrix<double> &tangent) override;
-  void operator()(unsigned int level, FloatVector &dst, const FloatVector &src) const override;
-
-private:
-  const MPI_Comm communicator;
-  const dealii::IndexSet owned;
-  const std::shared_ptr<const ContactNodes> nodes;
-  Eigen::SparseMatrix<double> stiffness;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
-};
 
 } // namespace stemware::fem

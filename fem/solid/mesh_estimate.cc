@@ -165,7 +165,7 @@ Eigen::VectorXd force_weights(const ContactGoal &goal, const ContactSurface &sur
 
 MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells)
 {
-  const DoFHandler<3> &dofs = contact.system.dofs();
+  const DoFHandler<3> &dofs = contact.body.dofs();
   const unsigned int degree = dofs.get_fe().degree;
   std::vector<LevelElements> elements = levels_of(dofs.get_triangulation(), degree);
   const auto own = static_cast<unsigned int>(elements.size() - 1);
@@ -173,19 +173,16 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
        enriched_meshes(dofs.get_triangulation(), contact.inner_radius, contact.outer_radius))
     elements.push_back({ mesh, degree });
   elements.push_back({ elements.back().mesh, degree + 1 });
-  const auto hierarchy = std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1,
-                                                         contact.system.glass());
+  const auto hierarchy =
+    std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1, contact.body.glass());
   const unsigned int finest = hierarchy->n_levels() - 1;
-  const ElasticMaterial &glass = contact.system.glass();
-  auto system = std::make_unique<SolidSystem>(std::make_unique<MultigridStiffness>(hierarchy, finest, glass),
-                                              glass, contact.gap, 0);
-  SolidSystem &finer = *system;
-  SolidBody body(std::move(system), contact.gap);
+  const ElasticMaterial &glass = contact.body.glass();
+  SolidBody body(std::make_unique<MultigridStiffness>(hierarchy, finest, glass), glass, contact.gap, 0);
   body.set_sliding(contact.sliding);
   const ContactSurface &surface = body.contact_surface();
   const Embedding embedding(*hierarchy, own);
-  const DofVector embedded = embedding.embedded(contact.system.displacement_for_output());
-  finer.set_displacement(embedded);
+  const DofVector embedded = embedding.embedded(contact.body.displacement_for_output());
+  body.set_displacement(embedded);
 
   const std::unique_ptr<TableLaw> law = contact.interface.make(surface, 0);
   MeshError error;
@@ -209,15 +206,15 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   ContactForces pressed;
   law->evaluate(solution.normal_displacement, pressed);
   const Eigen::VectorXd pressed_goal = pressed.tangent * force_weights(goal, surface);
-  const DofVector dual = finer.solve_symmetric(
+  const DofVector dual = body.solve_symmetric(
     pressed.tangent, pressed_goal,
     surface.parts.sum(surface.motion_modes().transpose() * pressed_goal) - goal.of_motion, dual_tolerance);
   // The forces that were found, not those of the law at the own displacement: a stiff spring makes nearly
   // everything of what the own elements cannot say about the penetration.
-  finer.set_displacement(embedded);
+  body.set_displacement(embedded);
   DofVector products = dual;
   products -= embedding.interpolated(dual);
-  products.scale(finer.residual(pressed.forces));
+  products.scale(body.residual(pressed.forces));
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.foot_cells = sums_over_cells(hierarchy->level(finest), products, numbers);

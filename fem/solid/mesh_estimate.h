@@ -3,7 +3,7 @@
 #include "fem/contact/contact_goal.h"
 #include "fem/contact/foot.h"
 #include "fem/contact/interface_law.h"
-#include "fem/solid/solid_system.h"
+#include "fem/solid/solid_body.h"
 
 namespace stemware::fem
 {
@@ -11,9 +11,9 @@ namespace stemware::fem
 /// A contact of a solid foot that has been solved, in the axes of its mesh.
 struct SolvedSolidContact
 {
-  const SolidSystem &system; ///< whose displacement is that of the contact
+  const SolidBody &body; ///< whose displacement is that of the contact
   const InterfaceLaw &interface;
-  SolidBody::Gap gap;
+  SolidGap gap;
   SlidingTraction sliding;
   ContactDemand demand = {};
   ContactSolution solution = {};

@@ -1,9 +1,8 @@
 #include "fem/solid/mesh_hierarchy.h"
 
 #include "fem/geometry/boundary_ids.h"
+#include "fem/solid/coarse_solver.h"
 #include "fem/solid/conforming_mapping.h"
-#include "fem/solid/level_matrix.h"
-#include "fem/solid/revolved_cycle.h"
 #include "fem/solid/solid_contact_zone.h"
 
 #include <deal.II/base/mpi.h>
@@ -22,15 +21,9 @@ namespace stemware::fem
 
 using namespace dealii;
 
-namespace
-{
-
-constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
-
-} // namespace
-
 AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
 {
+  constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
   const IndexSet clamped =
     DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(3, true), { stem_cut_id });
   if (Utilities::MPI::sum(clamped.n_elements(), dof_handler.get_communicator()) == 0)
@@ -74,10 +67,7 @@ struct MeshHierarchy::Cycle
       matrices[l].reinit(*levels[l], material, contact_nodes[l]);
     make_transfer(finest);
     make_smoothers(finest);
-    if (levels[0]->dof_handler.n_dofs() <= multigrid_numbers.most_factorized_unknowns)
-      coarse_solver = std::make_unique<FactorizedLevel>(*levels[0], material, contact_nodes[0]);
-    else
-      coarse_solver = std::make_unique<RevolvedCycle>(*levels[0], matrices[0], material, contact_nodes[0]);
+    coarse_solver = make_coarse_solver(*levels[0], matrices[0], material, contact_nodes[0]);
     matrix.initialize(matrices);
   }
 

@@ -47,9 +47,9 @@ std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulati
 /// was refined from, each with the table's stiffness on it (docs/method/solid_at_scale.md).
 ///
 /// Level 0 has linear elements and is factorised where it is small, else solved with the help of its mean
-/// body of revolution (RevolvedCycle). From one level to the next either all cells are those of before or
-/// halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the Jacobi-scaled
-/// operator smooth.
+/// body of revolution (make_coarse_solver()). From one level to the next either all cells are those of before
+/// or halved, or the degree rises. Cells are multiplied on the fly; Chebyshev polynomials of the
+/// Jacobi-scaled operator smooth.
 class MeshHierarchy
 {
 public:

@@ -10,8 +10,15 @@ namespace stemware::fem
 class MultigridStiffness : public BodyStiffness
 {
 public:
-  MultigridStiffness(std::shared_ptr<MeshHierarchy> hierarchy, unsigned int level,
-                     const ElasticMaterial &material);
+  MultigridStiffness(const std::shared_ptr<MeshHierarchy> &meshes, unsigned int level,
+                     const ElasticMaterial &material)
+      : hierarchy(meshes)
+      , level(level)
+      , material(material)
+      , elastic(
+          make_elastic_operator<double>(mesh().mapping, mesh().dof_handler, mesh().constraints, material))
+  {
+  }
 
   const SolidLevel &mesh() const override { return hierarchy->level(level); }
   std::shared_ptr<const ContactNodes> contact_nodes() const override
@@ -30,9 +37,11 @@ public:
   {
     return std::make_unique<MultigridStiffness>(*this);
   }
-  bool has_coarser_meshes() const override { return hierarchy->coarsest_mesh() + 1 < hierarchy->n_levels(); }
-  bool is_coarsest() const override { return level == hierarchy->coarsest_mesh(); }
-  std::unique_ptr<BodyStiffness> coarser() const override;
+  bool has_coarser() const override { return level > hierarchy->coarsest_mesh(); }
+  std::unique_ptr<BodyStiffness> coarser() const override
+  {
+    return has_coarser() ? std::make_unique<MultigridStiffness>(hierarchy, level - 1, material) : nullptr;
+  }
   void prolongate(Vector &fine, const Vector &coarse) const override
   {
     hierarchy->prolongate(level, fine, coarse);

@@ -65,9 +65,9 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
       if (const auto kept = checkpoint->restore(*coarse))
         start = kept->start;
     if (!start)
-      start = coarse->is_coarsest()
-                ? start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius)
-                : start_from_coarser_mesh(*coarse, *softer, softening, demand, radius, checkpoint);
+      start = coarse->has_coarser()
+                ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius, checkpoint)
+                : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
     ContactControl control = coarse_control(softening);
     if (checkpoint)
       control.checkpoint = [&](const ContactStart &at, const ContactIteration &)

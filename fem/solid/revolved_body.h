@@ -16,7 +16,7 @@ namespace stemware::fem
 /// The body of revolution that a mesh is on average round its axis: a coarse space for the mesh's equations.
 ///
 /// Its functions are u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta) and the same turned by a
-/// quarter of a wave, n = 0 ... n_harmonics(), u of a SectionGrid. K_n is integrated over the mesh itself,
+/// quarter of a wave, n = 0 ... n_max, u of a SectionGrid. K_n is integrated over the mesh itself,
 /// whatever its shape: Galerkin's matrix without what couples harmonics and without the difference of sine
 /// and cosine. The table, which couples all of them, is added by the compliances between the grid's nodes in
 /// the contact.
@@ -26,8 +26,6 @@ public:
   /// @p contact_nodes: of the level.
   RevolvedBody(const SolidLevel &level, const ElasticMaterial &material,
                const std::shared_ptr<const ContactNodes> &contact_nodes);
-
-  unsigned int n_harmonics() const { return n_max; }
 
   /// @p tangent T between the contact nodes of the level, this rank's part of it.
   void set_contact(const Eigen::SparseMatrix<double> &tangent);

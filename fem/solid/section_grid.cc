@@ -2,6 +2,7 @@
 
 #include "fem/elasticity/harmonic_stiffness.h"
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -76,18 +77,15 @@ MeridianPlace place_of(const Point<3> &point)
 SectionGrid::SectionGrid(const SolidLevel &level)
     : element(1)
 {
-  make_squares(level);
   dof_handler.reinit(squares);
+  make_squares(level);
   dof_handler.distribute_dofs(element);
   DoFTools::make_hanging_node_constraints(dof_handler, hanging);
   hanging.close();
   points.resize(dof_handler.n_dofs());
-  for (const auto &square : squares.active_cell_iterators())
-  {
-    const auto dofs = dofs_of(square);
+  for (const auto &square : dof_handler.active_cell_iterators())
     for (unsigned int v = 0; v < 4; ++v)
-      points[dofs[v]] = { square->vertex(v)[0], square->vertex(v)[1] };
-  }
+      points[square->vertex_dof_index(v, 0)] = { square->vertex(v)[0], square->vertex(v)[1] };
 }
 
 void SectionGrid::make_squares(const SolidLevel &level)
@@ -126,7 +124,7 @@ unsigned int SectionGrid::root_index(const MeridianPlace &place) const
 
 SectionGrid::Square SectionGrid::square_at(const MeridianPlace &place) const
 {
-  Square square(&squares, 0, roots[root_index(place)]);
+  Square square(&squares, 0, roots[root_index(place)], &dof_handler);
   while (square->has_children())
   {
     const Point<2> middle = square->center();
@@ -135,25 +133,12 @@ SectionGrid::Square SectionGrid::square_at(const MeridianPlace &place) const
   return square;
 }
 
-std::vector<types::global_dof_index> SectionGrid::dofs_of(const Square &square) const
+Point<2> SectionGrid::place_in(const Square &square, const MeridianPlace &place)
 {
-  const DoFHandler<2>::active_cell_iterator cell(&squares, square->level(), square->index(), &dof_handler);
-  std::vector<types::global_dof_index> dofs(element.n_dofs_per_cell());
-  cell->get_dof_indices(dofs);
-  return dofs;
-}
-
-SectionGrid::Shapes SectionGrid::shapes_at(const Square &square, const MeridianPlace &place)
-{
-  const double width = square->extent_in_direction(0);
   const Point<2> corner = square->vertex(0);
-  const double x = std::clamp((place.radius - corner[0]) / width, 0., 1.);
-  const double y = std::clamp((place.height - corner[1]) / width, 0., 1.);
-  return { { (1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y },
-           { { { (y - 1) / width, (x - 1) / width },
-               { (1 - y) / width, -x / width },
-               { -y / width, (1 - x) / width },
-               { y / width, x / width } } } };
+  const double width = square->extent_in_direction(0);
+  return { std::clamp((place.radius - corner[0]) / width, 0., 1.),
+           std::clamp((place.height - corner[1]) / width, 0., 1.) };
 }
 
 template <typename Use>
@@ -170,24 +155,27 @@ std::vector<std::pair<unsigned int, double>> SectionGrid::functions_at(const Mer
 {
   constexpr double negligible = 1e-9;
   const Square square = square_at(place);
-  const Shapes shapes = shapes_at(square, place);
-  const auto dofs = dofs_of(square);
+  const Point<2> inside = place_in(square, place);
   std::vector<std::pair<unsigned int, double>> functions;
   for (unsigned int v = 0; v < 4; ++v)
-    if (shapes.values[v] > negligible)
-      resolve(dofs[v], shapes.values[v],
+    if (const double shape = GeometryInfo<2>::d_linear_shape_function(inside, v); shape > negligible)
+      resolve(square->vertex_dof_index(v, 0), shape,
               [&](unsigned int node, double value) { functions.emplace_back(node, value); });
   return functions;
 }
 
-void SectionGrid::add_point(const Shapes &shapes, double radius, double weight, Products &products)
+void SectionGrid::add_point(const Square &square, const MeridianPlace &place, double weight,
+                            Products &products)
 {
+  const Point<2> inside = place_in(square, place);
   Eigen::Matrix<double, 12, 1> fields;
   for (unsigned int i = 0; i < 4; ++i)
   {
-    fields(i) = shapes.gradients[i][0];
-    fields(4 + i) = shapes.gradients[i][1];
-    fields(8 + i) = shapes.values[i] / radius;
+    const Tensor<1, 2> gradient =
+      GeometryInfo<2>::d_linear_shape_function_gradient(inside, i) / square->extent_in_direction(0);
+    fields(i) = gradient[0];
+    fields(4 + i) = gradient[1];
+    fields(8 + i) = GeometryInfo<2>::d_linear_shape_function(inside, i) / place.radius;
   }
   products += weight * fields * fields.transpose();
 }
@@ -208,7 +196,7 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
       const MeridianPlace place = place_of(values.quadrature_point(q));
       const Square square = square_at(place);
       is_touched[square->active_cell_index()] = 1;
-      add_point(shapes_at(square, place), place.radius, values.JxW(q), sums[square->active_cell_index()]);
+      add_point(square, place, values.JxW(q), sums[square->active_cell_index()]);
     }
     constexpr double little = 1e-3;
     for (const unsigned int v : cell->vertex_indices())
@@ -222,7 +210,7 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
   Utilities::MPI::sum(ArrayView<const double>(numbers), communicator, numbers);
   Utilities::MPI::max(is_touched, communicator, is_touched);
   const QGauss<2> quadrature(2);
-  for (const auto &square : squares.active_cell_iterators())
+  for (const auto &square : dof_handler.active_cell_iterators())
     for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       const double width = square->extent_in_direction(0);
@@ -231,8 +219,7 @@ std::vector<SectionGrid::Products> SectionGrid::integrate(const SolidLevel &leve
                              ? revolved_numbers.stiffness_of_touched_square
                              : revolved_numbers.stiffness_of_empty_square;
       const double volume = 2 * numbers::PI * point[0] * width * width * quadrature.weight(q);
-      add_point(shapes_at(square, { point[0], point[1] }), point[0], share * volume,
-                sums[square->active_cell_index()]);
+      add_point(square, { point[0], point[1] }, share * volume, sums[square->active_cell_index()]);
     }
   return sums;
 }
@@ -248,9 +235,8 @@ std::array<Eigen::SparseMatrix<double>, 3> SectionGrid::stiffness(const SolidLev
   for (unsigned int p = 0; p < 3; ++p)
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (const auto &square : squares.active_cell_iterators())
+    for (const auto &square : dof_handler.active_cell_iterators())
     {
-      const auto dofs = dofs_of(square);
       const auto &matrix = of_squares[square->active_cell_index()][p];
       const auto add_block =
         [&](unsigned int i, unsigned int j, unsigned int row, unsigned int column, double weight)
@@ -262,10 +248,10 @@ std::array<Eigen::SparseMatrix<double>, 3> SectionGrid::stiffness(const SolidLev
       };
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = 0; j < 4; ++j)
-          resolve(dofs[i], 1,
+          resolve(square->vertex_dof_index(i, 0), 1,
                   [&](unsigned int row, double factor)
                   {
-                    resolve(dofs[j], factor,
+                    resolve(square->vertex_dof_index(j, 0), factor,
                             [&](unsigned int column, double weight)
                             { add_block(i, j, row, column, weight); });
                   });

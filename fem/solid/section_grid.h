@@ -60,22 +60,16 @@ public:
                                                        const ElasticMaterial &material) const;
 
 private:
-  using Square = dealii::Triangulation<2>::cell_iterator;
-  /// Values and gradients of the four functions of a square, in deal.II's order.
-  struct Shapes
-  {
-    std::array<double, 4> values;
-    std::array<std::array<double, 2>, 4> gradients;
-  };
+  using Square = dealii::DoFHandler<2>::cell_iterator;
   /// Integrals over one square, as HarmonicStiffness::parts() takes them.
   using Products = Eigen::Matrix<double, 12, 12>;
 
   void make_squares(const SolidLevel &level);
   unsigned int root_index(const MeridianPlace &place) const;
   Square square_at(const MeridianPlace &place) const;
-  std::vector<dealii::types::global_dof_index> dofs_of(const Square &square) const;
-  static Shapes shapes_at(const Square &square, const MeridianPlace &place);
-  static void add_point(const Shapes &shapes, double radius, double weight, Products &products);
+  /// In the coordinates of @p square, from 0 to 1.
+  static dealii::Point<2> place_in(const Square &square, const MeridianPlace &place);
+  static void add_point(const Square &square, const MeridianPlace &place, double weight, Products &products);
   std::vector<Products> integrate(const SolidLevel &level) const;
   /// Calls @p use(free node, weight) for what makes up node @p dof.
   template <typename Use>

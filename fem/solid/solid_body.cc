@@ -1,8 +1,12 @@
 #include "fem/solid/solid_body.h"
 
+#include "fem/solid/binary_stream.h"
 #include "fem/solid/factorized_stiffness.h"
 #include "fem/solid/multigrid_stiffness.h"
-#include "fem/solid/solid_system.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <stdexcept>
@@ -32,9 +36,13 @@ bool is_matrix_free(const Triangulation<3> &triangulation, const SolidOptions &o
   return triangulation.n_global_levels() > 1 || n_unknowns > largest_direct_system;
 }
 
+/// The stiffness of a new body, @p shared with a similar one where that is there.
 std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
-                                            const ElasticMaterial &material, const SolidOptions &options)
+                                            const ElasticMaterial &material, const SolidOptions &options,
+                                            std::unique_ptr<BodyStiffness> shared)
 {
+  if (shared)
+    return shared;
   require_degree(options.degree);
   material.validate();
   const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
@@ -47,109 +55,146 @@ std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulatio
 
 } // namespace
 
-SolidBody::SolidBody(Triangulation<3> &triangulation, const ElasticMaterial &material, const Gap &gap,
-                     const SolidOptions &options, const SolidBody *similar)
-    : gap(gap)
-{
-  std::unique_ptr<BodyStiffness> stiffness = similar ? similar->system->shared_stiffness() : nullptr;
-  if (!stiffness)
-    stiffness = stiffness_of(triangulation, material, options);
-  system = std::make_unique<SolidSystem>(std::move(stiffness), material, gap, options.linear_tolerance);
-}
-
-SolidBody::SolidBody(std::unique_ptr<SolidSystem> equations, Gap gap)
-    : system(std::move(equations))
-    , gap(std::move(gap))
+SolidBody::SolidBody(const Triangulation<3> &triangulation, const ElasticMaterial &material,
+                     const SolidGap &gap, const SolidOptions &options, const SolidBody *similar)
+    : SolidBody(
+        stiffness_of(triangulation, material, options, similar ? similar->stiffness->shared() : nullptr),
+        material, gap, options.linear_tolerance)
 {
 }
 
-SolidBody::~SolidBody() = default;
-
-bool SolidBody::has_hierarchy() const
+SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const ElasticMaterial &material,
+                     const SolidGap &gap, double linear_tolerance)
+    : stiffness(std::move(of_body))
+    , material(material)
+    , gap(gap)
+    , linear_tolerance(linear_tolerance)
+    , contact(stiffness->contact_nodes())
+    , zone(describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
+                                 stiffness->contact_nodes(), gap))
+    , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
 {
-  return system->has_coarser_meshes();
-}
-
-bool SolidBody::is_coarsest() const
-{
-  return !has_hierarchy() || system->is_coarsest();
+  for (Vector *vector : { &displacement, &elastic_forces })
+    stiffness->initialize(*vector);
+  for (FloatVector &column : eliminated_border)
+    column.reinit(displacement);
 }
 
 std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
-  if (is_coarsest())
+  if (!has_coarser())
     return nullptr;
-  auto body = std::make_unique<SolidBody>(system->coarser(gap), gap);
+  auto body = std::make_unique<SolidBody>(stiffness->coarser(), material, gap, linear_tolerance);
   body->set_sliding(sliding);
   return body;
 }
 
 void SolidBody::start_from(const SolidBody &coarse)
 {
-  system->start_from(*coarse.system);
+  stiffness->prolongate(displacement, coarse.displacement);
+  stiffness->vmult(elastic_forces, displacement);
+  residual_before = 0;
+  border_matters = coarse.border_matters;
+  border_stiffness = coarse.border_stiffness;
+  if (border_matters)
+    for (unsigned int i = 0; i < 3; ++i)
+      stiffness->prolongate(eliminated_border[i], coarse.eliminated_border[i]);
 }
 
 void SolidBody::set_sliding(const SlidingTraction &traction)
 {
   traction.validate();
   sliding = traction;
-  system->set_sliding(traction);
+  if (!has_friction())
+    return;
+  friction.resize(zone.surface.n_nodes(), 2);
+  for (Eigen::Index i = 0; i < friction.rows(); ++i)
+  {
+    const double x = zone.surface.node_position(i, 0), y = zone.surface.node_position(i, 1);
+    const double azimuth = std::atan2(y, x);
+    const Eigen::Vector2d direction = traction.direction(std::hypot(x, y), azimuth);
+    friction.row(i) = Eigen::Rotation2Dd(azimuth) * direction;
+  }
 }
 
-void SolidBody::set_linear_tolerance(double tolerance)
+SolidBody::Vector SolidBody::contact_load(const Eigen::VectorXd &forces) const
 {
-  system->set_linear_tolerance(tolerance);
+  Vector load;
+  stiffness->initialize(load);
+  const Eigen::VectorXd own = contact.nodes().summed(forces);
+  for (unsigned int i = 0; i < own.size(); ++i)
+    load.local_element(contact.nodes().own_places()[i]) = own(i);
+  if (has_friction())
+    for (const auto &[node, x, y] : horizontal)
+    {
+      load.local_element(x) += friction(node, 0) * own(node);
+      load.local_element(y) += friction(node, 1) * own(node);
+    }
+  return load;
 }
 
-void SolidBody::write_state(std::ostream &stream) const
+void SolidBody::set_displacement(const Vector &vector)
 {
-  system->write_state(stream);
+  displacement.copy_locally_owned_data_from(vector);
+  stiffness->vmult(elastic_forces, displacement);
+  residual_before = 0;
 }
 
-void SolidBody::read_state(std::istream &stream)
+SolidBody::Vector SolidBody::residual(const Eigen::VectorXd &forces) const
 {
-  system->read_state(stream);
-}
-
-const ContactSurface &SolidBody::contact_surface() const
-{
-  return system->contact_zone().surface;
-}
-
-Eigen::VectorXd SolidBody::contact_displacement() const
-{
-  return system->contact_displacement();
-}
-
-NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                 const LinearConditions &conditions, const Eigen::Vector3d &motion)
-{
-  return system->solve(tangent, forces, conditions, motion);
+  Vector result = contact_load(forces);
+  result -= elastic_forces;
+  return result;
 }
 
 void SolidBody::update(double step_length)
 {
-  system->update(step_length);
+  displacement.add(step_length, increment);
+  elastic_forces.add(step_length, increment_forces);
 }
 
 void SolidBody::reset()
 {
-  system->reset();
+  displacement = 0;
+  elastic_forces = 0;
+  residual_before = 0;
 }
 
 double SolidBody::equilibrium_residual(const Eigen::VectorXd &forces) const
 {
-  return system->equilibrium_residual(forces);
+  return residual(forces).l2_norm() / contact.nodes().norm(forces);
 }
 
-unsigned int SolidBody::n_unknowns() const
+template <typename Body, typename Use>
+void SolidBody::for_each_state(Body &body, const Use &use)
 {
-  return static_cast<unsigned int>(system->dofs().n_dofs());
+  for (auto *vector : { &body.displacement, &body.elastic_forces })
+    use(vector->begin(), vector->locally_owned_size());
+  for (auto &column : body.eliminated_border)
+    use(column.begin(), column.locally_owned_size());
+  use(&body.residual_before, 1);
+  use(&body.border_matters, 1);
+  use(&body.border_stiffness, 1);
 }
 
-double SolidBody::contact_cell_size() const
+void SolidBody::write_state(std::ostream &stream) const
 {
-  return system->contact_zone().smallest_cell;
+  for_each_state(*this, [&](const auto *numbers, std::size_t n) { write_binary(stream, numbers, n); });
+}
+
+void SolidBody::read_state(std::istream &stream)
+{
+  for_each_state(*this, [&](auto *numbers, std::size_t n) { read_binary(stream, numbers, n); });
+}
+
+SolidBody::Vector SolidBody::displacement_for_output() const
+{
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dofs());
+  Vector result(dofs().locally_owned_dofs(), relevant, dofs().get_communicator());
+  result.copy_locally_owned_data_from(displacement);
+  mesh().constraints.distribute(result);
+  result.update_ghost_values();
+  return result;
 }
 
 } // namespace stemware::fem

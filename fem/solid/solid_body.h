@@ -2,87 +2,69 @@
 
 #include "fem/contact/elastic_body.h"
 #include "fem/contact/sliding_traction.h"
-#include "fem/elasticity/elastic_material.h"
-#include "fem/elasticity/linear_solver.h"
+#include "fem/solid/body_stiffness.h"
+#include "fem/solid/solid_contact_zone.h"
+#include "fem/solid/solid_options.h"
 
-#include <functional>
+#include <array>
 #include <iosfwd>
-#include <memory>
-#include <vector>
-
-namespace dealii
-{
-template <int dim, int spacedim>
-class Triangulation;
-}
 
 namespace stemware::fem
 {
 
-/// Numerical parameters of a SolidBody.
-struct SolidOptions
-{
-  unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
-  LinearSolver linear_solver = LinearSolver::automatic;
-  bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
-  /// Reduction of the residual by one linear solve; 0: as far as Newton's next step can use it.
-  double linear_tolerance = 0;
-};
-
-class SolidSystem;
 struct FieldFile;
+struct ScaledMotions;
+struct SolidIncrement;
 
-/// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks.
+/// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks, under three
+/// conditions on its contact forces.
+///
+/// The border of its equations, the table's motions, is eliminated before: with G = B' T Q and C = Q' T Q,
+/// conjugate gradients see K + B' T B - G C^-1 G', so that every iterate fulfils the conditions on the forces
+/// to rounding. The BodyStiffness inverts K + B' T B only, approximately; W ~ (K + B' T B)^-1 G brings in the
+/// rest. Other conditions than resultants are fulfilled in the end, by a motion W that the body answers.
 class SolidBody : public ElasticBody
 {
 public:
-  /// Distance of the undeformed contact zone from a plane table at (x, y), on top of what the mesh's own z
-  /// says [m].
-  using Gap = std::function<double(double x, double y)>;
+  using Vector = BodyStiffness::Vector;
 
-  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone. The
-  /// triangulation must be one that deal.II distributes over its communicator or a serial one, and must
-  /// outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no contact zone.
+  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone, which lies @p
+  /// gap above the table. The triangulation must be one that deal.II distributes over its communicator or a
+  /// serial one, and must outlive the body. Throws std::invalid_argument when the mesh has no stem cut or no
+  /// contact zone.
   ///
   /// @p similar is a body of the same triangulation, material and options, solved in turn with this one: they
   /// share the elements of a multigrid method.
-  SolidBody(dealii::Triangulation<3, 3> &triangulation, const ElasticMaterial &material, const Gap &gap,
-            const SolidOptions &options = {}, const SolidBody *similar = nullptr);
-  /// A body with the equations @p system, whose contact zone lies @p gap above the table.
-  SolidBody(std::unique_ptr<SolidSystem> system, Gap gap);
-  ~SolidBody() override;
+  SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
+            const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
+  /// A body of such stiffness; @p linear_tolerance is SolidOptions::linear_tolerance.
+  SolidBody(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material, const SolidGap &gap,
+            double linear_tolerance);
 
-  const ContactSurface &contact_surface() const override;
-  Eigen::VectorXd contact_displacement() const override;
+  const ContactSurface &contact_surface() const override { return zone.surface; }
+  Eigen::VectorXd contact_displacement() const override { return contact.nodes().gather(displacement); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
-  unsigned int n_unknowns() const override;
+  unsigned int n_unknowns() const override { return static_cast<unsigned int>(dofs().n_dofs()); }
+
+  const dealii::DoFHandler<3> &dofs() const { return mesh().dof_handler; }
+  const ElasticMaterial &glass() const { return material; }
+  /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
+  double contact_cell_size() const { return zone.smallest_cell; }
 
   /// Friction of the contact forces along @p traction, in the axes of the mesh, deforms the body from now on.
   /// Throws as SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
-
-  /// Smallest extent of a contact cell [m]: E over it is the natural penalty of a rigid table.
-  double contact_cell_size() const;
-
-  /// The fields in files that this rank has to write: displacement [m] in the slip frame with the table at
-  /// rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of
-  /// @p nodal_pressure. On one rank contact.vtu; on several contact_<rank>.vtu with the cells of that rank,
-  /// of each that has some, and on the first contact.pvtu, which names them.
-  std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
-
   /// SolidOptions::linear_tolerance from now on.
-  void set_linear_tolerance(double tolerance);
+  void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
-  /// Whether it works on the meshes that its own was refined from, which coarser() gives.
-  bool has_hierarchy() const;
-  /// Whether coarser() gives nothing.
-  bool is_coarsest() const;
-  /// This foot on the next coarser mesh of the hierarchy that its multigrid works on: where a contact is
-  /// cheap to find. Nothing for the coarsest mesh, and for bodies without a hierarchy.
+  /// Whether there are coarser ones of the meshes that its own was refined from, on which its multigrid
+  /// works.
+  bool has_coarser() const { return stiffness->has_coarser(); }
+  /// This foot on the next coarser of them: where a contact is cheap to find. Nothing where there is none.
   std::unique_ptr<SolidBody> coarser() const;
   /// Takes over the displacement of coarser().
   void start_from(const SolidBody &coarse);
@@ -92,13 +74,67 @@ public:
   void write_state(std::ostream &stream) const;
   void read_state(std::istream &stream);
 
-  /// The equations that it solves.
-  const SolidSystem &equations() const { return *system; }
+  void set_displacement(const Vector &vector);
+  /// The displacement with the values of all cells that this rank owns or sees.
+  Vector displacement_for_output() const;
+  /// The load of nodal @p forces, with the friction that they bring along, less K u.
+  Vector residual(const Eigen::VectorXd &forces) const;
+  /// x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, to @p
+  /// reduction of the residual. The increment of the last solve() is gone then. Throws as solve().
+  Vector solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
+                         const Eigen::Vector3d &on_motions, double reduction);
+
+  /// The fields in files that this rank has to write: displacement [m] in the slip frame with the table at
+  /// rest (the rigid motion @p motion is put back on the glass), stress [Pa], contact pressure [Pa] of
+  /// @p nodal_pressure. On one rank contact.vtu; on several contact_<rank>.vtu with the cells of that rank,
+  /// of each that has some, and on the first contact.pvtu, which names them.
+  std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:
-  std::unique_ptr<SolidSystem> system;
-  Gap gap;
+  using FloatVector = BodyStiffness::FloatVector;
+  struct Border;
+  struct ProjectedOperator;
+  struct ProjectedPreconditioner;
+  struct SymmetricStep;
+
+  const SolidLevel &mesh() const { return stiffness->mesh(); }
+  bool has_friction() const { return sliding.friction_coefficient != 0; }
+  /// B' @p forces with the friction that they bring along.
+  Vector contact_load(const Eigen::VectorXd &forces) const;
+  /// Takes over @p tangent; @p closed: conditions other than resultants.
+  SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent, const LinearConditions *closed);
+  /// The border of the present contact stiffness; W solves its equations to @p tolerance.
+  Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
+  /// The residual [N] down to which a system that starts from @p residual is worth solving under contact
+  /// forces of norm @p force.
+  double target_residual(double residual, double force);
+  /// Changes a solution under prescribed resultants into one under @p conditions.
+  void close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
+                        const Eigen::Vector3d &missing, SolidIncrement &solution) const;
+  /// Calls @p use(numbers, how many) for all that the next solve depends on.
+  template <typename Body, typename Use>
+  static void for_each_state(Body &body, const Use &use);
+
+  const std::unique_ptr<BodyStiffness> stiffness;
+  const ElasticMaterial material;
+  const SolidGap gap;
+  double linear_tolerance;
+  ContactStiffness contact;
+  const SolidContactZone zone;
+  const std::vector<HorizontalPlaces> horizontal;
   SlidingTraction sliding;
+  /// Friction (x, y) at the contact nodes per normal force there, where there is any: a force on the foot,
+  /// shape [n_nodes, 2].
+  Eigen::MatrixX2d friction;
+
+  Vector displacement;
+  Vector elastic_forces;                        ///< K u
+  Vector increment;                             ///< of the last solve
+  Vector increment_forces;                      ///< K du
+  std::array<FloatVector, 3> eliminated_border; ///< W of the last solve that needed it
+  bool border_matters = true;                   ///< whether W improves on the inverse of K + B' T B
+  double border_stiffness = 0;                  ///< of the table when that was found [N/m]
+  double residual_before = 0;                   ///< of the last solve [N]; 0: none
 };
 
 } // namespace stemware::fem

@@ -132,7 +132,7 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
 
 /// The line of @p face at @p eta in [-1, 1] of its second direction, standing for a breadth of @p weight.
 ContactLine make_line(const SampledFace &face, double eta, double weight, const ContactNodes &nodes,
-                      const SolidBody::Gap &gap)
+                      const SolidGap &gap)
 {
   const Eigen::Vector3d value = line_shape(eta);
   const Eigen::Vector3d slope(eta - 0.5, -2 * eta, eta + 0.5);
@@ -169,7 +169,7 @@ ContactLine make_line(const SampledFace &face, double eta, double weight, const 
 constexpr unsigned int n_lines_per_face = 8;
 
 std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const ContactNodes &nodes,
-                                    const SolidBody::Gap &gap)
+                                    const SolidGap &gap)
 {
   const QGauss<1> gauss(n_lines_per_face);
   std::vector<ContactLine> lines;
@@ -206,7 +206,7 @@ void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nod
 }
 
 void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler, const ContactNodes &nodes,
-                    const SolidBody::Gap &gap, ContactSurface &surface)
+                    const SolidGap &gap, ContactSurface &surface)
 {
   const std::vector<Point<3>> &points = dof_handler.get_fe().get_unit_support_points();
   Eigen::MatrixX3d coordinates(nodes.n_own_nodes(), 3);
@@ -305,8 +305,7 @@ std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
 
 SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
                                        const AffineConstraints<double> &constraints,
-                                       const std::shared_ptr<const ContactNodes> &nodes,
-                                       const SolidBody::Gap &gap)
+                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap)
 {
   const MPI_Comm &communicator = dof_handler.get_communicator();
   const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler, constraints);

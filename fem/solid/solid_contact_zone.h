@@ -1,14 +1,20 @@
 #pragma once
 
+#include "fem/contact/contact_surface.h"
 #include "fem/solid/contact_nodes.h"
-#include "fem/solid/solid_body.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
+
 namespace stemware::fem
 {
+
+/// Distance of the undeformed contact zone from a plane table at (x, y), on top of what the mesh's own z says
+/// [m].
+using SolidGap = std::function<double(double x, double y)>;
 
 /// This rank's part of the contact zone of a hexahedral mesh, and which dofs its nodes are.
 struct SolidContactZone
@@ -41,7 +47,6 @@ contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConst
 SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
                                        const dealii::DoFHandler<3> &dof_handler,
                                        const dealii::AffineConstraints<double> &constraints,
-                                       const std::shared_ptr<const ContactNodes> &nodes,
-                                       const SolidBody::Gap &gap);
+                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap);
 
 } // namespace stemware::fem

@@ -3,7 +3,6 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/solid/cell_numbers.h"
 #include "fem/solid/mesh_estimate.h"
-#include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/nested_contact.h"
 
 #include <deal.II/distributed/tria.h>
@@ -24,7 +23,7 @@ namespace stemware::fem
 namespace
 {
 
-SolidBody::Gap gap_of(const SolidMesh &mesh, const GlassProfile &profile)
+SolidGap gap_of(const SolidMesh &mesh, const GlassProfile &profile)
 {
   if (mesh.report)
     return [](double, double) { return 0.; };
@@ -65,7 +64,7 @@ constexpr FootNumbers foot_numbers = {};
 
 bool is_spring(const SolidSetup &setup, const SolidBody &body)
 {
-  return setup.table.interface->is_hard() && body.has_hierarchy();
+  return setup.table.interface->is_hard() && body.has_coarser();
 }
 
 /// All numbers of a demand and a slip.
@@ -135,11 +134,13 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const Solid
 {
   if (has_multipliers() && setup.options.linear_tolerance == 0)
     body->set_linear_tolerance(foot_numbers.reduction);
-  if (!setup.checkpoint_folder.empty() && !body->has_hierarchy())
+  if (!setup.checkpoint_folder.empty() && !body->has_coarser())
     throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
                                 "Contact/Refinements to at least 1 and Contact/Linear solver = automatic, or "
                                 "leave it empty.");
 }
+
+SolidFoot::~SolidFoot() = default;
 
 FootDescription SolidFoot::description() const
 {
@@ -332,8 +333,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
   restore(state);
   const double axis = axis_of(state.slip);
   const Eigen::Rotation2Dd back(-axis);
-  SolvedSolidContact contact = { body->equations(), *interface, gap_of(mesh, setup.profile),
-                                 sliding_at(state.slip) };
+  SolvedSolidContact contact = { *body, *interface, gap_of(mesh, setup.profile), sliding_at(state.slip) };
   contact.demand = axis == 0 ? state.demand : state.demand.in_axes_turned_by(axis);
   contact.solution = in_mesh_axes(state);
   contact.load =

@@ -1,19 +1,28 @@
 #pragma once
 
 #include "fem/contact/foot.h"
+#include "fem/contact/sliding_traction.h"
 #include "fem/contact/table.h"
 #include "fem/elasticity/elastic_material.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/glass_profile.h"
-#include "fem/solid/solid_body.h"
+#include "fem/solid/solid_options.h"
 
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
 namespace stemware::fem
 {
+
+class SolidBody;
 
 /// The mesh of a solid foot, distributed over all MPI ranks.
 struct SolidMesh
@@ -61,6 +70,8 @@ public:
   /// substrate. @p similar is a foot of the same mesh, material and options that is not asked while this one
   /// solves: they share what they can.
   SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
+
+  ~SolidFoot() override;
 
   const SolidMesh &own_mesh() const { return mesh; }
 

@@ -1,6 +1,6 @@
 // Fields of a solid foot for ParaView.
 #include "fem/contact/foot.h"
-#include "fem/solid/solid_system.h"
+#include "fem/solid/solid_body.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/filtered_iterator.h>
@@ -211,19 +211,19 @@ std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communi
 std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
                                          const Eigen::VectorXd &nodal_pressure) const
 {
-  const DoFHandler<3> &dof_handler = system->dofs();
-  const LinearAlgebra::distributed::Vector<double> displacement = system->displacement_for_output();
-  LinearAlgebra::distributed::Vector<double> pressure;
-  pressure.reinit(displacement);
-  const ContactNodes &nodes = *system->contact_zone().nodes;
+  const DoFHandler<3> &dof_handler = dofs();
+  const Vector distributed = displacement_for_output();
+  Vector pressure;
+  pressure.reinit(distributed);
+  const ContactNodes &nodes = contact.nodes();
   for (unsigned int i = 0; i < nodes.n_own_nodes(); ++i)
     pressure(nodes.dofs()[i]) = nodal_pressure(i);
   pressure.update_ghost_values();
 
-  const GlassFields glass(system->glass(), motion);
+  const GlassFields glass_fields(material, motion);
   const ContactPressure contact_pressure;
-  Picture picture(system->mapping(), dof_handler);
-  picture.add_data_vector(dof_handler, displacement, glass);
+  Picture picture(mesh().mapping, dof_handler);
+  picture.add_data_vector(dof_handler, distributed, glass_fields);
   picture.add_data_vector(dof_handler, pressure, contact_pressure);
   const MPI_Comm &communicator = dof_handler.get_communicator();
   if (Utilities::MPI::n_mpi_processes(communicator) == 1)

@@ -43,7 +43,7 @@ struct PressedFoot
     const Resultants demand = load_at(1.3, 0.4);
     const std::optional<ContactStart> start =
       start_from_coarser_mesh(*body, mat, 1, demand, profile.contact_radius);
-    EXPECT_EQ(start.has_value(), body->has_hierarchy());
+    EXPECT_EQ(start.has_value(), body->has_coarser());
     law = make_law(mat, body->contact_surface());
     solution = solve_contact(*body, *law, demand, profile.contact_radius, {}, start ? &*start : nullptr);
   }

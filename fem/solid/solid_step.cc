@@ -1,24 +1,57 @@
-#include "fem/solid/solid_system.h"
-
+// The linear solve of a Newton step of a solid body.
 #include "fem/contact/contact_solution.h"
-#include "fem/solid/binary_stream.h"
-#include "fem/solid/conjugate_gradients.h"
-#include "fem/solid/friction_corrections.h"
+#include "fem/solid/solid_body.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace stemware::fem
 {
 
 using namespace dealii;
+
+/// Table motions counted so that all unknowns are lengths and all residuals forces: tilts as heights at the
+/// rim.
+struct ScaledMotions
+{
+  explicit ScaledMotions(const ContactSurface &surface)
+      : modes(surface.motion_modes())
+  {
+    const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
+    scale = { 1, 1 / length, 1 / length };
+    modes = (modes * scale.asDiagonal()).eval();
+  }
+
+  Eigen::Vector3d scale;  ///< of q0, q1, q2: 1, 1/m, 1/m
+  Eigen::MatrixX3d modes; ///< Q, its columns scaled
+};
+
+/// A change of body and table in one Newton step.
+struct SolidIncrement
+{
+  using Vector = BodyStiffness::Vector;
+
+  Vector body;                  ///< du
+  Vector image;                 ///< what it takes from the body's residual, friction included
+  Eigen::VectorXd displacement; ///< B du
+  Eigen::Vector3d motion;       ///< of the table, scaled
+  unsigned int n_iterations = 0;
+  double steadiness = 1; ///< NewtonIncrement::steadiness, friction in the body aside
+
+  void add(double factor, const SolidIncrement &other)
+  {
+    body.add(factor, other.body);
+    image.add(factor, other.image);
+    displacement += factor * other.displacement;
+    motion += factor * other.motion;
+  }
+};
 
 namespace
 {
@@ -47,14 +80,39 @@ struct StepNumbers
 };
 constexpr StepNumbers tuned = {};
 
+using BodyVector = BodyStiffness::Vector;
+
+/// Conjugate gradients from @p solution to a residual of @p target, in the units of @p rhs; returns the
+/// number of iterations. Collective over the ranks of the vectors. Throws ContactFailure when the most
+/// iterations do not do.
+template <typename Operator, typename Preconditioner>
+unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
+                                 const BodyVector &rhs, double target, BodyVector &solution)
+{
+  SolverControl control(tuned.most_iterations, target, false, false);
+  try
+  {
+    SolverCG<BodyVector>(control).solve(matrix, solution, rhs, preconditioner);
+  }
+  catch (const SolverControl::NoConvergence &failure)
+  {
+    std::ostringstream message;
+    message << "conjugate gradients left a residual of " << failure.last_residual << " after "
+            << failure.last_step << " iterations (wanted " << target << ", of " << rhs.l2_norm()
+            << "); use a mesh with less distorted cells.";
+    throw ContactFailure(ContactOutcome::linear_solver_failed, message.str());
+  }
+  return control.last_step();
+}
+
 /// K + B' T B.
 struct TangentOperator
 {
-  const BodyStiffness &body;
+  const BodyStiffness &elastic;
   const ContactStiffness &contact;
-  void vmult(BodyStiffness::Vector &dst, const BodyStiffness::Vector &src) const
+  void vmult(BodyVector &dst, const BodyVector &src) const
   {
-    body.vmult(dst, src);
+    elastic.vmult(dst, src);
     contact.vmult_add(dst, src);
   }
 };
@@ -62,11 +120,8 @@ struct TangentOperator
 /// Approximate inverse of a TangentOperator.
 struct TangentPreconditioner
 {
-  const BodyStiffness &body;
-  void vmult(BodyStiffness::Vector &dst, const BodyStiffness::Vector &src) const
-  {
-    body.precondition(dst, src);
-  }
+  const BodyStiffness &elastic;
+  void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
 /// NewtonIncrement::steadiness from what is set against motions, @p resistance, and the weight's part H of
@@ -76,10 +131,36 @@ double steadiness_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &l
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
+/// Friction makes Newton's matrix unsymmetric. Its symmetric part is solved, and what friction leaves of the
+/// residual is solved for again, by generalised conjugate residuals (Eisenstat, Elman, Schultz, SIAM J.
+/// Numer. Anal. 20 (1983) 345), until at most @p target is left.
+///
+/// @p increment is the solution of the symmetric part for the whole residual, @p residual what it leaves;
+/// @p solve gives the increment of the symmetric part for a residual and its target, resultants left alone.
+template <typename Solve>
+void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
+{
+  constexpr unsigned int most_corrections = 12;
+  constexpr double reduction = 0.05; // of one correction: friction is the smaller part
+  std::vector<SolidIncrement> before;
+  for (double left = residual.l2_norm(); left > target && before.size() < most_corrections;
+       left = residual.l2_norm())
+  {
+    SolidIncrement next = solve(residual, std::max(reduction * left, target / 2));
+    increment.n_iterations += next.n_iterations;
+    for (const auto &other : before)
+      next.add(-(next.image * other.image) / other.image.norm_sqr(), other);
+    const double share = (residual * next.image) / next.image.norm_sqr();
+    increment.add(share, next);
+    residual.add(-share, next.image);
+    before.push_back(std::move(next));
+  }
+}
+
 } // namespace
 
 /// Border of the system of one Newton step: the columns and the corner of the table's motions.
-struct SolidSystem::Border
+struct SolidBody::Border
 {
   Eigen::MatrixX3d columns; ///< B G = T Q, this rank's part of it
   Eigen::Matrix3d corner;   ///< C = Q' T Q
@@ -88,34 +169,34 @@ struct SolidSystem::Border
 };
 
 /// K + B' T B - G C^-1 G'.
-struct SolidSystem::ProjectedOperator
+struct SolidBody::ProjectedOperator
 {
-  const SolidSystem &system;
+  const SolidBody &body;
   const Border &border;
 
   void vmult(Vector &dst, const Vector &src) const
   {
-    system.body->vmult(dst, src);
-    const ContactNodes &nodes = system.contact.nodes();
+    body.stiffness->vmult(dst, src);
+    const ContactNodes &nodes = body.contact.nodes();
     const Eigen::VectorXd nodal = nodes.gather(src);
     const Eigen::Vector3d motion =
       border.inverse_corner * nodes.parts().sum(border.columns.transpose() * nodal);
-    nodes.scatter_add(system.contact.matrix() * nodal - border.columns * motion, dst);
+    nodes.scatter_add(body.contact.matrix() * nodal - border.columns * motion, dst);
   }
 };
 
 /// The inverse of K + B' T B plus W S^-1 W'.
-struct SolidSystem::ProjectedPreconditioner
+struct SolidBody::ProjectedPreconditioner
 {
-  const SolidSystem &system;
+  const SolidBody &body;
   const Border &border;
 
   void vmult(Vector &dst, const Vector &src) const
   {
-    system.body->precondition(dst, src);
-    if (!system.border_matters)
+    body.stiffness->precondition(dst, src);
+    if (!body.border_matters)
       return;
-    const auto &w = system.eliminated_border;
+    const auto &w = body.eliminated_border;
     double products[3] = {};
     for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
       for (unsigned int k = 0; k < 3; ++k)
@@ -130,9 +211,9 @@ struct SolidSystem::ProjectedPreconditioner
 };
 
 /// The linear system of one Newton step without what friction makes unsymmetric in it.
-struct SolidSystem::SymmetricStep
+struct SolidBody::SymmetricStep
 {
-  const SolidSystem &system;
+  const SolidBody &body;
   const LinearConditions *const closed; ///< conditions that are closed with W; nothing for resultants
   const ScaledMotions motions;
   const Border border;
@@ -140,147 +221,52 @@ struct SolidSystem::SymmetricStep
   /// @p residual as conjugate gradients see it, when the motions give the conditions what is @p missing.
   Vector projected(Vector residual, const Eigen::Vector3d &missing) const
   {
-    system.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
+    body.contact.nodes().scatter_add(-border.columns * (border.inverse_corner * missing), residual);
     return residual;
   }
 
   /// Contact forces that @p of takes away.
   Eigen::VectorXd forces_of(const SolidIncrement &of) const
   {
-    return system.contact.matrix() * (of.displacement + motions.modes * of.motion);
+    return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
   }
 
   /// The increment for a projected residual, down to one of @p target.
   SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
   {
-    const ContactNodes &nodes = system.contact.nodes();
+    const ContactNodes &nodes = body.contact.nodes();
     SolidIncrement solution;
-    system.body->initialize(solution.body);
+    body.stiffness->initialize(solution.body);
     if (rhs.l2_norm() > target)
       solution.n_iterations =
-        conjugate_gradients(ProjectedOperator{ system, border }, ProjectedPreconditioner{ system, border },
-                            rhs, target, tuned.most_iterations, solution.body);
+        conjugate_gradients(ProjectedOperator{ body, border }, ProjectedPreconditioner{ body, border }, rhs,
+                            target, solution.body);
     solution.displacement = nodes.gather(solution.body);
     solution.motion = border.inverse_corner *
                       (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
     if (closed)
-      system.close_conditions(*closed, motions, missing, solution);
-    system.body->initialize(solution.image);
-    system.body->vmult(solution.image, solution.body);
-    solution.image += system.contact_load(forces_of(solution));
+      body.close_conditions(*closed, motions, missing, solution);
+    body.stiffness->initialize(solution.image);
+    body.stiffness->vmult(solution.image, solution.body);
+    solution.image += body.contact_load(forces_of(solution));
     return solution;
   }
 };
 
-ScaledMotions::ScaledMotions(const ContactSurface &surface)
-    : modes(surface.motion_modes())
-{
-  const double length = surface.parts.greatest(modes.rightCols<2>().rowwise().norm());
-  scale = { 1, 1 / length, 1 / length };
-  modes = (modes * scale.asDiagonal()).eval();
-}
-
-SolidSystem::SolidSystem(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material,
-                         const SolidBody::Gap &gap, double linear_tolerance)
-    : body(std::move(stiffness))
-    , material(material)
-    , linear_tolerance(linear_tolerance)
-    , contact(body->contact_nodes())
-    , zone(describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
-                                 body->contact_nodes(), gap))
-    , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
-{
-  for (Vector *vector : { &displacement, &elastic_forces })
-    body->initialize(*vector);
-  for (FloatVector &column : eliminated_border)
-    column.reinit(displacement);
-}
-
-SolidSystem::~SolidSystem() = default;
-
-std::unique_ptr<SolidSystem> SolidSystem::coarser(const SolidBody::Gap &gap) const
-{
-  if (body->is_coarsest())
-    return nullptr;
-  return std::make_unique<SolidSystem>(body->coarser(), material, gap, linear_tolerance);
-}
-
-void SolidSystem::set_sliding(const SlidingTraction &traction)
-{
-  has_friction = traction.friction_coefficient != 0;
-  if (!has_friction)
-    return;
-  friction.resize(zone.surface.n_nodes(), 2);
-  for (Eigen::Index i = 0; i < friction.rows(); ++i)
-  {
-    const double x = zone.surface.node_position(i, 0), y = zone.surface.node_position(i, 1);
-    const double azimuth = std::atan2(y, x);
-    const Eigen::Vector2d direction = traction.direction(std::hypot(x, y), azimuth);
-    friction.row(i) = Eigen::Rotation2Dd(azimuth) * direction;
-  }
-}
-
-SolidSystem::Vector SolidSystem::contact_load(const Eigen::VectorXd &forces) const
-{
-  Vector load;
-  body->initialize(load);
-  const Eigen::VectorXd own = contact.nodes().summed(forces);
-  for (unsigned int i = 0; i < own.size(); ++i)
-    load.local_element(contact.nodes().own_places()[i]) = own(i);
-  if (has_friction)
-    for (const auto &[node, x, y] : horizontal)
-    {
-      load.local_element(x) += friction(node, 0) * own(node);
-      load.local_element(y) += friction(node, 1) * own(node);
-    }
-  return load;
-}
-
-void SolidSystem::start_from(const SolidSystem &coarse)
-{
-  body->prolongate(displacement, coarse.displacement);
-  body->vmult(elastic_forces, displacement);
-  residual_before = 0;
-  border_matters = coarse.border_matters;
-  border_stiffness = coarse.border_stiffness;
-  if (border_matters)
-    for (unsigned int i = 0; i < 3; ++i)
-      body->prolongate(eliminated_border[i], coarse.eliminated_border[i]);
-}
-
-void SolidSystem::set_displacement(const Vector &vector)
-{
-  displacement.copy_locally_owned_data_from(vector);
-  body->vmult(elastic_forces, displacement);
-  residual_before = 0;
-}
-
-SolidSystem::Vector SolidSystem::residual(const Eigen::VectorXd &forces) const
-{
-  Vector result = contact_load(forces);
-  result -= elastic_forces;
-  return result;
-}
-
-SolidSystem::Vector SolidSystem::solve_symmetric(const Eigen::SparseMatrix<double> &tangent,
-                                                 const Eigen::VectorXd &nodal,
-                                                 const Eigen::Vector3d &on_motions, double reduction)
+SolidBody::Vector SolidBody::solve_symmetric(const Eigen::SparseMatrix<double> &tangent,
+                                             const Eigen::VectorXd &nodal, const Eigen::Vector3d &on_motions,
+                                             double reduction)
 {
   const SymmetricStep step = begin_step(tangent, nullptr);
   const Eigen::Vector3d missing = step.motions.scale.asDiagonal() * on_motions;
   Vector load;
-  body->initialize(load);
+  stiffness->initialize(load);
   contact.nodes().scatter_add(nodal, load);
   const Vector rhs = step.projected(std::move(load), missing);
   return step.solve(rhs, missing, reduction * rhs.l2_norm()).body;
 }
 
-Eigen::VectorXd SolidSystem::contact_displacement() const
-{
-  return contact.nodes().gather(displacement);
-}
-
-SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, double tolerance)
+SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double tolerance)
 {
   Border border;
   border.columns = contact.matrix() * modes;
@@ -288,15 +274,16 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
   border.corner = parts.sum(modes.transpose() * border.columns);
   border.corner = ((border.corner + border.corner.transpose()) / 2).eval();
   border.inverse_corner = border.corner.inverse();
-  const double stiffness = border.corner(0, 0);
-  if (!border_matters && tolerance >= tuned.loose_border && stiffness < tuned.much_stiffer * border_stiffness)
+  const double table_stiffness = border.corner(0, 0);
+  if (!border_matters && tolerance >= tuned.loose_border &&
+      table_stiffness < tuned.much_stiffer * border_stiffness)
     return border;
 
-  const TangentOperator tangent{ *body, contact };
-  const TangentPreconditioner preconditioner{ *body };
+  const TangentOperator tangent{ *stiffness, contact };
+  const TangentPreconditioner preconditioner{ *stiffness };
   Vector column, image, residual, correction;
   for (Vector *vector : { &column, &image, &residual, &correction })
-    body->initialize(*vector);
+    stiffness->initialize(*vector);
   std::array<FloatVector, 3> images; // A W
   Eigen::Matrix3d overlap;           // W' G
   for (unsigned int i = 0; i < 3; ++i)
@@ -310,7 +297,7 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
     if (residual.l2_norm() > target)
     {
       correction = 0;
-      conjugate_gradients(tangent, preconditioner, residual, target, tuned.most_iterations, correction);
+      conjugate_gradients(tangent, preconditioner, residual, target, correction);
       column += correction;
       eliminated_border[i].copy_locally_owned_data_from(column);
       tangent.vmult(image, column);
@@ -328,11 +315,11 @@ SolidSystem::Border SolidSystem::make_border(const Eigen::MatrixX3d &modes, doub
   const double share =
     Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(schur, border.corner).eigenvalues().minCoeff();
   border_matters = share < tuned.small_border;
-  border_stiffness = stiffness;
+  border_stiffness = table_stiffness;
   return border;
 }
 
-double SolidSystem::target_residual(double residual, double force)
+double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
@@ -344,19 +331,20 @@ double SolidSystem::target_residual(double residual, double force)
   return target < tuned.nearly_last * last_target ? last_target : target;
 }
 
-SolidSystem::SymmetricStep SolidSystem::begin_step(const Eigen::SparseMatrix<double> &tangent,
-                                                   const LinearConditions *closed)
+SolidBody::SymmetricStep SolidBody::begin_step(const Eigen::SparseMatrix<double> &tangent,
+                                               const LinearConditions *closed)
 {
-  forget_increment();
+  increment.reinit(0); // which gives its memory back
+  increment_forces.reinit(0);
   contact.set(tangent);
-  body->set_contact(tangent);
+  stiffness->set_contact(tangent);
   const ScaledMotions motions(zone.surface);
   return { *this, closed, motions,
            make_border(motions.modes, closed ? tuned.tight_border : tuned.loose_border) };
 }
 
-NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
-                                   const LinearConditions &conditions, const Eigen::Vector3d &motion)
+NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
+                                 const LinearConditions &conditions, const Eigen::Vector3d &motion)
 {
   const SymmetricStep step = begin_step(tangent, conditions.are_resultants() ? nullptr : &conditions);
 
@@ -372,7 +360,7 @@ NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, c
   }();
 
   // 2. What friction leaves.
-  if (has_friction)
+  if (has_friction())
   {
     Vector left = residual(forces);
     left -= solution.image;
@@ -380,7 +368,7 @@ NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, c
                          [&](const Vector &of, double to)
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
-  body->learn(solution.n_iterations);
+  stiffness->learn(solution.n_iterations);
 
   // 3. What Newton's method is told of the increment. The work of friction, which changes with the forces,
   // belongs to the body's.
@@ -401,14 +389,8 @@ NewtonIncrement SolidSystem::solve(const Eigen::SparseMatrix<double> &tangent, c
   return result;
 }
 
-void SolidSystem::forget_increment()
-{
-  increment.reinit(0);
-  increment_forces.reinit(0);
-}
-
-void SolidSystem::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
-                                   const Eigen::Vector3d &missing, SolidIncrement &solution) const
+void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
+                                 const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
   // Of all the solutions that the body can have, (u - W q, q) more, the one whose forces fulfil L.
   Eigen::MatrixX3d response(motions.modes);
@@ -435,56 +417,6 @@ void SolidSystem::close_conditions(const LinearConditions &conditions, const Sca
   for (unsigned int i = 0; i < solution.body.locally_owned_size(); ++i)
     for (unsigned int k = 0; k < 3; ++k)
       solution.body.local_element(i) -= further(k) * double(eliminated_border[k].local_element(i));
-}
-
-void SolidSystem::update(double step_length)
-{
-  displacement.add(step_length, increment);
-  elastic_forces.add(step_length, increment_forces);
-}
-
-void SolidSystem::reset()
-{
-  displacement = 0;
-  elastic_forces = 0;
-  residual_before = 0;
-}
-
-double SolidSystem::equilibrium_residual(const Eigen::VectorXd &forces) const
-{
-  return residual(forces).l2_norm() / contact.nodes().norm(forces);
-}
-
-void SolidSystem::write_state(std::ostream &stream) const
-{
-  for (const Vector *vector : { &displacement, &elastic_forces })
-    write_binary(stream, vector->begin(), vector->locally_owned_size());
-  for (const FloatVector &column : eliminated_border)
-    write_binary(stream, column.begin(), column.locally_owned_size());
-  write_binary(stream, &residual_before, 1);
-  write_binary(stream, &border_matters, 1);
-  write_binary(stream, &border_stiffness, 1);
-}
-
-void SolidSystem::read_state(std::istream &stream)
-{
-  for (Vector *vector : { &displacement, &elastic_forces })
-    read_binary(stream, vector->begin(), vector->locally_owned_size());
-  for (FloatVector &column : eliminated_border)
-    read_binary(stream, column.begin(), column.locally_owned_size());
-  read_binary(stream, &residual_before, 1);
-  read_binary(stream, &border_matters, 1);
-  read_binary(stream, &border_stiffness, 1);
-}
-
-LinearAlgebra::distributed::Vector<double> SolidSystem::displacement_for_output() const
-{
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(mesh().dof_handler);
-  Vector result(mesh().dof_handler.locally_owned_dofs(), relevant, mesh().dof_handler.get_communicator());
-  result.copy_locally_owned_data_from(displacement);
-  mesh().constraints.distribute(result);
-  result.update_ghost_values();
-  return result;
 }
 
 } // namespace stemware::fem
