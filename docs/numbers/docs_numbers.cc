@@ -3,10 +3,13 @@
 //
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER          rewrites the pages and copies the pictures
 //   docs_numbers STEMWARE SOURCE_FOLDER WORK_FOLDER --check  exit code 1 if a number has drifted
-//   docs_numbers --keys SOURCE_FOLDER                        rewrites docs/summary.md alone, and computes
-//   nothing
+//   docs_numbers --keys SOURCE_FOLDER                        rewrites what is declared elsewhere:
+//   docs/summary.md and the plausible ranges of docs/values.md; computes nothing
 //
 // docs/numbers/studies.txt says which studies there are and how a page shows a number.
+
+#include "fem/pipeline/study/study_entries.h"
+#include "fem/pipeline/support/numbers.h"
 
 #include <nlohmann/json.hpp>
 
@@ -354,15 +357,33 @@ std::string page_of_keys(const fs::path &source)
          "| key | unit | meaning |\n|---|---|---|\n" + key_rows(schema["definitions"]["load"], "load.");
 }
 
+/// The page docs/values.md with the plausible ranges of the entries of a study in its table.
+std::string page_of_values(const std::string &page)
+{
+  using stemware::pipeline::to_short_text;
+  std::string rows;
+  for (const stemware::pipeline::StudyEntry &entry : entries_of(stemware::pipeline::Study()))
+    if (entry.plausible)
+      rows += "| `" + entry.path() + "` | " + to_short_text(entry.plausible->least) + " to " +
+              to_short_text(entry.plausible->most) + (entry.unit == "1" ? "" : ' ' + entry.unit) + " | " +
+              entry.plausible_reason + " |\n";
+  const std::string head = "| entry | range | from what to what |\n|---|---|---|\n";
+  const auto begin = page.find(head);
+  if (begin == std::string::npos)
+    throw std::runtime_error("docs/values.md has no table of plausible ranges.");
+  return page.substr(0, begin) + head + rows + page.substr(page.find("\n\n", begin) + 1);
+}
+
 void work_on_keys(const fs::path &source, bool only_check)
 {
-  const fs::path page = source / "docs/summary.md";
-  const std::string text = page_of_keys(source);
-  if (!only_check)
-    std::ofstream(page, std::ios::binary) << text;
-  else if (read_file(page) != text)
-    throw std::runtime_error(
-      "docs/summary.md is not what the schema says; the target docs_keys makes it again.");
+  const fs::path keys = source / "docs/summary.md", values = source / "docs/values.md";
+  for (const auto &[page, text] :
+       { std::pair(keys, page_of_keys(source)), std::pair(values, page_of_values(read_file(values))) })
+    if (!only_check)
+      std::ofstream(page, std::ios::binary) << text;
+    else if (read_file(page) != text)
+      throw std::runtime_error(page.string() +
+                               " is not what the program declares; the target docs_keys makes it again.");
 }
 
 int work_on(const std::vector<std::string> &arguments, bool only_check)

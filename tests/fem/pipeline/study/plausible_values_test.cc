@@ -5,12 +5,9 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/numbers.h"
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>
-
-#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -84,21 +81,6 @@ TEST(PlausibleValues, DefaultsAndRangesAreThemselvesPlausible)
     ++n_ranges;
   }
   EXPECT_GE(n_ranges, 35u);
-}
-
-TEST(PlausibleValues, ThePageShowsTheSameTable)
-{
-  const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
-  Study study;
-  for (const StudyEntry &entry : study_entries(study))
-    if (entry.plausible)
-    {
-      const std::string row =
-        fmt::format(FMT_STRING("| `{}` | {} to {}{} | {} |"), entry.path(),
-                    to_short_text(entry.plausible->least), to_short_text(entry.plausible->most),
-                    entry.unit == "1" ? "" : ' ' + entry.unit, entry.plausible_reason);
-      EXPECT_NE(page.find(row), std::string::npos) << row;
-    }
 }
 
 TEST(StudySize, OfWhatPeopleAskForIsAllowed)
