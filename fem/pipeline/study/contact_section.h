@@ -21,14 +21,17 @@ enum class BodyKind
 /// Abilities that only one of the two bodies has.
 struct BodyAbilities
 {
-  bool reads_meshes = false;     ///< takes its shape from Contact/Mesh file
-  bool is_of_revolution = false; ///< answers a moment in all directions alike, and has a gap that can turn
-  bool stands_on_elastic_disc = false;
-  bool is_collective = false;      ///< solving takes all MPI ranks together
-  unsigned int highest_degree = 2; ///< of its elements
+  bool is_of_revolution; ///< answers a moment in all directions alike, and has a gap that can turn
+  bool stands_on_elastic_disc = is_of_revolution;
+  bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
+  bool is_collective = !is_of_revolution;                 ///< solving takes all MPI ranks together
+  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< of its elements
 };
 
-BodyAbilities abilities(BodyKind body);
+constexpr BodyAbilities abilities(BodyKind body)
+{
+  return { body == BodyKind::revolution };
+}
 
 enum class FrictionCoupling
 {

@@ -54,21 +54,6 @@ bool TableSection::is_hard() const
   return make().interface->is_hard();
 }
 
-BodyAbilities abilities(BodyKind body)
-{
-  BodyAbilities can;
-  can.is_of_revolution = body == BodyKind::revolution;
-  can.stands_on_elastic_disc = can.is_of_revolution;
-  can.reads_meshes = can.is_collective = !can.is_of_revolution;
-  can.highest_degree = can.is_of_revolution ? 4 : 2;
-  return can;
-}
-
-bool Study::friction_deforms() const
-{
-  return contact.friction_coupling == FrictionCoupling::elastic;
-}
-
 bool Study::tilts() const
 {
   return motion.tilt && motion.closure == ring::Closure::full && load.is_from_contact() && !load.is_static();

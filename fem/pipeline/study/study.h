@@ -38,9 +38,8 @@ struct Study
   /// Whether rim or table are out of flat: the load then depends on where their marks stand.
   bool has_waviness() const { return model.waviness && (!glass.waviness.empty() || !table.waviness.empty()); }
 
-  /// Whether friction tractions deform foot and substrate: Contact/Friction coupling = elastic, and a body
-  /// that can.
-  bool friction_deforms() const;
+  /// Whether friction tractions deform foot and substrate.
+  bool friction_deforms() const { return contact.friction_coupling == FrictionCoupling::elastic; }
 
   /// Whether the lean of the glass on its foot counts in the balance of moments: Motion/Tilt = included, in
   /// the closure full, on a contact whose moment is not given.

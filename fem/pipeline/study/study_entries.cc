@@ -42,11 +42,10 @@ struct EntryList
       const auto number = parse_quantity(text, unit);
       return number && range.contains(*number) ? number : std::nullopt;
     };
-    StudyEntry &entry =
-      append(name, value, range.words + (unit.empty() ? "" : " (" + unit + ")"), help, parse);
+    const std::string allowed = range.words + (unit.empty() ? "" : " (" + unit + ")");
+    StudyEntry &entry = append(name, value, allowed, help, parse, as_it_is, facts...);
     entry.unit = unit.empty() ? "1" : unit;
     entry.quantity = &value;
-    (facts(entry), ...);
   }
 
   /// A number of things, from @p least to @p most.
@@ -59,11 +58,9 @@ struct EntryList
       const auto count = parse_count(text);
       return count && least <= *count && *count <= most ? count : std::nullopt;
     };
-    StudyEntry &entry =
-      append(name, value, "a whole number from " + std::to_string(least) + " to " + std::to_string(most),
-             help, parse);
-    entry.unit = "1";
-    (facts(entry), ...);
+    const std::string allowed =
+      "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    append(name, value, allowed, help, parse, as_it_is, facts...).unit = "1";
   }
 
   /// The path of a file.
@@ -72,9 +69,8 @@ struct EntryList
   {
     const auto parse = [](const std::string &text)
     { return text.find_first_of("\n\r#") == std::string::npos ? std::optional(text) : std::nullopt; };
-    StudyEntry &entry = append(name, value, "a path without # and line ends, or nothing", help, parse);
-    entry.path_value = &value;
-    (facts(entry), ...);
+    const std::string allowed = "a path without # and line ends, or nothing";
+    append(name, value, allowed, help, parse, as_it_is, facts...).path_value = &value;
   }
 
   /// How a surface is out of flat.
@@ -107,15 +103,14 @@ struct EntryList
     std::vector<std::string> words;
     for (const auto &[word, choice] : choices)
       words.push_back(word);
-    StudyEntry &entry = append(name, value, listed(words), help, parse, print);
-    (facts(entry), ...);
+    append(name, value, listed(words), help, parse, print, facts...);
   }
 
   static constexpr auto as_it_is = [](const auto &value) { return value; };
 
-  template <typename Value, typename Parse, typename Print = decltype(as_it_is)>
+  template <typename Value, typename Parse, typename Print, typename... Facts>
   StudyEntry &append(const std::string &name, Value &value, const std::string &allowed,
-                     const std::string &help, const Parse &parse, const Print &print = as_it_is)
+                     const std::string &help, const Parse &parse, const Print &print, const Facts &...facts)
   {
     StudyEntry entry = subsection;
     entry.name = name;
@@ -132,6 +127,7 @@ struct EntryList
       given[path] = text;
       return true;
     };
+    (facts(entry), ...);
     return entries.emplace_back(entry);
   }
 };
