@@ -30,11 +30,6 @@ std::string place(const SectionVertex &vertex)
   return sentence("line ", vertex.line, " (r = ", vertex.radius, " m, z = ", vertex.height, " m)");
 }
 
-[[noreturn]] void refuse(const std::string &sentence)
-{
-  throw std::invalid_argument(sentence);
-}
-
 double largest_radius(const Polyline &polyline)
 {
   double largest = 0;
@@ -58,24 +53,22 @@ Polyline ordered(Polyline polyline)
     "axis in the stem's cut.");
   // The time to leave out what lies on straight lines grows with the square of a zigzag's points.
   constexpr std::size_t most_points = 10000;
-  if (polyline.size() > most_points)
-    refuse("a profile of " + std::to_string(polyline.size()) +
-           " points is finer than any mesh; give at most 10000, one every few micrometres.");
+  require(polyline.size() <= most_points, "a profile of ", polyline.size(),
+          " points is finer than any mesh; give at most 10000, one every few micrometres.");
   const double tolerance = file_rounding * largest_radius(polyline);
   const auto coincide = [=](const SectionVertex &one, const SectionVertex &other)
   { return std::hypot(one.radius - other.radius, one.height - other.height) <= tolerance; };
   for (const SectionVertex &vertex : polyline)
-    if (vertex.radius < -tolerance)
-      refuse(place(vertex) + " lies beyond the axis; give one half of the section, r from 0 outwards.");
+    require(vertex.radius >= -tolerance, place(vertex),
+            " lies beyond the axis; give one half of the section, r from 0 outwards.");
   if (coincide(polyline.front(), polyline.back()))
     polyline.pop_back(); // the axis drawn along
   polyline.erase(std::unique(polyline.begin(), polyline.end(), coincide), polyline.end());
   for (SectionVertex *end : { &polyline.front(), &polyline.back() })
   {
-    if (end->radius > tolerance)
-      refuse("the profile is open: it ends at " + place(*end) +
-             ", not on the axis; begin with the point r = 0 of the underside and end with the point r = 0 of "
-             "the stem's cut.");
+    require(end->radius <= tolerance, "the profile is open: it ends at ", place(*end),
+            ", not on the axis; begin with the point r = 0 of the underside and end with the point r = 0 of "
+            "the stem's cut.");
     end->radius = 0;
   }
   if (is_lower(polyline.back(), polyline.front()))
@@ -84,15 +77,16 @@ Polyline ordered(Polyline polyline)
   Polyline simple;
   boost::geometry::simplify(polyline, simple, 1e-5 * largest_radius(polyline));
   const double lowest = std::min_element(simple.begin(), simple.end(), is_lower)->height;
-  if (simple.front().height <= lowest + tolerance)
-    refuse("the profile is lowest on the axis, at " + place(simple.front()) +
-           ", where a foot does not stand on its rim; if it is drawn upside down, let z grow from the table "
-           "to the stem.");
+  require(simple.front().height > lowest + tolerance, "the profile is lowest on the axis, at ",
+          place(simple.front()),
+          ", where a foot does not stand on its rim; if it is drawn upside down, let z grow from the table "
+          "to the stem.");
   const SectionVertex &highest = *std::max_element(simple.begin(), simple.end(), is_lower);
   SectionVertex &corner = simple[simple.size() - 2];
-  if (highest.height > simple.back().height + tolerance || corner.height < simple.back().height - tolerance)
-    refuse("the profile does not end with the stem's cut: the last segment, from " + place(corner) + " to " +
-           place(simple.back()) + ", has to be horizontal and the highest of all.");
+  require(highest.height <= simple.back().height + tolerance &&
+            corner.height >= simple.back().height - tolerance,
+          "the profile does not end with the stem's cut: the last segment, from ", place(corner), " to ",
+          place(simple.back()), ", has to be horizontal and the highest of all.");
   corner.height = simple.back().height;
   for (SectionVertex &vertex : simple)
     vertex.height -= lowest;
@@ -106,6 +100,13 @@ double steepness(const PiecewiseLinear &curve, std::size_t i)
 }
 
 } // namespace
+
+void PiecewiseLinear::add(double at, double value, unsigned int line)
+{
+  x.push_back(at);
+  y.push_back(value);
+  lines.push_back(line);
+}
 
 double PiecewiseLinear::operator()(double at) const
 {
@@ -137,14 +138,12 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
 
   for (auto vertex = polyline.begin(); vertex <= first; ++vertex)
   {
-    if (vertex != polyline.begin() && vertex->radius <= (vertex - 1)->radius)
-      refuse(
-        "the underside turns back or stands upright at " + place(*vertex) +
-        ": from the axis to the edge of the foot r has to grow from point to point (a steep wall may, by "
-        "a little).");
-    lower.x.push_back(vertex->radius);
-    lower.y.push_back(vertex->height);
-    lower_lines.push_back(vertex->line);
+    require(
+      vertex == polyline.begin() || vertex->radius > (vertex - 1)->radius,
+      "the underside turns back or stands upright at ", place(*vertex),
+      ": from the axis to the edge of the foot r has to grow from point to point (a steep wall may, by a "
+      "little).");
+    lower.add(vertex->radius, vertex->height, vertex->line);
   }
   // From the edge inwards as far as r falls; from the cut downwards as far as z falls; where both do, the
   // meeting point lies below what is steeper than 45 degrees.
@@ -156,50 +155,39 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
     meeting != last && (meeting - 1)->height < meeting->height &&
     (meeting > inner || meeting->height - (meeting - 1)->height > (meeting - 1)->radius - meeting->radius))
     --meeting;
-  if (meeting > inner)
-    refuse("the outside turns back at " + place(*(inner + 1)) +
-           ": from the edge the top of the foot has to run inwards, and then the stem upwards to its cut.");
-  if (meeting == cut || meeting == last)
-    refuse("the profile has no " + std::string(meeting == cut ? "stem below" : "top of the foot outside") +
-           " " + place(*meeting) +
-           "; draw a foot whose top runs from its edge inwards to a stem, and the stem up to its cut.");
+  require(meeting <= inner, "the outside turns back at ", place(*(inner + 1)),
+          ": from the edge the top of the foot has to run inwards, and then the stem upwards to its cut.");
+  require(meeting != cut && meeting != last, "the profile has no ",
+          meeting == cut ? "stem below " : "top of the foot outside ", place(*meeting),
+          "; draw a foot whose top runs from its edge inwards to a stem, and the stem up to its cut.");
   for (auto vertex = meeting; vertex >= last; --vertex)
-  {
-    upper.x.push_back(vertex->radius);
-    upper.y.push_back(vertex->height);
-    upper_lines.push_back(vertex->line);
-  }
+    upper.add(vertex->radius, vertex->height, vertex->line);
   for (auto vertex = meeting; vertex <= cut; ++vertex)
-  {
-    stem.x.push_back(vertex->height);
-    stem.y.push_back(vertex->radius);
-    stem_lines.push_back(vertex->line);
-  }
+    stem.add(vertex->height, vertex->radius, vertex->line);
 }
 
 void MeridianSection::require_glass_everywhere() const
 {
-  const auto refuse_crossing = [](double radius, unsigned int line, const std::string &other)
+  const auto refuse_crossing = [](double radius, unsigned int line, const char *other)
   {
-    refuse(sentence("the profile crosses itself: at r = ", radius, " m (line ", line, ") ", other,
-                    "; draw the outline of one piece of glass."));
+    require(false, "the profile crosses itself: at r = ", radius, " m (line ", line, ") ", other,
+            "; draw the outline of one piece of glass.");
   };
   constexpr char above[] = "its underside lies above its top";
   for (std::size_t i = 0; i < lower.x.size(); ++i)
     if (lower.x[i] < upper.x.back() && !(lower.y[i] < upper(lower.x[i])))
-      refuse_crossing(lower.x[i], lower_lines[i], above);
+      refuse_crossing(lower.x[i], lower.lines[i], above);
   for (std::size_t i = 0; i < upper.x.size(); ++i)
     if (upper.x[i] < lower.x.back() && !(lower(upper.x[i]) < upper.y[i]))
-      refuse_crossing(upper.x[i], upper_lines[i], above);
+      refuse_crossing(upper.x[i], upper.lines[i], above);
   for (std::size_t i = 1; i < upper.x.size(); ++i)
     if (upper.y[i] > middle_height() && upper.x[i] <= stem(upper.y[i]))
-      refuse_crossing(upper.x[i], upper_lines[i], "the top of the foot lies inside the stem");
+      refuse_crossing(upper.x[i], upper.lines[i], "the top of the foot lies inside the stem");
   for (std::size_t i = 1; i < stem.x.size(); ++i)
   {
-    if (!(stem.y[i] > 0))
-      refuse("line " + std::to_string(stem_lines[i]) + " ends the stem on the axis before its cut.");
+    require(stem.y[i] > 0, "line ", stem.lines[i], " ends the stem on the axis before its cut.");
     if (stem.y[i] > middle_radius() && stem.y[i] < upper.x.back() && stem.x[i] <= upper(stem.y[i]))
-      refuse_crossing(stem.y[i], stem_lines[i], "the stem lies inside the foot");
+      refuse_crossing(stem.y[i], stem.lines[i], "the stem lies inside the foot");
   }
 }
 
@@ -266,7 +254,7 @@ std::vector<SectionVertex> MeridianSection::points_below(double height) const
   std::vector<SectionVertex> points;
   for (std::size_t i = 0; i < lower.x.size(); ++i)
     if (lower.y[i] <= height)
-      points.push_back({ lower.x[i], lower.y[i], lower_lines[i] });
+      points.push_back({ lower.x[i], lower.y[i], lower.lines[i] });
   return points;
 }
 

@@ -17,6 +17,9 @@ struct SectionVertex
 struct PiecewiseLinear
 {
   std::vector<double> x, y;
+  std::vector<unsigned int> lines; ///< of a file, where the points stand
+
+  void add(double at, double value, unsigned int line);
 
   /// Constant before the first and after the last point.
   double operator()(double at) const;
@@ -72,7 +75,6 @@ private:
   void find_rounding();
 
   PiecewiseLinear lower, upper, stem;
-  std::vector<unsigned int> lower_lines, upper_lines, stem_lines;
   double edge = 0, fillet_end = 0, stem_start = 0;
 };
 

@@ -66,27 +66,15 @@ using Circle = Vector3d;
 /// which is linear; nothing where they are too few, too flat, or bend downwards.
 std::optional<Circle> algebraic_circle(const std::vector<Vector2d> &places)
 {
-  std::vector<Vector2d> points;
-  std::copy_if(places.begin(), places.end(), std::back_inserter(points),
-               [](const Vector2d &place) { return std::abs(place.x()) <= 1; });
-  double bulge = 0, least = 0, most = 0;
-  for (const Vector2d &point : points)
-  {
-    bulge = std::max(bulge, point.y());
-    least = std::min(least, point.x());
-    most = std::max(most, point.x());
-  }
-  if (points.size() < 3 || bulge < 1e-3 * (most - least))
+  Eigen::MatrixX3d matrix(places.size(), 3); // 2 x, 2 y, 1
+  Eigen::Index n = 0;
+  for (const Vector2d &place : places)
+    if (std::abs(place.x()) <= 1)
+      matrix.row(n++) << 2 * place.x(), 2 * place.y(), 1;
+  matrix.conservativeResize(n, 3);
+  if (n < 3 || matrix.col(1).maxCoeff() < 1e-3 * (matrix.col(0).maxCoeff() - matrix.col(0).minCoeff()))
     return {};
-  Eigen::MatrixX3d matrix(points.size(), 3);
-  Eigen::VectorXd right(points.size());
-  for (Eigen::Index i = 0; i < right.size(); ++i)
-  {
-    const Vector2d &point = points[static_cast<std::size_t>(i)];
-    matrix.row(i) << 2 * point.x(), 2 * point.y(), 1;
-    right(i) = point.squaredNorm();
-  }
-  const Vector3d fit = matrix.colPivHouseholderQr().solve(right);
+  const Vector3d fit = matrix.colPivHouseholderQr().solve(matrix.leftCols<2>().rowwise().squaredNorm() / 4);
   const double radius_squared = fit(2) + fit.head<2>().squaredNorm();
   if (!(fit(1) > 0) || !(radius_squared > 0) || !fit.allFinite())
     return {};
@@ -183,13 +171,6 @@ std::optional<Circle> settled_circle(Circle circle, const std::vector<Vector2d> 
   return circle;
 }
 
-/// Student's factor: this many estimated standard deviations hold 68.3 %.
-double students_factor(double freedom)
-{
-  constexpr double one_sigma = 0.84134474606854293;
-  return boost::math::quantile(boost::math::students_t(freedom), one_sigma);
-}
-
 /// Scatter, its degrees of freedom and the covariance, once the circle is known.
 void add_errors(const Circle &circle, const std::vector<Vector2d> &places, double scale, RimCircle &rim)
 {
@@ -206,7 +187,9 @@ void add_errors(const Circle &circle, const std::vector<Vector2d> &places, doubl
   rim.freedom = std::max(1., trace * trace / trace_of_square);
   rim.scatter = scale * std::sqrt(variance);
   const Matrix3d response = (sums.matrix + sums.of_window).inverse();
-  const double factor = students_factor(rim.freedom);
+  // Student's factor: this many estimated standard deviations hold 68.3 %.
+  constexpr double one_sigma = 0.84134474606854293;
+  const double factor = boost::math::quantile(boost::math::students_t(rim.freedom), one_sigma);
   const Matrix3d covariance = factor * factor * variance * response * sums.squared * response.transpose();
   // The crown radius is scale / curvature.
   const double by_curvature = -scale / (circle(1) * circle(1));
@@ -216,16 +199,6 @@ void add_errors(const Circle &circle, const std::vector<Vector2d> &places, doubl
 }
 
 } // namespace
-
-double RimCircle::contact_radius_error() const
-{
-  return std::sqrt(covariance[0][0]);
-}
-
-double RimCircle::crown_radius_error() const
-{
-  return std::sqrt(covariance[1][1]);
-}
 
 bool RimCircle::has_scatter() const
 {

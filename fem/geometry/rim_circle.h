@@ -3,6 +3,7 @@
 #include "fem/geometry/meridian_section.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -34,8 +35,8 @@ struct RimCircle
   /// wider by Student's factor for these degrees of freedom: it holds the truth in 68 % of all cases.
   std::array<std::array<double, 2>, 2> covariance = {};
 
-  double contact_radius_error() const; ///< standard error [m]
-  double crown_radius_error() const;   ///< standard error [m]
+  double contact_radius_error() const { return std::sqrt(covariance[0][0]); } ///< standard error [m]
+  double crown_radius_error() const { return std::sqrt(covariance[1][1]); }   ///< standard error [m]
   /// Whether there is a scatter that is more than rounding, and something that it leaves open.
   bool has_scatter() const;
 };
