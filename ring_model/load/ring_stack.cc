@@ -82,16 +82,16 @@ double RingStack::radius() const
 {
   if (stack.size() == 1)
     return stack.front().radius;
-  const double first = std::hypot(a(1), b(1));
-  if (first > 0.)
-    return moment().norm() / (pi * first);
   double sum = 0., weights = 0.;
   for (const Ring &ring : stack)
   {
     sum += std::abs(ring.a[0]) * ring.radius;
     weights += std::abs(ring.a[0]);
   }
-  return sum / weights;
+  // Rings may have first harmonics that cancel in the moment: what rounding leaves of that has no radius.
+  constexpr double no_moment = 1e-9;
+  const double moment_norm = moment().norm();
+  return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1))) : sum / weights;
 }
 
 double RingStack::normal_force() const

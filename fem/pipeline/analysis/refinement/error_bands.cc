@@ -269,12 +269,10 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   {
     return bands_of(study, foot, all, first, executor, progress);
   }
-  catch (const fem::ContactFailure &failure)
+  catch (const std::runtime_error &failure)
   {
-    progress.note("No band", failure.what());
-  }
-  catch (const BadInput &failure) // a mesh that cannot be made coarser or finer, or would not tell
-  {
+    if (!is_of_variant(failure)) // a contact, a balance, a mesh that cannot be made coarser or finer
+      throw;
     progress.note("No band", failure.what());
   }
   return {};
