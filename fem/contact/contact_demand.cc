@@ -4,7 +4,6 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -15,44 +14,24 @@ namespace stemware::fem
 namespace
 {
 
-/// Value of a load function under a unit force at azimuth theta, for each ring that may carry the force.
-/// Nodes that follow each other on one azimuth share one evaluation.
-class RingValues
+/// Value of @p function under a unit force at azimuth theta, for each ring that may carry the force.
+Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine, double sine)
 {
-public:
-  explicit RingValues(const ring::LoadFunctional &function)
-      : function(function)
-      , values(static_cast<Eigen::Index>(function.a.size()))
+  Eigen::VectorXd values(static_cast<Eigen::Index>(function.a.size()));
+  for (std::size_t j = 0; j < function.a.size(); ++j)
   {
-  }
-
-  const Eigen::VectorXd &at(double cosine, double sine)
-  {
-    if (std::abs(cosine - last_cosine) + std::abs(sine - last_sine) < 1e-14)
-      return values;
-    last_cosine = cosine;
-    last_sine = sine;
-    for (std::size_t j = 0; j < function.a.size(); ++j)
+    double even = 1, odd = 0, sum = function.a[j][0] / 2;
+    for (std::size_t n = 1; n < function.a[j].size(); ++n)
     {
-      double even = 1, odd = 0, sum = function.a[j][0] / 2;
-      for (std::size_t n = 1; n < function.a[j].size(); ++n)
-      {
-        const double next = even * cosine - odd * sine;
-        odd = even * sine + odd * cosine;
-        even = next;
-        sum += function.a[j][n] * even + function.b[j][n] * odd;
-      }
-      values(static_cast<Eigen::Index>(j)) = sum / boost::math::double_constants::pi;
+      const double next = even * cosine - odd * sine;
+      odd = even * sine + odd * cosine;
+      even = next;
+      sum += function.a[j][n] * even + function.b[j][n] * odd;
     }
-    return values;
+    values(static_cast<Eigen::Index>(j)) = sum / boost::math::double_constants::pi;
   }
-
-private:
-  const ring::LoadFunctional &function;
-  Eigen::VectorXd values;
-  double last_cosine = 2;
-  double last_sine = 2;
-};
+  return values;
+}
 
 } // namespace
 
@@ -74,29 +53,22 @@ Eigen::VectorXd node_values(const ContactSurface &surface, const std::vector<dou
                             const ring::LoadFunctional &function)
 {
   const RingShares shares(ring_radii);
-  RingValues values(function);
   Eigen::VectorXd result(surface.n_nodes());
-  // Radial lines repeat their radii: the shares of one do for all.
-  const unsigned int n_repeated =
-    surface.lines_are_radial ? surface.n_nodes() / std::max(surface.n_sectors, 1u) : 0;
-  std::vector<std::pair<double, Eigen::VectorXd>> on_line(n_repeated);
+  // Nodes that follow each other on one azimuth share one evaluation.
+  double cosine = 1, sine = 0;
+  Eigen::VectorXd of_rings = ring_values(function, cosine, sine);
   for (unsigned int i = 0; i < surface.n_nodes(); ++i)
   {
     const double x = surface.node_position(i, 0), y = surface.node_position(i, 1);
-    const double radius = std::hypot(x, y);
-    const Eigen::VectorXd &of_rings = values.at(radius > 0 ? x / radius : 1, radius > 0 ? y / radius : 0);
-    if (n_repeated == 0)
+    double radius = x * cosine + y * sine;
+    if (!(std::abs(y * cosine - x * sine) <= 1e-14 * radius))
     {
-      result(i) = shares.at(radius).dot(of_rings);
-      continue;
+      radius = std::hypot(x, y);
+      cosine = x / radius;
+      sine = y / radius;
+      of_rings = ring_values(function, cosine, sine);
     }
-    auto &[known_radius, known_shares] = on_line[i % n_repeated];
-    if (std::abs(radius - known_radius) > 1e-14 * radius)
-    {
-      known_radius = radius;
-      known_shares = shares.at(radius);
-    }
-    result(i) = known_shares.dot(of_rings);
+    result(i) = shares.at(radius).dot(of_rings);
   }
   return result;
 }

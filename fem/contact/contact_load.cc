@@ -16,64 +16,6 @@ namespace
 
 using boost::math::double_constants::pi;
 
-/// Shares of rings in many forces. What each has of the sum is found from the forces' sums with Chebyshev's
-/// polynomials of the radius: a few products a force, while its share in J rings takes J^2.
-class SharedForces
-{
-public:
-  /// Without radii one ring gets all.
-  explicit SharedForces(const std::vector<double> &radii)
-      : sums(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::max<std::size_t>(radii.size(), 1))))
-      , coefficients(Eigen::MatrixXd::Ones(sums.size(), sums.size()))
-  {
-    if (radii.empty())
-      return;
-    const RingShares shares(radii);
-    const Eigen::Index n = sums.size();
-    middle = (radii.front() + radii.back()) / 2;
-    half = n > 1 ? (radii.back() - radii.front()) / 2 : middle;
-    // The coefficients of each share, a polynomial of the radius, from its values at the roots of the n-th.
-    coefficients.setZero();
-    for (Eigen::Index i = 0; i < n; ++i)
-    {
-      const double angle = pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-      const Eigen::VectorXd &values = shares.at(middle + half * std::cos(angle));
-      for (Eigen::Index k = 0; k < n; ++k)
-        coefficients.col(k) +=
-          (k == 0 ? 1. : 2.) / static_cast<double>(n) * std::cos(static_cast<double>(k) * angle) * values;
-    }
-  }
-
-  Eigen::Index n_rings() const { return sums.size(); }
-
-  void add(double force, double radius)
-  {
-    const double x = (radius - middle) / half;
-    double before = x * force, now = force; // T_-1 = T_1
-    for (Eigen::Index k = 0; k < sums.size(); ++k)
-    {
-      sums(k) += now;
-      const double next = 2 * x * now - before;
-      before = now;
-      now = next;
-    }
-  }
-
-  /// Shares of each ring in the forces since the last call.
-  Eigen::VectorXd take()
-  {
-    const Eigen::VectorXd forces = coefficients * sums;
-    sums.setZero();
-    return forces;
-  }
-
-private:
-  Eigen::VectorXd sums;
-  Eigen::MatrixXd coefficients; ///< of the rings' shares, by row, as series of Chebyshev's polynomials
-  double middle = 0;
-  double half = 1; ///< [m]
-};
-
 /// Fourier sums of point forces on rings, and their moments. Points that follow each other on one azimuth
 /// line are taken together, and cos and sin of n theta come from turning the line's direction: a law has
 /// thousands of points.
@@ -83,10 +25,12 @@ public:
   /// sum f, f y, -f x, f r, f r^2
   using Moments = Eigen::Matrix<double, 5, 1>;
 
+  /// Without radii one ring gets all.
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
-      : shared(radii)
-      , a(static_cast<std::size_t>(shared.n_rings()), std::vector<double>(n_harmonics + 1, 0))
+      : shares(radii.empty() ? std::vector<double>{ 1 } : radii)
+      , a(std::max<std::size_t>(radii.size(), 1), std::vector<double>(n_harmonics + 1, 0))
       , b(a)
+      , of_rings(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(a.size())))
   {
   }
 
@@ -101,7 +45,7 @@ public:
       sine = radius > 0 ? point.y / radius : 0;
     }
     on_line += Eigen::Vector3d(1, radius, radius * radius) * point.force;
-    shared.add(point.force, radius);
+    of_rings += point.force * shares.at(radius);
   }
 
   /// Brings the last line's forces into the sums, and adds up those of all @p parts.
@@ -135,10 +79,9 @@ private:
     sums +=
       (Moments() << on_line(0), on_line(1) * sine, -on_line(1) * cosine, on_line(1), on_line(2)).finished();
     on_line.setZero();
-    const Eigen::VectorXd forces = shared.take();
     for (std::size_t j = 0; j < a.size(); ++j)
     {
-      double even = forces(static_cast<Eigen::Index>(j)) / pi;
+      double even = of_rings(static_cast<Eigen::Index>(j)) / pi;
       double odd = 0;
       for (std::size_t n = 0; n < a[j].size(); ++n)
       {
@@ -149,13 +92,15 @@ private:
         even = next;
       }
     }
+    of_rings.setZero();
   }
 
-  SharedForces shared;                               ///< of the present line
+  const RingShares shares;
   Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sum f, f r, f r^2 of the present line
   Moments sums = Moments::Zero();
   std::vector<std::vector<double>> a;
   std::vector<std::vector<double>> b;
+  Eigen::VectorXd of_rings; ///< their shares in the forces of the present line
   double cosine = 1;
   double sine = 0;
 };
@@ -178,26 +123,27 @@ void require_radii(const std::vector<double> &radii)
 
 RingShares::RingShares(std::vector<double> radii_given)
     : radii(std::move(radii_given))
-    , unit(radii.size() > 1 ? (radii.back() - radii.front()) / 4 : 1)
-    , denominators(radii.size(), 1.)
-    , shares(static_cast<Eigen::Index>(radii.size()))
+    , per_unit(radii.size() > 1 ? 4 / (radii.back() - radii.front()) : 1)
+    , factors(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(radii.size())))
+    , shares(factors)
 {
   require_radii(radii);
   for (std::size_t j = 0; j < radii.size(); ++j)
     for (std::size_t k = 0; k < radii.size(); ++k)
       if (k != j)
-        denominators[j] *= (radii[j] - radii[k]) / unit;
+        factors(static_cast<Eigen::Index>(j)) /= (radii[j] - radii[k]) * per_unit;
 }
 
 const Eigen::VectorXd &RingShares::at(double radius) const
 {
-  for (std::size_t j = 0; j < radii.size(); ++j)
+  shares = factors;
+  double inside = 1, outside = 1; // products of the distances to the rings on either side
+  for (std::size_t j = 0, k = radii.size() - 1; j < radii.size(); ++j, --k)
   {
-    double product = 1;
-    for (std::size_t k = 0; k < radii.size(); ++k)
-      if (k != j)
-        product *= (radius - radii[k]) / unit;
-    shares(static_cast<Eigen::Index>(j)) = product / denominators[j];
+    shares(static_cast<Eigen::Index>(j)) *= inside;
+    inside *= (radius - radii[j]) * per_unit;
+    shares(static_cast<Eigen::Index>(k)) *= outside;
+    outside *= (radius - radii[k]) * per_unit;
   }
   return shares;
 }

@@ -50,8 +50,8 @@ public:
 
 private:
   std::vector<double> radii;
-  const double unit;                ///< of distances, in which their products neither vanish nor overflow [m]
-  std::vector<double> denominators; ///< prod_k (r_j - r_k) / unit
+  const double per_unit;   ///< of distances, in which their products neither vanish nor overflow [1/m]
+  Eigen::VectorXd factors; ///< 1 / prod_k (r_j - r_k) per_unit
   mutable Eigen::VectorXd shares;
 };
 

@@ -220,10 +220,10 @@ private:
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
     const NewtonIncrement increment = solve(mismatch);
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion - mismatch;
-    const double step_length = control.whole_steps || start_is_apart(mismatch)
-                                 ? whole_step(increment, direction)
-                               : conditions.are_resultants() ? step_to_least_energy(increment, direction)
-                                                             : step_to_less_residual(increment, direction);
+    const bool is_whole = control.whole_steps || start_is_apart(mismatch);
+    const double step_length = conditions.are_resultants() && !is_whole
+                                 ? step_to_least_energy(increment, direction)
+                                 : step_to_less_residual(increment, direction, is_whole ? 1 : 1. / 64);
     normal_displacement += step_length * direction;
     report(increment, step_length, other_contact.active_set);
   }
@@ -245,23 +245,11 @@ private:
     return step_length;
   }
 
-  double whole_step(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
+  /// Takes the longest of the steps 1, 1/2, 1/4 ... @p shortest that lowers the residual, the shortest of
+  /// them where none does; returns its length and leaves the contact forces as step_to_least_energy().
+  double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
+                               double shortest)
   {
-    body.update(1);
-    motion += increment.motion;
-    contact.swap(other_contact);
-    law.evaluate(normal_displacement + direction, contact);
-    compute_residual();
-    if (!std::isfinite(residual()))
-      throw_overflow();
-    return 1;
-  }
-
-  /// Takes the longest of the steps 1, 1/2, 1/4 ... that lowers the residual, the shortest of them where none
-  /// does; returns its length and leaves the contact forces as step_to_least_energy().
-  double step_to_less_residual(const NewtonIncrement &increment, const Eigen::VectorXd &direction)
-  {
-    constexpr double shortest = 1. / 64;
     const double residual_before = residual();
     contact.swap(other_contact);
     double step_length = 1;

@@ -26,7 +26,20 @@ enum class ContactOutcome
 };
 
 /// The outcome's name as used in messages and in summary.json.
-std::string to_string(ContactOutcome outcome);
+inline std::string to_string(ContactOutcome outcome)
+{
+  static constexpr const char *names[] = { "converged",
+                                           "narrow contact",
+                                           "tipping",
+                                           "repeated contact set",
+                                           "singular contact set",
+                                           "too many contact steps",
+                                           "unbalanced contact forces",
+                                           "linear solver failed",
+                                           "cells inside out",
+                                           "overflow" };
+  return names[static_cast<std::size_t>(outcome)];
+}
 
 /// Thrown when a contact solve ends without a solution; what() is a sentence with figures and advice.
 class ContactFailure : public std::runtime_error

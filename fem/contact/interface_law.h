@@ -1,7 +1,9 @@
 #pragma once
 
 #include "fem/contact/table_law.h"
+#include "fem/geometry/require.h"
 
+#include <cmath>
 #include <memory>
 
 namespace stemware::fem
@@ -43,6 +45,10 @@ public:
 
 /// Throws std::invalid_argument, with @p name, @p unit and @p example in its sentence, unless @p value is
 /// positive and finite.
-void require_positive(const char *name, double value, const char *unit, const char *example);
+inline void require_positive(const char *name, double value, const char *unit, const char *example)
+{
+  require(std::isfinite(value) && value > 0, name, " = ", value, " ", unit,
+          " is not allowed; give a finite number greater than 0 (", example, ").");
+}
 
 } // namespace stemware::fem

@@ -32,18 +32,15 @@ PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;
-  const double c0 = samples(1);
-  const double c1 = (samples(2) - samples(0)) / 2;
-  const double c2 = (samples(2) + samples(0)) / 2 - samples(1);
+  const Eigen::Vector3d coefficients = quadratic_through(samples);
   std::array<double, 2> roots{};
-  const unsigned int n_roots = interior_roots(c0, c1, c2, roots);
+  const unsigned int n_roots = interior_roots(coefficients(0), coefficients(1), coefficients(2), roots);
 
   double begin = -1;
   for (unsigned int i = 0; i <= n_roots; ++i)
   {
     const double end = i < n_roots ? roots[i] : 1;
-    const double middle = (begin + end) / 2;
-    if (c0 + middle * (c1 + middle * c2) > 0)
+    if (value_at(coefficients, (begin + end) / 2) > 0)
       segments[n_segments++] = { begin, end };
     begin = end;
   }

@@ -110,15 +110,6 @@ void for_each_point(const AreaElement &area, const LineSegment &segment, const V
     }
 }
 
-/// Calls visit(const LinePoint &) at the four Gauss points of each of @p n_panels equal parts of the whole
-/// line.
-template <typename Visitor>
-void for_each_point(const AreaElement &area, unsigned int n_panels, const Visitor &visit)
-{
-  for (unsigned int panel = 0; panel < n_panels; ++panel)
-    for_each_point(area, LineSegment{ 2. * panel / n_panels - 1, 2. * (panel + 1) / n_panels - 1 }, visit);
-}
-
 /// Calls visit(const LinePoint &) at the four Gauss points of every segment where the quadratic through @p
 /// penetration is positive: exact for (shape)^2 times a penetration and a cubic area element, i.e. closed
 /// form on a straight line.

@@ -75,13 +75,7 @@ private:
 };
 
 /// Radii between which there is pressure worth showing.
-struct RadialRange
-{
-  double lower = 0;
-  double upper = 0;
-};
-
-RadialRange loaded_range(const std::vector<LoadedLine> &lines)
+ContactWidth loaded_range(const std::vector<LoadedLine> &lines)
 {
   constexpr unsigned int n_samples = 16;
   std::vector<PressurePoint> points;
@@ -92,26 +86,26 @@ RadialRange loaded_range(const std::vector<LoadedLine> &lines)
       points.push_back(line.at(2. * i / n_samples - 1));
       largest = std::max(largest, points.back().pressure);
     }
-  RadialRange range = { 1e300, 0 };
-  RadialRange zone = range;
+  ContactWidth range = { 1e300, 0 };
+  ContactWidth zone = range;
   for (const PressurePoint &point : points)
   {
-    zone = { std::min(zone.lower, point.radius), std::max(zone.upper, point.radius) };
+    zone = { std::min(zone.inner, point.radius), std::max(zone.outer, point.radius) };
     if (point.pressure >= least_share * largest)
-      range = { std::min(range.lower, point.radius), std::max(range.upper, point.radius) };
+      range = { std::min(range.inner, point.radius), std::max(range.outer, point.radius) };
   }
-  const double margin = 0.1 * (range.upper - range.lower) + 1e-3 * (zone.upper - zone.lower);
-  return { std::max(zone.lower, range.lower - margin), std::min(zone.upper, range.upper + margin) };
+  const double margin = 0.1 * (range.outer - range.inner) + 1e-3 * (zone.outer - zone.inner);
+  return { std::max(zone.inner, range.inner - margin), std::min(zone.outer, range.outer + margin) };
 }
 
 /// The cut at one azimuth, through the lines that lie on it.
 std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &lines, double azimuth,
-                                       const RadialRange &range)
+                                       const ContactWidth &range)
 {
   std::vector<PressurePoint> cut;
   for (unsigned int i = 0; i < n_points_across; ++i)
   {
-    const double radius = range.lower + (range.upper - range.lower) * i / (n_points_across - 1);
+    const double radius = range.inner + (range.outer - range.inner) * i / (n_points_across - 1);
     double pressure = 0;
     for (const LoadedLine *line : lines)
     {
@@ -233,7 +227,7 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
     sort_by_azimuth(pressure_map);
     return pressure_map;
   }
-  const RadialRange range = loaded_range(lines);
+  const ContactWidth range = loaded_range(lines);
   std::vector<double> azimuths;
   for (const LoadedLine &line : lines)
     azimuths.push_back(line.azimuth);
@@ -262,16 +256,16 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     nodes.push_back({ packed[i], packed[i + 1], packed[i + 2] });
     largest = std::max(largest, packed[i + 2]);
   }
-  RadialRange range = { 1e300, 0 };
+  ContactWidth range = { 1e300, 0 };
   std::vector<double> azimuths;
   for (const PressurePoint &node : nodes)
   {
     azimuths.push_back(node.azimuth);
     if (node.pressure >= least_share * largest)
-      range = { std::min(range.lower, node.radius), std::max(range.upper, node.radius) };
+      range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
   }
   // A contact on a single circle still needs neighbours to be seen.
-  const double margin = std::max(0.25 * (range.upper - range.lower), 1e-4 * range.upper);
+  const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();
   for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
@@ -280,7 +274,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     for (const std::size_t i : group)
     {
       const PressurePoint &node = nodes[i];
-      if (range.lower - margin <= node.radius && node.radius <= range.upper + margin)
+      if (range.inner - margin <= node.radius && node.radius <= range.outer + margin)
         cut.push_back({ node.radius, wrapped(azimuths[group.front()]), node.pressure });
     }
     std::sort(cut.begin(), cut.end(),

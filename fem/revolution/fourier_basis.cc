@@ -135,13 +135,12 @@ Eigen::MatrixXd FourierBasis::evaluate_conjugates(const Eigen::MatrixXd &amplitu
   return evaluate(of_modes);
 }
 
-FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::MatrixXd &samples, bool with_sines)
+FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples)
 {
   const MirrorSums mirrored(samples);
   const Eigen::Index n_half = mirrored.even.cols();
   even = mirrored.even * basis.cosine_table().topRows(n_half);
-  if (with_sines)
-    odd = mirrored.odd * basis.sine_table().topRows(n_half);
+  odd = mirrored.odd * basis.sine_table().topRows(n_half);
 }
 
 FourierProducts::OfPair FourierProducts::with_conjugate(unsigned int row_mode, unsigned int column_mode) const
@@ -163,21 +162,15 @@ FourierProducts::OfPair FourierProducts::pair(unsigned int row, bool row_is_sine
   const bool column_is_sine = FourierBasis::is_sine(column_mode);
   const Eigen::Index difference = row > column ? row - column : column - row;
   const bool is_even = row_is_sine == column_is_sine;
-  const bool is_zero = !is_even && odd.size() == 0;
-  const Eigen::MatrixXd &table = is_even || is_zero ? even : odd;
+  const Eigen::MatrixXd &table = is_even ? even : odd;
+  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2; sin a cos b =
+  // (sin(a - b) + sin(a + b)) / 2, a being the harmonic of the sine.
+  const bool sine_is_larger = row_is_sine ? row > column : column > row;
   OfPair result;
   result.differences = table.col(difference).data();
   result.sums = table.col(row + column).data();
-  if (is_even)
-  {
-    result.difference_factor = 0.5;
-    result.sum_factor = row_is_sine ? -0.5 : 0.5;
-    return result;
-  }
-  // sin a cos b = (sin(a + b) + sin(a - b)) / 2, a being the harmonic of the sine.
-  const bool sine_is_larger = row_is_sine ? row > column : column > row;
-  result.difference_factor = is_zero ? 0 : sine_is_larger ? 0.5 : -0.5;
-  result.sum_factor = is_zero ? 0 : 0.5;
+  result.difference_factor = is_even || sine_is_larger ? 0.5 : -0.5;
+  result.sum_factor = is_even && row_is_sine ? -0.5 : 0.5;
   return result;
 }
 

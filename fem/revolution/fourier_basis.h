@@ -70,9 +70,8 @@ private:
 class FourierProducts
 {
 public:
-  /// @p samples: one function a row, shape [n_functions, n_lines]. Without @p with_sines the functions are
-  /// taken as even in theta.
-  FourierProducts(const FourierBasis &basis, const Eigen::MatrixXd &samples, bool with_sines);
+  /// @p samples: one function a row, shape [n_functions, n_lines].
+  FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples);
 
   /// The sums for one pair of modes: a value for each function. Valid as long as the products are.
   class OfPair

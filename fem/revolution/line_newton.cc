@@ -206,59 +206,35 @@ LaneTable LineNewton::tested(const Bundle &bundle, const Eigen::MatrixX3d &weigh
   return products(tests, bundle.solution);
 }
 
-LineNewton::LineSums LineNewton::sums_over_lines(const LinearConditions &conditions) const
+std::vector<Eigen::MatrixXd> LineNewton::sums_on_lines(const LinearConditions &conditions) const
 {
   const Eigen::Index p = smooth.values.cols(), n_lines = response.n_lines(), n_kinds = this->n_kinds();
-  LineSums sums;
-  sums.to_functions.assign(n_kinds, Eigen::MatrixXd::Zero(p * p, n_lines));
-  sums.to_motions.assign(n_kinds, Eigen::MatrixXd::Zero(p * 3, n_lines));
-  sums.to_unbalanced.assign(n_kinds, Eigen::MatrixXd::Zero(p, n_lines));
-  sums.conditions_on_functions = Eigen::MatrixXd::Zero(3 * p, n_lines);
+  std::vector<Eigen::MatrixXd> sums(n_kinds, Eigen::MatrixXd::Zero(p * (p + 4), n_lines));
+  sums.push_back(Eigen::MatrixXd::Zero(3 * (p + 4), n_lines));
   for (const Bundle &bundle : bundles)
   {
     const LaneTable tests = tested(bundle, conditions.weights());
     for (Eigen::Index j = bundle.first_line; j < std::min(bundle.first_line + Lanes::n, n_lines); ++j)
-    {
-      const auto sum = [&, lane = static_cast<int>(j - bundle.first_line)](Eigen::Index a, Eigen::Index c)
-      { return tests(a, c, lane); };
-      for (Eigen::Index kind = 0; kind < n_kinds; ++kind)
-        for (Eigen::Index a = 0; a < p; ++a)
-        {
-          for (Eigen::Index c = 0; c < p; ++c)
-            sums.to_functions[kind](a + p * c, j) = sum(kind * p + a, c);
-          for (Eigen::Index c = 0; c < 3; ++c)
-            sums.to_motions[kind](a + p * c, j) = sum(kind * p + a, p + c);
-          sums.to_unbalanced[kind](a, j) = sum(kind * p + a, p + 3);
-        }
-      for (Eigen::Index a = 0; a < 3; ++a)
-      {
-        for (Eigen::Index c = 0; c < p; ++c)
-          sums.conditions_on_functions(a + 3 * c, j) = sum(n_kinds * p + a, c);
-        for (Eigen::Index c = 0; c < 3; ++c)
-          sums.corner(a, c) += sum(n_kinds * p + a, p + c);
-        sums.conditions_on_unbalanced(a) += sum(n_kinds * p + a, p + 3);
-      }
-    }
+      for (Eigen::Index kind = 0; kind <= n_kinds; ++kind)
+        for (Eigen::Index c = 0, place = 0; c < p + 4; ++c)
+          for (Eigen::Index a = 0; a < (kind < n_kinds ? p : 3); ++a, ++place)
+            sums[kind](place, j) = tests(kind * p + a, c, static_cast<int>(j - bundle.first_line));
   }
   return sums;
 }
 
-RowMatrix LineNewton::system_of_amplitudes(const LineSums &line_sums) const
+RowMatrix LineNewton::system_of_amplitudes(const std::vector<Eigen::MatrixXd> &on_lines) const
 {
   const FourierBasis &basis = response.basis();
   const Eigen::Index p = smooth.values.cols(), n_modes = basis.n_modes(), n = n_modes * p;
   RowMatrix system = RowMatrix::Zero(n, n + 4);
-  auto matrix = system.leftCols(n);
-  auto beside = system.rightCols<4>();
   for (Eigen::Index kind = 0; kind < n_kinds(); ++kind)
   {
     const bool conjugate = kind == 2;
-    const FourierProducts products(basis, line_sums.to_functions[kind], true);
-    const auto project = [&](const Eigen::MatrixXd &samples)
-    { return conjugate ? basis.project_on_conjugates(samples) : basis.project(samples); };
-    const Eigen::MatrixXd motions = project(line_sums.to_motions[kind]);       // [p * 3, n_modes]
-    const Eigen::MatrixXd unbalanced = project(line_sums.to_unbalanced[kind]); // [p, n_modes]
-    Eigen::MatrixXd sums(p, n);
+    const FourierProducts products(basis, on_lines[kind].topRows(p * p));
+    const auto others = on_lines[kind].bottomRows(p * 4);
+    const Eigen::MatrixXd beside = conjugate ? basis.project_on_conjugates(others) : basis.project(others);
+    Eigen::MatrixXd sums(p, n + 4);
     for (Eigen::Index row = 0; row < n_modes; ++row)
     {
       const auto row_mode = static_cast<unsigned int>(row);
@@ -271,17 +247,16 @@ RowMatrix LineNewton::system_of_amplitudes(const LineSums &line_sums) const
         for (Eigen::Index k = 0; k < p * p; ++k)
           block[k] = pair(k);
       }
+      sums.rightCols<4>() = beside.col(row).reshaped(p, 4);
       const HarmonicCompliance &harmonic = smooth.reduced[FourierBasis::harmonic(row_mode)];
       const Eigen::MatrixXd weight = (kind == 0   ? harmonic.normal
                                       : kind == 1 ? harmonic.radial
                                                   : harmonic.azimuthal) /
                                      FourierBasis::norm(row_mode);
-      matrix.block(row * p, 0, p, n).noalias() += weight * sums;
-      beside.block(row * p, 0, p, 3).noalias() += weight * motions.col(row).reshaped(p, 3);
-      beside.block(row * p, 3, p, 1).noalias() += weight * unbalanced.col(row);
+      system.middleRows(row * p, p).noalias() += weight * sums;
     }
   }
-  matrix.diagonal().array() += 1;
+  system.diagonal().array() += 1;
   return system;
 }
 
@@ -310,29 +285,29 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
                                         const Eigen::Vector3d &residual) const
 {
   const Eigen::Index p = smooth.values.cols(), n_modes = response.basis().n_modes(), n = n_modes * p;
-  const LineSums sums = sums_over_lines(conditions);
+  const std::vector<Eigen::MatrixXd> on_lines = sums_on_lines(conditions);
+  const Eigen::MatrixXd &of_conditions = on_lines.back();
+  const Eigen::Matrix<double, 3, 4> beside = of_conditions.bottomRows(12).rowwise().sum().reshaped(3, 4);
 
   // Unknowns: amplitudes y, function running fastest within a mode, and the table motions: A y + B dq = a,
   // C y + (corner - weight) dq = rhs. With the table held the system is that of an elastic foot on springs;
   // the motions follow by themselves.
-  RowMatrix system = system_of_amplitudes(sums); // [A, B, a]
+  RowMatrix system = system_of_amplitudes(on_lines); // [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();
-  Eigen::MatrixXd tested(3, n);                                                            // C
-  const Eigen::MatrixXd on_modes = response.basis().project(sums.conditions_on_functions); // [3 * p, n_modes]
-  for (Eigen::Index mode = 0; mode < n_modes; ++mode)
-    tested.middleCols(mode * p, p) = on_modes.col(mode).reshaped(3, p);
+  const Eigen::MatrixXd tested = // C; a mode's columns [3 * p] stand one after the other
+    response.basis().project(of_conditions.topRows(3 * p)).reshaped(3, n);
   Increment increment;
-  increment.resistance = sums.corner - tested * held.leftCols<3>();
+  increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
   // Forces count per N and lengths per the depth that N makes, tilts as heights at the rim: rows and columns
   // of like size.
   const double length = response.compliance().radii(response.n_radii() - 1);
-  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / sums.corner(0, 0);
+  const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);
   const Eigen::Matrix3d against =
     row_scale.asDiagonal() * (increment.resistance - conditions.motion_weights()) * column_scale.asDiagonal();
-  const Eigen::Vector3d rhs = residual + sums.conditions_on_unbalanced - tested * held.col(3);
+  const Eigen::Vector3d rhs = residual + beside.col(3) - tested * held.col(3);
   increment.motion =
     column_scale.asDiagonal() * against.partialPivLu().solve(row_scale.asDiagonal() * rhs).eval();
   const Eigen::VectorXd amplitudes = held.col(3) - held.leftCols<3>() * increment.motion;

@@ -67,19 +67,6 @@ private:
     LaneTable solution;
   };
 
-  /// Answers of each line, by kind of force in the first three: to the functions, to the table's motions and
-  /// to what is unbalanced, summed over its circles with the functions; and the same with the weights of the
-  /// conditions, those to motions and unbalanced forces summed over the lines.
-  struct LineSums
-  {
-    std::vector<Eigen::MatrixXd> to_functions;  ///< shapes [p * p, n_lines], p the number of functions
-    std::vector<Eigen::MatrixXd> to_motions;    ///< shapes [p * 3, n_lines]
-    std::vector<Eigen::MatrixXd> to_unbalanced; ///< shapes [p, n_lines]
-    Eigen::MatrixXd conditions_on_functions;    ///< shape [3 * p, n_lines]
-    Eigen::Matrix3d corner = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d conditions_on_unbalanced = Eigen::Vector3d::Zero();
-  };
-
   void find_lines(const Eigen::SparseMatrix<double> &tangent, const Eigen::MatrixXd &unbalanced,
                   double negligible);
   Functions chosen_functions() const;
@@ -87,10 +74,13 @@ private:
   /// Sums over the circles of a bundle of its solution with the functions, these times the tractions, and @p
   /// weights of the conditions, shape [n_kinds n_functions + 3, n_functions + 4].
   LaneTable tested(const Bundle &bundle, const Eigen::MatrixX3d &weights) const;
-  LineSums sums_over_lines(const LinearConditions &conditions) const;
+  /// tested() of each line as a column, rows running fastest: for each kind of force its answers to the p
+  /// functions, to the table's motions and to what is unbalanced, shapes [p * (p + 4), n_lines]; at last
+  /// those of the conditions, shape [3 * (p + 4), n_lines].
+  std::vector<Eigen::MatrixXd> sums_on_lines(const LinearConditions &conditions) const;
   /// The system of the amplitudes with the table held, and beside it the columns of the motions and of what
   /// is unbalanced: shape [n_modes * p, n_modes * p + 4].
-  RowMatrix system_of_amplitudes(const LineSums &line_sums) const;
+  RowMatrix system_of_amplitudes(const std::vector<Eigen::MatrixXd> &on_lines) const;
   /// df under @p amplitudes, shape [p, n_modes], and a @p motion of the table.
   Eigen::MatrixXd forces_of(const Eigen::MatrixXd &amplitudes, const Eigen::Vector3d &motion) const;
   /// Normal, radial and azimuthal forces.

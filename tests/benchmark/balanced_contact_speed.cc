@@ -89,7 +89,7 @@ bool measure(const Case &one)
 
   const auto foot = study_foot(study, cache);
   find_load(study, foot); // chooses the rings
-  BalancedContact contact(foot, { moment_balance(study), study.tilts() });
+  BalancedContact contact(foot, moment_balance(study));
   const double step = 1e-3 * motion.orbit_speed / study.glass.profile.contact_radius;
   std::vector<double> times_of_load, steps_of_load;
   contact.contact(omega / 2);

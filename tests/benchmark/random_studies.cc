@@ -164,7 +164,7 @@ Path follow_in_speed(const Study &study, double slip)
     motion.orbit_speed *= std::sqrt(share);
     const auto foot = study_foot(slower, cache);
     find_load(slower, foot);
-    BalancedContact contact(foot, { moment_balance(slower), slower.tilts() });
+    BalancedContact contact(foot, moment_balance(slower));
     const fem::ContactLoad load = contact.contact(slip * motion.orbit_speed / radius).load;
     ratios[share] = load.moment_ratio(radius);
   };

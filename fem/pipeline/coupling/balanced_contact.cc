@@ -20,7 +20,7 @@ BalancedContact::BalancedContact(std::shared_ptr<ElasticFoot> foot_given, const 
 
 fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, double omega, Progress &progress)
 {
-  const ring::Slip slip = { omega / balance.moments.motion.orbit_speed, balance.moments.orientation };
+  const ring::Slip slip = { omega / balance.motion.orbit_speed, balance.orientation };
   before = foot->solve(demand, slip, progress, before ? &*before : nullptr);
   ++n_solved;
   return *before;
@@ -29,10 +29,9 @@ fem::ContactState BalancedContact::solve(const fem::ContactDemand &demand, doubl
 fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<double> &radii,
                                               double rotation) const
 {
-  const ring::Motion &motion = balance.moments.motion;
-  const double arm = ring::friction_arm(balance.moments.closure, motion);
-  const Eigen::Vector2d moment =
-    ring::required_moment(balance.moments.closure, motion, Eigen::Vector2d::Zero());
+  const ring::Motion &motion = balance.motion;
+  const double arm = ring::friction_arm(balance.closure, motion);
+  const Eigen::Vector2d moment = ring::required_moment(balance.closure, motion, Eigen::Vector2d::Zero());
   fem::ContactDemand demand(motion.normal_force(), moment.x(), moment.y());
   demand.ring_radii = radii;
   if (balance.tilts)
@@ -50,7 +49,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &progress)
 {
   constexpr unsigned int most_rounds = 20;
-  const ring::Motion &motion = balance.moments.motion;
+  const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {
     fem::ContactState state = solve(demand_at(omega, { one_radius }, one_rotation), omega, progress);
@@ -60,7 +59,7 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega, Progress &p
       std::abs(radius - one_radius) < 1e-12 * radius && std::abs(rotation - one_rotation) < 1e-12;
     one_radius = radius;
     one_rotation = rotation;
-    if (settled || ring::friction_arm(balance.moments.closure, motion) == 0)
+    if (settled || ring::friction_arm(balance.closure, motion) == 0)
       return state;
     if (round == most_rounds)
       throw fem::ContactFailure(fem::ContactOutcome::too_many_steps,

@@ -12,20 +12,13 @@
 namespace stemware::pipeline
 {
 
-/// Balance of moments that a load is to be in.
-struct MomentBalance
+/// Balance of moments that an elastic foot is to be in.
+struct ContactBalance
 {
   ring::Motion motion;
   ring::Closure closure = ring::Closure::full;
   ring::Orientation orientation; ///< of the marks of glass and table
-};
-
-/// Balance that an elastic foot is to be in.
-struct ContactBalance
-{
-  MomentBalance moments;
-  /// Whether the weight of the leaning glass is part of the moment balance.
-  bool tilts = false;
+  bool tilts = false;            ///< whether the weight of the leaning glass is part of it
   /// Harmonics of the rings whose friction enters the moment balance.
   unsigned int n_harmonics = all_harmonics;
 };

@@ -71,37 +71,28 @@ private:
 };
 
 /// The load of a model of the ring in balance at every spin. Loads are kept.
-class ModelInBalance : public BalancedLoad
+class ModelInBalance : public GivenLoad
 {
 public:
-  ModelInBalance(ring::SelfConsistentRing glass, LoadReport at_rest, Progress &progress)
-      : glass(std::move(glass))
-      , at_rest(std::move(at_rest))
-      , progress(progress)
+  ModelInBalance(const ring::SelfConsistentRing &glass, LoadReport at_rest)
+      : GivenLoad(std::move(at_rest))
+      , glass(glass)
   {
   }
 
   LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
   {
     if (omega == 0)
-      return at_rest.rings;
-    const auto known = loads.find(omega);
-    if (known != loads.end())
-      return known->second;
-    const auto found = loads.emplace(omega, glass.at(omega).load).first;
-    progress.pieces_done("spins in balance", loads.size(), 0);
+      return report().rings;
+    auto found = loads.find(omega);
+    if (found == loads.end())
+      found = loads.emplace(omega, glass.at(omega).load).first;
     return found->second;
   }
-  const LoadReport &report() const override { return at_rest; }
-  std::optional<CouplingStatistics> statistics() const override
-  {
-    return CouplingStatistics{ loads.size(), 0, {}, {} };
-  }
+  std::optional<CouplingStatistics> statistics() const override { return CouplingStatistics{ loads.size() }; }
 
 private:
   const ring::SelfConsistentRing glass;
-  const LoadReport at_rest;
-  Progress &progress;
   mutable std::map<double, ring::RingStack> loads;
 };
 
@@ -133,12 +124,12 @@ SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarses
 }
 
 SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
-                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics, Progress &progress)
+                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics)
 {
   if (n_harmonics < at_rest.rings.n_harmonics())
     at_rest.rings = at_rest.rings.truncated(n_harmonics);
   return std::make_shared<ModelInBalance>(ring::SelfConsistentRing(closure, motion, model, n_harmonics),
-                                          std::move(at_rest), progress);
+                                          std::move(at_rest));
 }
 
 LoadReport report_of(const ring::RingStack &load)

@@ -73,48 +73,33 @@ public:
   double spin_scale(const ring::Motion &motion) const { return motion.orbit_speed / report().rings.radius(); }
 };
 
-/// Load that is the same at every spin.
-class ConstantLoad : public BalancedLoad
+/// A load that a function of the spin gives, or that is the same at every spin.
+class GivenLoad : public BalancedLoad
 {
 public:
-  /// @p state is the contact that it comes from, if any.
-  explicit ConstantLoad(LoadReport report, std::optional<fem::ContactState> state = {})
-      : at_rest(std::move(report))
-      , state(std::move(state))
+  explicit GivenLoad(LoadReport at_rest, std::function<LeaningLoad(double omega)> function = {})
+      : at_rest(std::move(at_rest))
+      , function(std::move(function))
+  {
+  }
+  /// The same at every spin, from the contact @p state.
+  GivenLoad(LoadReport at_rest, const fem::ContactState &state)
+      : at_rest(std::move(at_rest))
+      , state(state)
   {
   }
 
-  LeaningLoad at(double, const std::optional<ring::Orientation> &) const override
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
   {
-    return { at_rest.rings, at_rest.tilt };
+    return function ? function(omega) : LeaningLoad(at_rest.rings, at_rest.tilt);
   }
   const LoadReport &report() const override { return at_rest; }
   std::optional<fem::ContactState> contact(double) const override { return state; }
 
 private:
   const LoadReport at_rest;
-  const std::optional<fem::ContactState> state;
-};
-
-/// A load that a function of the spin gives.
-class GivenLoad : public BalancedLoad
-{
-public:
-  GivenLoad(LoadReport at_rest, std::function<LeaningLoad(double omega)> function)
-      : at_rest(std::move(at_rest))
-      , function(std::move(function))
-  {
-  }
-
-  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
-  {
-    return function(omega);
-  }
-  const LoadReport &report() const override { return at_rest; }
-
-private:
-  const LoadReport at_rest;
   const std::function<LeaningLoad(double omega)> function;
+  const std::optional<fem::ContactState> state;
 };
 
 /// Another load but for what it changes.
@@ -141,13 +126,11 @@ protected:
 
 /// The load of @p model in balance with the friction of its own first @p n_harmonics at every spin; @p
 /// at_rest is the load at omega = 0, where the friction, (-mu N, 0), is known beforehand. @p n_harmonics cuts
-/// what enters T and tau_z; friction in an elastic foot feels the whole pressure. @p progress is told of
-/// every balance and must live as long as the load.
+/// what enters T and tau_z; friction in an elastic foot feels the whole pressure.
 ///
 /// The load throws as ring::SelfConsistentRing::at() and the model do.
 SharedLoad balance(const std::shared_ptr<const ring::LoadModel> &model, const ring::Motion &motion,
-                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics = all_harmonics,
-                   Progress &progress = silent_progress());
+                   ring::Closure closure, LoadReport at_rest, unsigned int n_harmonics = all_harmonics);
 
 /// A load that a formula gives, as a report: pointwise quantities are those of the series.
 LoadReport report_of(const ring::RingStack &load);

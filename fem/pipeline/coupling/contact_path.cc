@@ -1,5 +1,7 @@
 #include "fem/pipeline/coupling/contact_path.h"
 
+#include "fem/revolution/contact_compliance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,20 +76,17 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
     fem::ContactStart start = { Eigen::Vector3d::Zero(),
                                 Eigen::VectorXd::Zero(points.front()->start.normal_displacement.size()), 0, 0,
                                 Eigen::VectorXd::Zero(points.front()->start.forces.size()) };
-    double sum = 0;
+    Eigen::VectorXd spins(n);
+    for (std::size_t i = 0; i < n; ++i)
+      spins(i) = points[i]->slip.spin_per_speed;
+    const Eigen::VectorXd weights = fem::lagrange_values(spins, spin);
     for (std::size_t i = 0; i < n; ++i)
     {
-      double weight = 1; // Lagrange's polynomials
-      for (std::size_t k = 0; k < n; ++k)
-        if (k != i)
-          weight *= (spin - points[k]->slip.spin_per_speed) /
-                    (points[i]->slip.spin_per_speed - points[k]->slip.spin_per_speed);
-      start.motion += weight * points[i]->start.motion;
-      start.normal_displacement += weight * points[i]->start.normal_displacement;
-      start.forces += weight * points[i]->start.forces;
-      sum += std::abs(weight);
+      start.motion += weights(i) * points[i]->start.motion;
+      start.normal_displacement += weights(i) * points[i]->start.normal_displacement;
+      start.forces += weights(i) * points[i]->start.forces;
     }
-    if (sum <= largest_sum)
+    if (weights.lpNorm<1>() <= largest_sum)
       return start;
   }
   return std::nullopt;

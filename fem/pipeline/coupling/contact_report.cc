@@ -61,7 +61,6 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
   const std::optional<fem::ContactState> at_rest = load.contact(0), at_end = load.contact(last_spin);
   report.load_at_end =
     at_end ? report_of(*at_end, foot->radius(), study.tilts()) : report_of(load.at(last_spin));
-  report.tilt = report.load_at_end.tilt;
   if (at_rest)
     report.foot = describe_foot(study, *foot, *at_rest, at_end);
   report.coupling = load.statistics();

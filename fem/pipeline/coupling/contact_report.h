@@ -63,10 +63,9 @@ struct ContactCounts
 /// How a load in balance with friction at every spin has been found.
 struct CouplingStatistics
 {
-  std::size_t n_balances = 0;                ///< spins at which contact, friction and moments are in balance
-  std::size_t n_contact_solutions = 0;       ///< that those took
-  std::optional<double> response_error;      ///< of the curve over the moment ratio, over a_0
-  std::optional<double> interpolation_error; ///< of loads interpolated in the spin, over a_0
+  std::size_t n_balances = 0;          ///< spins at which contact, friction and moments are in balance
+  std::size_t n_contact_solutions = 0; ///< that those took
+  std::optional<double> interpolation_error = {}; ///< of loads interpolated in the spin, over a_0
   ContactCounts contacts = {};
 };
 
@@ -76,9 +75,8 @@ struct ContactReport
 {
   LoadReport load; ///< at rest
   LoadReport load_at_end;
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< q_1, q_2 at the end
-  std::optional<FootReport> foot;                 ///< nothing where the load does not come from a contact
-  std::optional<CouplingStatistics> coupling;     ///< nothing where the load is the same at every spin
+  std::optional<FootReport> foot;             ///< nothing where the load does not come from a contact
+  std::optional<CouplingStatistics> coupling; ///< nothing where the load is the same at every spin
 };
 
 class BalancedLoad;

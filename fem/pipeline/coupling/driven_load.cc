@@ -18,16 +18,16 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
   const ring::Motion &motion = study.motion.orbit;
   if (!study.load.is_from_contact())
     return ring::driven_torque(study.motion.closure, motion, study.glass.profile.contact_radius, speeds);
-  return [foot, speeds, motion, tilts = study.tilts(), moments = moment_balance(study),
+  return [foot, speeds, motion, of_study = moment_balance(study),
           file = study.motion.orbit_speed_file](double time, double, double omega)
   {
-    ContactBalance balance = { moments, tilts };
-    balance.moments.motion = speeds.motion_at(motion, time);
+    ContactBalance balance = of_study;
+    balance.motion = speeds.motion_at(motion, time);
     try
     {
       BalancedContact contacts(foot, balance);
       const LeaningLoad load = contacts.load_of(contacts.contact(omega));
-      return ring::wrench(balance.moments.motion, load, omega).torque + load.lean_torque();
+      return ring::wrench(balance.motion, load, omega).torque + load.lean_torque();
     }
     catch (const fem::ContactFailure &failure)
     {
@@ -36,8 +36,8 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
       throw BadInput(filled(
         "Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass falls "
         "over; give lower speeds, or more rows where the speed changes.",
-        { shortened_path(file), to_short_text(time), to_short_text(balance.moments.motion.orbit_speed),
-          to_short_text(balance.moments.motion.orbit_acceleration) }));
+        { shortened_path(file), to_short_text(time), to_short_text(balance.motion.orbit_speed),
+          to_short_text(balance.motion.orbit_acceleration) }));
     }
   };
 }

@@ -1,5 +1,7 @@
 #include "fem/pipeline/coupling/load_curve.h"
 
+#include "fem/revolution/contact_compliance.h"
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -48,20 +50,9 @@ double LoadCurve::Piece::place(double t) const
 
 Eigen::VectorXd LoadCurve::Piece::weights(double t) const
 {
-  // Barycentric form: 1 / (t - t_k) prod_i 1 / (t_k - t_i), over their sum.
-  Eigen::VectorXd weights(nodes.size());
-  Eigen::Index k = 0;
-  for (const auto &[own, load] : nodes)
-  {
-    if (own == t)
-      return Eigen::VectorXd::Unit(weights.size(), k);
-    double product = t - own;
-    for (const auto &[other, load_there] : nodes)
-      if (other != own)
-        product *= own - other;
-    weights(k++) = 1 / product;
-  }
-  return weights / weights.sum();
+  Eigen::VectorXd places(nodes.size());
+  std::transform(nodes.begin(), nodes.end(), places.begin(), [](const auto &node) { return node.first; });
+  return fem::lagrange_values(places, t);
 }
 
 LeaningLoad LoadCurve::Piece::at(double x) const

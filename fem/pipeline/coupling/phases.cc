@@ -1,5 +1,6 @@
 #include "fem/pipeline/coupling/phases.h"
 
+#include "fem/revolution/contact_compliance.h"
 #include "ring_model/friction_functionals.h"
 
 #include <boost/math/constants/constants.hpp>
@@ -90,15 +91,8 @@ double SpinInterval::at(double place) const
 
 Eigen::VectorXd SpinInterval::weights(double omega) const
 {
-  Eigen::VectorXd values(size());
-  for (unsigned int k = 0; k <= n_steps; ++k)
-  {
-    const double distance = omega - node(k);
-    if (distance == 0)
-      return Eigen::VectorXd::Unit(size(), k);
-    values(k) = (k % 2 == 0 ? 1. : -1.) * (k == 0 || k == n_steps ? 0.5 : 1.) / distance;
-  }
-  return values / values.sum();
+  const std::vector<double> spins = nodes();
+  return fem::lagrange_values(Eigen::Map<const Eigen::VectorXd>(spins.data(), size()), omega);
 }
 
 std::vector<double> SpinInterval::nodes() const

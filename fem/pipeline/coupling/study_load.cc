@@ -43,14 +43,6 @@ fem::ContactDemand demand_at_rest(const Study &study)
   return demand;
 }
 
-ContactBalance contact_balance(const Study &study, const ring::Orientation &orientation,
-                               unsigned int n_harmonics)
-{
-  ContactBalance balance = { moment_balance(study), study.tilts(), n_harmonics };
-  balance.moments.orientation = orientation;
-  return balance;
-}
-
 /// Whether the load is another one at every spin.
 bool follows_spin(const Study &study)
 {
@@ -58,23 +50,23 @@ bool follows_spin(const Study &study)
 }
 
 /// An elastic foot in balance at every spin, with its marks where they are.
-class ContactInBalance : public BalancedLoad
+class ContactInBalance : public GivenLoad
 {
 public:
-  /// @p at_rest is its contact at rest.
-  ContactInBalance(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                   const ContactBalance &balance, const fem::ContactState &at_rest, Progress &progress)
-      : contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
-      , state_at_rest(at_rest)
-      , report_at_rest(report_of(at_rest, foot->radius(), study.tilts()))
+  /// @p at_rest is its contact at rest, @p report on that.
+  ContactInBalance(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
+                   const LoadReport &report, const fem::ContactState &at_rest, Progress &progress)
+      : GivenLoad(report, at_rest)
+      , contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
+      , clearance_at_rest(clearance_of(at_rest.load))
       , progress(progress)
   {
   }
 
-  LeaningLoad at(double omega, const std::optional<ring::Orientation> &) const override
+  LeaningLoad at(double omega, const std::optional<ring::Orientation> &marks) const override
   {
     if (omega == 0)
-      return { report_at_rest.rings, report_at_rest.tilt };
+      return GivenLoad::at(omega, marks);
     const auto known = loads.find(omega);
     if (known != loads.end())
       return known->second.load;
@@ -87,12 +79,11 @@ public:
     progress.pieces_done("spins in balance", loads.size(), 0);
     return found->second.load;
   }
-  const LoadReport &report() const override { return report_at_rest; }
   bool is_costly() const override { return true; }
   std::optional<fem::ContactState> contact(double omega) const override
   {
     if (omega == 0)
-      return state_at_rest;
+      return GivenLoad::contact(omega);
     for (const auto &[spin, state] : latest)
       if (spin == omega)
         return state;
@@ -108,11 +99,11 @@ public:
   }
   double clearance(double omega) const override
   {
-    return omega == 0 ? clearance_of(state_at_rest.load) : loads.at(omega).clearance;
+    return omega == 0 ? clearance_at_rest : loads.at(omega).clearance;
   }
   std::optional<CouplingStatistics> statistics() const override
   {
-    return CouplingStatistics{ loads.size(), contacts->n_contact_solutions(), {}, {} };
+    return CouplingStatistics{ loads.size(), contacts->n_contact_solutions() };
   }
 
 private:
@@ -131,8 +122,7 @@ private:
   }
 
   const std::unique_ptr<BalancedContact> contacts;
-  const fem::ContactState state_at_rest;
-  const LoadReport report_at_rest;
+  const double clearance_at_rest;
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
   /// The contacts of the newest of them: at the terminal spin and what is asked next about it, or of a band.
@@ -145,13 +135,13 @@ SharedLoad load_at_one_phase(const Study &study, const std::shared_ptr<ElasticFo
                              const ring::Orientation &orientation, const fem::ContactState &at_rest,
                              unsigned int n_harmonics, Progress &progress)
 {
-  SharedLoad whole;
-  if (follows_spin(study))
-    whole = std::make_shared<ContactInBalance>(study, foot, contact_balance(study, orientation, n_harmonics),
-                                               at_rest, progress);
-  else
-    whole = std::make_shared<ConstantLoad>(report_of(at_rest, foot->radius(), study.tilts()), at_rest);
-  return whole->truncated(n_harmonics);
+  const LoadReport report = report_of(at_rest, foot->radius(), study.tilts());
+  if (!follows_spin(study))
+    return std::make_shared<GivenLoad>(report, at_rest)->truncated(n_harmonics);
+  ContactBalance balance = moment_balance(study);
+  balance.orientation = orientation;
+  balance.n_harmonics = n_harmonics;
+  return std::make_shared<ContactInBalance>(foot, balance, report, at_rest, progress)->truncated(n_harmonics);
 }
 
 /// A load that depends on the phase of glass and table, interpolated between phases and spins: that with the
@@ -226,40 +216,26 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     std::make_shared<const PhaseLoads>(exact, periods, samples, spins, worst));
 }
 
-/// A band of radii [m].
-struct Band
+/// Whole band of radii of two contacts.
+fem::ContactWidth together(const fem::ContactWidth &one, const fem::ContactState &other)
 {
-  explicit Band(const fem::ContactState &state)
-      : inner(state.inner_radius)
-      , outer(state.outer_radius)
-  {
-  }
+  return { std::min(one.inner, other.inner_radius), std::max(one.outer, other.outer_radius) };
+}
 
-  void include(const fem::ContactState &state)
-  {
-    inner = std::min(inner, state.inner_radius);
-    outer = std::max(outer, state.outer_radius);
-  }
-
-  /// A contact on nodes of a hard table may lie on one circle of them. Rings of a band without a width would
-  /// extrapolate by a million widths to the nodes beside, which then decide the balance: the band takes in
-  /// those that are @p cell away.
-  void include_nodes_beside(double cell)
-  {
-    if (outer - inner > 1e-3 * cell)
-      return;
-    inner -= cell;
-    outer += cell;
-  }
-
-  double inner;
-  double outer;
-};
+/// The band of radii that carries load in @p state. A contact on nodes of a hard table may lie on one circle
+/// of them. Rings of a band without a width would extrapolate by a million widths to the nodes beside, which
+/// then decide the balance: the band takes in those that are @p cell away.
+fem::ContactWidth band_of(const fem::ContactState &state, double cell)
+{
+  const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
+  const double margin = is_wide ? 0 : cell;
+  return { state.inner_radius - margin, state.outer_radius + margin };
+}
 
 /// Number of rings that it takes for a torque at slip ratio @p eps (on the contact radius) to be exact to
 /// 1e-10: their error falls like (w / (2 R |1 - |eps||))^J, w the width of the band; where the slip vanishes
 /// within the band only algebraically, and there are as many as lines across the contact have nodes.
-unsigned int rings_for(const Band &band, double eps, unsigned int least)
+unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
 {
   const double share = (band.outer - band.inner) / (band.outer + band.inner) / std::abs(1 - std::abs(eps));
   if (share >= 0.5)
@@ -285,8 +261,7 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
                   const fem::ContactState &at_rest, const std::optional<double> &expected)
 {
   ElasticFoot &foot = *shared;
-  Band band(at_rest);
-  band.include_nodes_beside(foot.body().description().contact_cell_size);
+  fem::ContactWidth band = band_of(at_rest, foot.body().description().contact_cell_size);
   const ring::Motion &motion = study.motion.orbit;
   const auto place = [&](unsigned int n_rings, unsigned int n_harmonics)
   {
@@ -307,10 +282,8 @@ void choose_rings(const Study &study, const std::shared_ptr<ElasticFoot> &shared
       double omega = expected ? *expected : ring::terminal_spin(foot.gather(at_rest), motion).omega;
       if (n_rings > 1 && follows_spin(study) && !foot.body().capabilities().is_collective)
       {
-        BalancedContact contact(shared,
-                                contact_balance(study, moment_balance(study).orientation, all_harmonics));
-        const fem::ContactState spinning = contact.contact(omega);
-        band.include(spinning);
+        const fem::ContactState spinning = BalancedContact(shared, moment_balance(study)).contact(omega);
+        band = together(band, spinning);
         omega = ring::terminal_spin(spinning.load, motion).omega;
       }
       const double eps = omega * foot.radius() / motion.orbit_speed;
@@ -350,7 +323,7 @@ SharedLoad contact_load(const Study &study, const std::shared_ptr<ElasticFoot> &
 SharedLoad given_first_harmonic(const Study &study)
 {
   const fem::Resultants demand = study.required_resultants();
-  return std::make_shared<ConstantLoad>(report_of(ring::RingStack::first_harmonic(
+  return std::make_shared<GivenLoad>(report_of(ring::RingStack::first_harmonic(
     demand.normal_force, { demand.moment_x, demand.moment_y }, study.glass.profile.contact_radius)));
 }
 
@@ -361,7 +334,7 @@ SharedLoad load_from_file(const LoadSection &section)
   if (!(ratio < 2))
     throw BadInput("The load of " + section.file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
                    to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
-  return std::make_shared<ConstantLoad>(report_of(load));
+  return std::make_shared<GivenLoad>(report_of(load));
 }
 
 } // namespace
@@ -415,9 +388,10 @@ SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticF
   return load_at_one_phase(study, foot, orientation, state, n_harmonics, silent_progress());
 }
 
-MomentBalance moment_balance(const Study &study)
+ContactBalance moment_balance(const Study &study)
 {
-  return { study.motion.orbit, study.motion.closure, orientation_of_marks(study.motion.orbit, 0, 0) };
+  return { study.motion.orbit, study.motion.closure, orientation_of_marks(study.motion.orbit, 0, 0),
+           study.tilts() };
 }
 
 SharedLoad first_harmonic_load(const Study &study, ring::Closure closure)

@@ -52,7 +52,7 @@ SharedLoad find_load_at_phase(const Study &study, const std::shared_ptr<ElasticF
                               const ring::Orientation &orientation, unsigned int n_harmonics = all_harmonics);
 
 /// The moment balance of a study with the marks of glass and table where they are at t = 0.
-MomentBalance moment_balance(const Study &study);
+ContactBalance moment_balance(const Study &study);
 
 /// The paper's load for a glass: a first harmonic on a ring of the contact radius, in balance with @p closure
 /// at every spin; in closed form where the friction does not depend on the slip.

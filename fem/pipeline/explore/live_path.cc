@@ -62,7 +62,9 @@ std::optional<std::pair<LiveBalance, LeaningLoad>> balance_near(const LiveBalanc
   const ring::Motion &motion = study.motion.orbit;
   const double scale = motion.orbit_speed / foot->radius();
   const double grip = std::copysign(study.motion.grip_torque, near.spin.omega);
-  BalancedContact contacts(foot, { moment_balance(study), study.tilts(), n_harmonics }, near.contact);
+  ContactBalance balance = moment_balance(study);
+  balance.n_harmonics = n_harmonics;
+  BalancedContact contacts(foot, balance, near.contact);
   double spin = near.spin.omega, slope = near.spin.slope, step = 0, torque_before = 0;
   for (unsigned int n = 0; n < most_contacts; ++n)
   {

@@ -193,7 +193,8 @@ Json ring_summary(const Study &study, const ContactReport &report, const SpinStu
       { "driven", if_there(spin.spin_up.driven, driven_summary) },
       { "measured", is_measured ? Json{ { "points", measured_spins(study).size() } } : Json(nullptr) },
       { "no_lift_off", has_no_lift_off(report) },
-      { "tilt_at_terminal", all.terminal ? Json{ report.tilt.x(), report.tilt.y() } : Json(nullptr) },
+      { "tilt_at_terminal",
+        all.terminal ? Json{ report.load_at_end.tilt.x(), report.load_at_end.tilt.y() } : Json(nullptr) },
       { "phase_dependent", spin.phases.has_value() },
       { "spin_ripple", spin.phases ? spin.phases->spin_ripple : 0 } });
   return declared(ring, "ring");
@@ -211,7 +212,7 @@ Json coupling_summary(const CouplingStatistics &coupling)
   return { { "balanced_spins", coupling.n_balances },
            { "contact_solutions", coupling.n_contact_solutions },
            { "contacts", STEMWARE_JSON(coupling.contacts, answer, curves, budget, bands) },
-           { "response_error", coupling.response_error },
+           { "response_error", nullptr }, // none is interpolated in the moment ratio
            { "interpolation_error", coupling.interpolation_error } };
 }
 

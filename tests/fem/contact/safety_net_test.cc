@@ -44,7 +44,7 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
   template <typename Visitor>
   void integrate(const AreaElement &area, const Eigen::Vector3d &, const Visitor &visit) const
   {
-    for_each_point(area, 1u, visit);
+    for_each_point(area, LineSegment{ -1, 1 }, visit);
   }
   void validate() const {}
 };

@@ -36,7 +36,7 @@ TEST(FourierBasis, ProductsAreTheSumsOverTheLines)
 {
   const FourierBasis basis(4, 16); // products reach beyond the highest harmonic that the lines tell apart
   const Eigen::MatrixXd samples = Eigen::MatrixXd::Random(2, 16);
-  const FourierProducts products(basis, samples, true);
+  const FourierProducts products(basis, samples);
   const Eigen::MatrixXd modes = mode_table(basis, false), conjugates = mode_table(basis, true);
   for (unsigned int row = 0; row < basis.n_modes(); ++row)
     for (unsigned int column = 0; column < basis.n_modes(); ++column)

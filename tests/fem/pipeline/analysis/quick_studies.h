@@ -15,7 +15,7 @@ inline ring::RingStack rich_load()
 
 inline pipeline::SharedLoad given_load(const ring::RingStack &load)
 {
-  return std::make_shared<pipeline::ConstantLoad>(pipeline::report_of(load));
+  return std::make_shared<pipeline::GivenLoad>(pipeline::report_of(load));
 }
 
 /// A study that follows a load which the test gives it, as if from a file.

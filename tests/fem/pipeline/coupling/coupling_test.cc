@@ -180,7 +180,7 @@ TEST(BalancedLoad, InterpolatesWithinTheErrorThatItStates)
 TEST(BalancedLoad, ThatIsConstantLooksAtNothing)
 {
   const ring::RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, rim);
-  const ConstantLoad constant(report_of(load));
+  const GivenLoad constant(report_of(load));
   EXPECT_EQ(constant.at(-7, {}).difference(load), 0);
   EXPECT_EQ(constant.at(3, ring::Orientation{ 0.4, 1.2 }).difference(load), 0);
   EXPECT_FALSE(constant.statistics());

@@ -105,7 +105,8 @@ struct RunByHand
     foot.footprint.is_grid = true;
     foot.footprint.cuts = { { { next(), 0.25, next() }, { next(), 0.25, next() } } };
     foot.fields = { { "contact.vtu", "" } };
-    *report.coupling = { 301, 302, next(), next(), { 303, 304, 305, 306 } };
+    next();
+    *report.coupling = { 301, 302, next(), { 303, 304, 305, 306 } };
     spin.rows = { hand_made_row(next, 1), hand_made_row(next, 2) };
     spin.torque = hand_made_torque_curve(next);
     spin.spin_up = {
@@ -120,7 +121,7 @@ struct RunByHand
               hand_made_band(next, "omega_terminal", "terminal spin", "rad/s") };
     study.table.waviness.push_back({});
     report.load_at_end = hand_made_load_report(next);
-    report.tilt = { next(), next() };
+    report.load_at_end.tilt = { next(), next() };
     report.load.outer_radius = report.load.inner_radius + 2 * next() / 1000;
     spin.budget = hand_made_budget(next);
     bands.back().parts = { { "mesh", next() / 1e4 }, { "rings", next() / 1e4 } };
