@@ -91,7 +91,8 @@ double RingStack::radius() const
   // Rings may have first harmonics that cancel in the moment: what rounding leaves of that has no radius.
   constexpr double no_moment = 1e-9;
   const double moment_norm = moment().norm();
-  return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1))) : sum / weights;
+  return moment_norm > no_moment * 2. * pi * sum ? moment_norm / (pi * std::hypot(a(1), b(1)))
+                                                 : sum / weights;
 }
 
 double RingStack::normal_force() const

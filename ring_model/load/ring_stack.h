@@ -63,8 +63,8 @@ public:
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
   /// The radius of the one ring that has the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2))
-  /// [m]: R itself where there is one ring. Several rings without a moment (below 1e-9 N R, which is rounding)
-  /// have their mean, weighted with |a_{j,0}|.
+  /// [m]: R itself where there is one ring. Several rings without a moment (below 1e-9 N R, which is
+  /// rounding) have their mean, weighted with |a_{j,0}|.
   double radius() const;
 
   /// N = 2 pi a_0 [N].

@@ -153,14 +153,9 @@ Comparison compare_variants(const Study &study, const std::vector<Variant> &vari
     if (row.all_harmonics)
       n_all[row.load] = std::max(n_all[row.load], row.harmonics);
   }
-  const std::optional<double> first = rows.front().omega_terminal();
   for (SpinRow &row : rows)
-  {
     if (row.all_harmonics)
       row.harmonics = n_all[row.load];
-    if (first && row.terminal)
-      row.difference_to_paper = relative_to(first, row.terminal->omega - *first, comparison.spin_scale);
-  }
   rows.erase(std::remove_if(rows.begin(), rows.end(),
                             [&](const SpinRow &row)
                             { return !row.all_harmonics && row.harmonics >= n_all[row.load]; }),
@@ -172,12 +167,15 @@ Comparison compare_variants(const Study &study, const std::vector<Variant> &vari
 void judge_models(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
                   Comparison &comparison)
 {
+  const std::optional<double> paper = comparison.rows.front().omega_terminal();
   const std::string own_load = comparison.rows.back().load;
   const bool in_balance = own_load == compared_load::foot_in_balance;
   Study own = in_balance ? with_coupling(study, LoadCoupling::two_way) : study;
   std::vector<SpinRow> of_study;
   for (SpinRow &row : comparison.rows)
   {
+    if (paper && row.terminal)
+      row.difference_to_paper = relative_to(paper, row.terminal->omega - *paper, comparison.spin_scale);
     // Bands of what the answer names.
     if (in_balance && row.load == own_load && row.all_harmonics && row.terminal &&
         row.closure != ring::Closure::hand)

@@ -179,7 +179,7 @@ Json facts_of(const Study &study, const Comparison &comparison)
 
 } // namespace
 
-void add_models(const Study &study, const Comparison &comparison, Document &document)
+std::vector<TurningGlass> add_models(const Study &study, const Comparison &comparison, Document &document)
 {
   const std::string &load = comparison.rows.back().load; // the study's own, the last
   const Closure own = study.motion.closure;
@@ -204,24 +204,20 @@ void add_models(const Study &study, const Comparison &comparison, Document &docu
     document.facts["closures"][ring::to_string(closure)] = closure_rows(comparison, closure);
   const auto spin = [&](Closure closure, const std::string &of_load)
   { return comparison.find(closure, of_load)->omega_terminal(); };
-  add_study(study,
-            { { "complete balance", spin(Closure::full, load) },
-              { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } },
-            document);
+  return { { "complete balance", spin(Closure::full, load) },
+           { "the paper's rigid ring", spin(Closure::paper, compared_load::first_harmonic), {}, true } };
 }
 
 Results tabulate(const std::string &verb, const Study &study, const Comparison &comparison,
                  ShownBeside add_own)
 {
   Document document;
+  document.facts["rows"] = shown_spin_rows(comparison.rows);
   std::vector<TurningGlass> glasses;
   for (const SpinRow &row : comparison.rows)
     if (row.all_harmonics)
       glasses.push_back({ row.load, row.omega_terminal() });
-  document.facts["rows"] = shown_spin_rows(comparison.rows);
-  add_study(study, glasses, document);
-  if (add_own)
-    add_own(study, comparison, document);
+  add_study(study, add_own ? add_own(study, comparison, document) : glasses, document);
   document.findings.summary["comparison"] = comparison_rows(comparison);
   return shown(document, verb);
 }

@@ -95,7 +95,12 @@ public:
   Results results;
 
 private:
-  ReportSection &section() { return results.report.sections.back(); }
+  ReportSection &section()
+  {
+    if (results.report.sections.empty())
+      throw std::logic_error("A template shows a table, a picture or a file before its first heading.");
+    return results.report.sections.back();
+  }
 
   std::string &present_text()
   {

@@ -80,6 +80,12 @@ bool is_log_name(const std::string &name)
   return std::regex_match(name, pattern);
 }
 
+/// Whether a plan has that name while it is written: it stays where the program is killed meanwhile.
+bool is_left_over(const std::string &name)
+{
+  return name.rfind(std::string(".") + plan_name + ".partial-", 0) == 0;
+}
+
 /// The logs that are in the folder; none where it is gone.
 std::set<fs::path> logs_that_are_in(const fs::path &folder)
 {
@@ -231,7 +237,8 @@ void SweepFolder::require_own() const
     json_in(is_plain_file(folder / plan_name) ? read_text_file(folder / plan_name) : "").value_or(Json());
   const bool has_plan = plan.is_object() && plan.value("what", Json()) == what_it_is;
   for (const std::string &name : names_in(folder))
-    if (!has_plan || !is_plain_file(folder / name) || !(name == plan_name || is_log_name(name)))
+    if (!is_plain_file(folder / name) ||
+        !(is_left_over(name) || (has_plan && (name == plan_name || is_log_name(name)))))
       throw OutputFailure(
         fmt::format(FMT_STRING("The folder {}, where a sweep keeps its finished cases, holds {}, which is "
                                "not one of its files; move it away, or choose another folder with --output."),
@@ -240,6 +247,9 @@ void SweepFolder::require_own() const
 
 void SweepFolder::adopt(const Json &identity, bool restart)
 {
+  for (const std::string &name : names_in(folder))
+    if (is_left_over(name))
+      fs::remove(folder / name);
   const fs::path plan = folder / plan_name;
   Json marked = { { "what", what_it_is } };
   marked.update(identity);

@@ -72,6 +72,22 @@ TEST(SweepFolder, IsRemovedWithWhatItHolds)
   EXPECT_EQ(names_in(scratch.path()), Names{});
 }
 
+// What a program leaves that is killed while it writes the plan, the first one or another.
+TEST(SweepFolder, TakesAnUnfinishedPlanForItsOwn)
+{
+  const char *unfinished = ".results.sweep/.plan.json.partial-4711-0123456789abcdef";
+  const ScratchFolder fresh;
+  fs::create_directory(fresh / ".results.sweep");
+  fresh.write(unfinished, "{ \"what");
+  EXPECT_EQ(refusal(fresh), "");
+  EXPECT_EQ(names_in(fresh.path()), Names{});
+  const ScratchFolder scratch;
+  leave_one_case(scratch);
+  scratch.write(unfinished, "{ \"what");
+  EXPECT_EQ(finished_cases(SweepFolder(scratch / "results", one_sweep, false).path()).count(1), 1u);
+  EXPECT_EQ(names_in(scratch / ".results.sweep"), (Names{ "cases-0.jsonl", "plan.json" }));
+}
+
 TEST(SweepFolder, IsNeverEnteredThroughALink)
 {
   const ScratchFolder scratch, victim;
