@@ -69,19 +69,12 @@ unsigned int id_at_end(const std::string &name)
   return digits.empty() || digits.size() > most_digits ? 0 : static_cast<unsigned int>(std::stoul(digits));
 }
 
-/// Nodes and corners of the elements of a type; none of those that have no faces.
-struct AbaqusType
-{
-  unsigned int n_nodes = 0;
-  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
-};
-
-AbaqusType type_of(const std::string &name)
+ElementType type_of(const std::string &name)
 {
   struct Family
   {
     const char *beginning;
-    AbaqusType type;
+    ElementType type;
   };
   // "CPS4R" is one of "CPS4".
   static const std::vector<Family> families = {
@@ -124,9 +117,9 @@ public:
     if (points.points.empty() || elements.empty())
       throw UnreadableMesh("is not an Abaqus .inp mesh: it has no *NODE or no *ELEMENT; export hexahedra, "
                            "C3D8.");
-    for (const Element &element : elements)
-      if (element.corners.size() == 8)
-        content.hexahedra.push_back(corners_of<8>(points, element.corners));
+    for (const auto &[number, element] : elements)
+      if (element.type.n_corners == 8)
+        add(element, 0, { 0, 1, 2, 3, 4, 5, 6, 7 });
     mark_faces();
     content.points = std::move(points.points);
     return std::move(content);
@@ -138,14 +131,20 @@ private:
   {
     std::string set; ///< empty for elements
     long first = 0, last = 0, step = 1;
-    std::string side; ///< of a surface
+  };
+
+  struct Surface
+  {
+    unsigned int id;
+    Member member;
+    std::string side; ///< of hexahedra: S1 to S6
   };
 
   /// Hexahedron, or quadrilateral.
   struct Element
   {
+    ElementType type;
     std::vector<long> corners;
-    unsigned int id; ///< that the set of its *ELEMENT ends in
   };
 
   void take_keyword(const Keyword &keyword)
@@ -189,7 +188,7 @@ private:
     else if (section.name == "*ELSET")
       take_members(cells);
     else if (section.name == "*SURFACE" && surface_id != 0)
-      surfaces.push_back({ surface_id, member_of(cells.front(), cells.size() > 1 ? cells[1] : "") });
+      surfaces.push_back({ surface_id, member_of(cells.front()), cells.size() > 1 ? cells[1] : "" });
   }
 
   [[noreturn]] void refuse_row(const std::vector<std::string> &cells) const
@@ -251,28 +250,17 @@ private:
     const long number = row.front();
     if (type.n_corners == 0)
       return;
-    if (!index.emplace(number, elements.size()).second)
+    const Element element = { type, { row.begin() + 1, row.begin() + 1 + type.n_corners } };
+    if (!elements.emplace(number, element).second)
       throw UnreadableMesh("has two elements of the number " + std::to_string(number) + "; export one part.");
-    elements.push_back(
-      { { row.begin() + 1, row.begin() + 1 + type.n_corners }, id_at_end(section.value("ELSET")) });
-    content.is_second_order = content.is_second_order || (type.n_corners == 8 && type.n_nodes > 8);
     if (const std::string set = section.value("ELSET"); !set.empty())
-    {
-      Member member;
-      member.first = member.last = number;
-      sets_of_elements[set].push_back(member);
-    }
+      sets_of_elements[set].push_back({ "", number, number });
   }
 
-  static Member member_of(const std::string &cell, const std::string &side)
+  static Member member_of(const std::string &cell)
   {
-    Member member;
-    member.side = side;
-    if (const auto number = whole_number_in(cell))
-      member.first = member.last = *number;
-    else
-      member.set = cell;
-    return member;
+    const auto number = whole_number_in(cell);
+    return number ? Member{ "", *number, *number } : Member{ cell };
   }
 
   void take_members(const std::vector<std::string> &cells)
@@ -280,10 +268,8 @@ private:
     std::vector<Member> &members = sets[section.value("ELSET")];
     if (section.values.count("GENERATE") > 0)
     {
-      Member member;
-      member.first = count_in(cells, 0);
-      member.last = count_in(cells, 1);
-      member.step = cells.size() > 2 && !cells[2].empty() ? count_in(cells, 2) : 1;
+      const Member member = { "", count_in(cells, 0), count_in(cells, 1),
+                              cells.size() > 2 && !cells[2].empty() ? count_in(cells, 2) : 1 };
       if (member.step == 0 || member.last < member.first)
         refuse_row(cells);
       members.push_back(member);
@@ -291,7 +277,7 @@ private:
     }
     for (const std::string &cell : cells)
       if (!cell.empty())
-        members.push_back(member_of(cell, ""));
+        members.push_back(member_of(cell));
   }
 
   void finish_section()
@@ -313,14 +299,14 @@ private:
       throw UnreadableMesh("has sets that name one another without end; export the mesh anew.");
     if (member.set.empty())
     {
-      if (index.count(member.first) == 0 || index.rbegin()->first < member.last)
+      if (elements.count(member.first) == 0 || elements.rbegin()->first < member.last)
         throw UnreadableMesh("names elements from " + std::to_string(member.first) + " to " +
                              std::to_string(member.last) + " in " + shown(set) +
                              ", of which it does not have all; export the mesh anew.");
-      const auto end = index.upper_bound(member.last);
-      for (auto element = index.find(member.first); element != end; ++element, ++n_visits)
+      const auto end = elements.upper_bound(member.last);
+      for (auto element = elements.find(member.first); element != end; ++element, ++n_visits)
         if ((element->first - member.first) % member.step == 0)
-          visit(elements[element->second]);
+          visit(element->second);
       return;
     }
     bool is_known = false;
@@ -343,57 +329,53 @@ private:
     for (const Surface &surface : surfaces)
       for_each_element("the surface of id " + std::to_string(surface.id), surface.member,
                        [&](const Element &element) { mark_face(element, surface); });
-    if (!surfaces.empty())
+    const bool has_faces =
+      std::any_of(elements.begin(), elements.end(),
+                  [](const auto &element) { return element.second.type.n_corners == 4; });
+    for (const auto *known : { &sets, &sets_of_elements })
+      if (surfaces.empty() && has_faces && content.faces.empty())
+        for (const auto &[name, members] : *known)
+          mark_quadrilaterals(name, members);
+  }
+
+  void mark_quadrilaterals(const std::string &set, const std::vector<Member> &members)
+  {
+    const unsigned int id = id_at_end(set);
+    if (id == 0)
       return;
-    const auto mark_if_face = [&](const Element &element, unsigned int id)
-    {
-      if (element.corners.size() == 4 && id != 0)
-        mark(element, id);
-    };
-    const bool has_faces = std::any_of(elements.begin(), elements.end(),
-                                       [](const Element &element) { return element.corners.size() == 4; });
-    for (const auto &[name, members] : sets)
-      if (const unsigned int id = has_faces ? id_at_end(name) : 0; id != 0)
-        for (const Member &member : members)
-          for_each_element(name, member, [&, id = id](const Element &element) { mark_if_face(element, id); });
-    if (content.faces.empty())
-      for (const Element &element : elements)
-        mark_if_face(element, element.id);
+    for (const Member &member : members)
+      for_each_element(set, member,
+                       [&](const Element &element)
+                       {
+                         if (element.type.n_corners == 4)
+                           add(element, id, { 0, 1, 2, 3 });
+                       });
   }
-
-  void mark(const Element &quadrilateral, unsigned int id)
-  {
-    content.faces.push_back({ corners_of<4>(points, quadrilateral.corners), id });
-  }
-
-  struct Surface
-  {
-    unsigned int id;
-    Member member;
-  };
 
   void mark_face(const Element &element, const Surface &surface)
   {
-    if (element.corners.size() == 4)
-      return mark(element, surface.id);
-    const std::string &side = surface.member.side;
+    if (element.type.n_corners == 4)
+      return add(element, surface.id, { 0, 1, 2, 3 });
+    const std::string &side = surface.side;
     if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6')
       throw UnreadableMesh("has the surface of id " + std::to_string(surface.id) + " on the side \"" +
                            shown(side) + "\" of hexahedra; name one of S1 to S6.");
     const auto &places = faces_of_hexahedron[side[1] - '1'];
-    mark({ { element.corners[places[0]], element.corners[places[1]], element.corners[places[2]],
-             element.corners[places[3]] },
-           0 },
-         surface.id);
+    add({ { 4, 4 }, element.corners }, surface.id, { places[0], places[1], places[2], places[3] });
+  }
+
+  /// Adds the element whose corners stand at @p places of @p element.
+  void add(const Element &element, unsigned int id, const std::vector<unsigned int> &places)
+  {
+    content.add(element.type, id, [&](unsigned int k) { return points.at(element.corners[places[k]]); });
   }
 
   Keyword section;
-  AbaqusType type;
+  ElementType type;
   unsigned int surface_id = 0, n_instances = 0;
   std::vector<long> row; ///< of an element that is not complete yet
   NumberedPoints points;
-  std::vector<Element> elements;
-  std::map<long, std::size_t> index; ///< of the elements, by their numbers in the file
+  std::map<long, Element> elements;                                  ///< by their numbers
   std::map<std::string, std::vector<Member>> sets, sets_of_elements; ///< of *ELSET; of *ELEMENT
   std::vector<Surface> surfaces;                                     ///< those that have an id
   std::size_t n_visits = 0;

@@ -13,19 +13,12 @@ namespace
 constexpr char advice[] =
   "export hexahedra (Mesh.RecombineAll) of first or second order in format 2 or 4, ASCII.";
 
-/// Number of nodes and corners of an element type of Gmsh.
-struct GmshType
-{
-  unsigned int n_nodes;
-  unsigned int n_corners; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
-};
+const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
+                                                 { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
+                                                 { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
+                                                 { 12, { 27, 8 } }, { 17, { 20, 8 } } };
 
-const std::map<long, GmshType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
-                                              { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
-                                              { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
-                                              { 12, { 27, 8 } }, { 17, { 20, 8 } } };
-
-GmshType type_of(long number)
+ElementType type_of(long number)
 {
   const auto type = gmsh_types.find(number);
   if (type == gmsh_types.end())
@@ -69,8 +62,8 @@ public:
     read_format();
     if (is_format_4 && sections.count("Entities") > 0)
       read_surfaces();
-    is_format_4 ? read_nodes_4() : read_nodes_2();
-    is_format_4 ? read_elements_4() : read_elements_2();
+    read_nodes();
+    read_elements();
     content.points = std::move(points.points);
     return std::move(content);
   }
@@ -132,92 +125,96 @@ private:
     return x;
   }
 
-  void read_nodes_2()
+  /// What nodes or elements of one entity stand behind in format 4; in format 2 all of them are one block.
+  struct Block
   {
-    Words words = section("Nodes");
+    long dimension = 0, entity = 0;
+    long kind = 0; ///< type of the elements; not 0 for nodes that have parameters
+    long size = 0;
+  };
+
+  long n_blocks(Words &words) const
+  {
+    if (!is_format_4)
+      return 1;
     const long n = words.whole_number();
-    for (long i = 0; i < n; ++i)
-    {
-      const long number = words.whole_number();
-      points.add(number, point(words));
-    }
+    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // how many there are, the least and the largest number
+      words.whole_number();
+    return n;
   }
 
-  void read_nodes_4()
+  Block next_block(Words &words) const
+  {
+    Block block;
+    if (is_format_4)
+    {
+      block.dimension = words.whole_number();
+      block.entity = words.whole_number();
+      block.kind = words.whole_number();
+    }
+    if (is_format_4_0)
+      std::swap(block.dimension, block.entity);
+    block.size = words.whole_number();
+    return block;
+  }
+
+  void read_nodes()
   {
     Words words = section("Nodes");
-    const long n_blocks = words.whole_number();
-    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k) // numbers of nodes, the least and the largest
-      words.whole_number();
-    for (long block = 0; block < n_blocks; ++block)
+    for (long n = n_blocks(words); n > 0; --n)
     {
-      long head[4];
-      for (long &number : head)
-        number = words.whole_number();
-      const long dimension = head[is_format_4_0 ? 1 : 0], n_parameters = head[2] != 0 ? dimension : 0;
-      std::vector<long> numbers;
-      for (long i = 0; i < head[3] && !is_format_4_0; ++i)
+      const Block block = next_block(words);
+      std::vector<long> numbers; // format 4.1 has them before the coordinates
+      for (long i = 0; i < block.size && is_format_4 && !is_format_4_0; ++i)
         numbers.push_back(words.whole_number());
-      for (long i = 0; i < head[3]; ++i)
+      for (long i = 0; i < block.size; ++i)
       {
-        const long number = is_format_4_0 ? words.whole_number() : numbers[static_cast<std::size_t>(i)];
+        const long number = numbers.empty() ? words.whole_number() : numbers[static_cast<std::size_t>(i)];
         points.add(number, point(words));
-        for (long k = 0; k < n_parameters; ++k)
+        for (long k = 0; k < block.dimension && block.kind != 0; ++k)
           words.number();
       }
     }
   }
 
-  void read_elements_2()
+  void read_elements()
   {
     Words words = section("Elements");
-    const long n = words.whole_number();
-    for (long i = 0; i < n; ++i)
+    for (long n = n_blocks(words); n > 0; --n)
     {
-      words.whole_number(); // of the element
-      const GmshType type = type_of(words.whole_number());
-      const long n_tags = words.whole_number();
-      long id = 0;
-      for (long k = 0; k < n_tags; ++k)
-      {
-        const long tag = words.whole_number();
-        id = k == 0 ? std::labs(tag) : id;
-      }
-      add_element(type, id, words);
-    }
-  }
-
-  void read_elements_4()
-  {
-    Words words = section("Elements");
-    const long n_blocks = words.whole_number();
-    for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
-      words.whole_number();
-    for (long block = 0; block < n_blocks; ++block)
-    {
-      long head[4];
-      for (long &number : head)
-        number = words.whole_number();
-      const GmshType type = type_of(head[2]);
-      const auto id = physical_id.find(head[is_format_4_0 ? 0 : 1]);
-      for (long i = 0; i < head[3]; ++i)
+      const Block block = next_block(words);
+      const auto known = physical_id.find(block.entity);
+      long id = known == physical_id.end() ? 0 : known->second;
+      for (long i = 0; i < block.size; ++i)
       {
         words.whole_number(); // of the element
-        add_element(type, id == physical_id.end() ? 0 : id->second, words);
+        const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
+        if (!is_format_4)
+          id = id_in_tags(words);
+        add_element(type, id, words);
       }
     }
   }
 
-  void add_element(const GmshType &type, long id, Words &words)
+  /// The physical id is the first tag of an element.
+  static long id_in_tags(Words &words)
+  {
+    long id = 0;
+    const long n_tags = words.whole_number();
+    for (long k = 0; k < n_tags; ++k)
+    {
+      const long tag = words.whole_number();
+      id = k == 0 ? std::labs(tag) : id;
+    }
+    return id;
+  }
+
+  void add_element(const ElementType &type, long id, Words &words)
   {
     nodes.clear();
     for (unsigned int k = 0; k < type.n_nodes; ++k)
       nodes.push_back(words.whole_number());
-    if (type.n_corners == 8)
-      content.hexahedra.push_back(corners_of<8>(points, nodes));
-    else if (type.n_corners == 4 && id != 0)
-      content.faces.push_back({ corners_of<4>(points, nodes), marked_id(id) });
-    content.is_second_order = content.is_second_order || (type.n_corners == 8 && type.n_nodes > 8);
+    content.add(type, id, [&](unsigned int k) { return points.at(nodes[k]); });
   }
 
   std::map<std::string, std::string_view> sections;

@@ -9,6 +9,12 @@
 #include <unordered_map>
 #include <vector>
 
+namespace dealii
+{
+template <int dim, int spacedim>
+class Triangulation;
+}
+
 namespace stemware::fem
 {
 
@@ -23,12 +29,22 @@ public:
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
 
+/// Nodes and corners of the elements of a type, corners first; none of those that have no faces.
+struct ElementType
+{
+  unsigned int n_nodes = 0;
+  unsigned int n_corners = 0; ///< 8: hexahedron, 4: quadrilateral, 0: of no use
+};
+
 /// A face of the surface that the file marks.
 struct MarkedFace
 {
   std::array<unsigned int, 4> corners = {}; ///< indices of points, one after the other round the face
   unsigned int id = 0;                      ///< greater than 0
 };
+
+/// The id of a face, once it is known to be one: from 1 to 1000000000. Throws UnreadableMesh.
+unsigned int marked_id(long id);
 
 /// The hexahedra of a mesh file by their corners.
 struct MeshContent
@@ -38,6 +54,24 @@ struct MeshContent
   std::vector<std::array<unsigned int, 8>> hexahedra;
   std::vector<MarkedFace> faces;
   bool is_second_order = false; ///< the file has more nodes than corners
+
+  /// Adds a hexahedron, or a quadrilateral whose @p id is not 0: the points of its corners are @p corner(0),
+  /// @p corner(1) and so on. Throws as marked_id().
+  template <typename Corner>
+  void add(const ElementType &type, long id, const Corner &corner)
+  {
+    if (type.n_corners == 8)
+    {
+      is_second_order = is_second_order || type.n_nodes > type.n_corners;
+      hexahedra.emplace_back();
+      for (unsigned int k = 0; k < 8; ++k)
+        hexahedra.back()[k] = corner(k);
+    }
+    else if (type.n_corners == 4 && id != 0)
+    {
+      faces.push_back({ { corner(0), corner(1), corner(2), corner(3) }, marked_id(id) });
+    }
+  }
 };
 
 /// The parts of a text between blanks and line ends, one after the other.
@@ -65,10 +99,6 @@ private:
 std::optional<double> number_in(std::string_view word);
 std::optional<long> whole_number_in(std::string_view word);
 
-/// The id of a face, once it is known to be one: from 1 to 1000000000. Throws
-/// UnreadableMesh.
-unsigned int marked_id(long id);
-
 /// Points of a file by the numbers that it gives them.
 class NumberedPoints
 {
@@ -85,20 +115,18 @@ private:
   std::unordered_map<long, unsigned int> index;
 };
 
-/// The corners of an element: the first @p n of its nodes.
-template <std::size_t n>
-std::array<unsigned int, n> corners_of(const NumberedPoints &points, const std::vector<long> &nodes)
-{
-  std::array<unsigned int, n> corners;
-  for (std::size_t i = 0; i < n; ++i)
-    corners[i] = points.at(nodes.at(i));
-  return corners;
-}
-
 /// The content of a file in one of the formats of read_hexahedra(). Time and memory grow with the text, and
 /// with nothing that stands in it. Throw UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
 MeshContent read_abaqus(const std::string &text);
 MeshContent read_vtu(const std::string &text);
+
+/// Reads the hexahedra of a file, and of their faces the ids that it gives: Gmsh's .msh (format 2 or 4,
+/// ASCII; physical ids), Abaqus's .inp (C3D8, C3D20, C3D27; element surfaces whose names end in their ids, or
+/// where there are none, sets of surface elements such as S4 or CPS4 whose names do), VTK's .vtu in ASCII and
+/// one piece (types 12, 25, 29 and 9, 23, 28; integer cell data with the name boundary_id). Of hexahedra of
+/// second order the corners are kept; returns whether there are such. Time and memory grow with the size of
+/// the file. Throws std::invalid_argument with one sentence for any other file and for what cannot be read.
+bool read_hexahedra(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation);
 
 } // namespace stemware::fem

@@ -1,5 +1,3 @@
-#include "fem/geometry/mesh_formats.h"
-
 #include "fem/geometry/mesh_content.h"
 
 #include <deal.II/grid/grid_tools.h>
@@ -61,24 +59,15 @@ void require_mesh(const MeshContent &content)
   }
 }
 
-/// The faces without repetitions. Throws UnreadableMesh where one is marked with two ids.
-std::vector<MarkedFace> once(std::vector<MarkedFace> faces)
+/// The marked faces by their corners. Throws UnreadableMesh where one is marked with two ids.
+std::map<std::array<unsigned int, 4>, MarkedFace> once(const std::vector<MarkedFace> &faces)
 {
-  const auto key = [](const MarkedFace &face) { return sorted(face.corners); };
-  std::sort(faces.begin(), faces.end(),
-            [&](const MarkedFace &left, const MarkedFace &right) { return key(left) < key(right); });
-  const auto is_same = [&](const MarkedFace &left, const MarkedFace &right)
-  {
-    if (key(left) != key(right))
-      return false;
-    if (left.id != right.id)
-      throw UnreadableMesh("marks a face with the ids " + std::to_string(std::min(left.id, right.id)) +
-                           " and " + std::to_string(std::max(left.id, right.id)) +
-                           "; give each face one id.");
-    return true;
-  };
-  faces.erase(std::unique(faces.begin(), faces.end(), is_same), faces.end());
-  return faces;
+  std::map<std::array<unsigned int, 4>, MarkedFace> marked;
+  for (const MarkedFace &face : faces)
+    if (const unsigned int id = marked.emplace(sorted(face.corners), face).first->second.id; id != face.id)
+      throw UnreadableMesh("marks a face with the ids " + std::to_string(std::min(id, face.id)) + " and " +
+                           std::to_string(std::max(id, face.id)) + "; give each face one id.");
+  return marked;
 }
 
 void build(const MeshContent &content, Triangulation<3> &triangulation)
@@ -97,7 +86,7 @@ void build(const MeshContent &content, Triangulation<3> &triangulation)
       cells.back().vertices[k] = corners[order[k]];
   }
   SubCellData faces;
-  for (const MarkedFace &face : once(content.faces))
+  for (const auto &[corners, face] : once(content.faces))
   {
     faces.boundary_quads.emplace_back(4);
     for (unsigned int k = 0; k < 4; ++k)

@@ -1,7 +1,7 @@
 #include "fem/geometry/mesh_io.h"
 
 #include "fem/geometry/boundary_ids.h"
-#include "fem/geometry/mesh_formats.h"
+#include "fem/geometry/mesh_content.h"
 #include "fem/geometry/mesh_quality.h"
 
 #include <deal.II/grid/manifold_lib.h>

@@ -82,35 +82,18 @@ public:
 private:
   void add_cell(double type, double end, double id)
   {
-    // Number of nodes by type, corners first.
-    static const std::map<double, std::size_t> hexahedra = { { 12, 8 }, { 25, 20 }, { 29, 27 } },
-                                               quadrilaterals = { { 9, 4 }, { 23, 8 }, { 28, 9 } };
-    if (const auto found = hexahedra.find(type); found != hexahedra.end())
-    {
-      content.is_second_order = content.is_second_order || found->second > 8;
-      content.hexahedra.push_back(corners<8>(end, found->second));
-    }
-    else if (const auto found = quadrilaterals.find(type); found != quadrilaterals.end())
-    {
-      constexpr std::size_t end_of_ids = 1000000000;
-      const MarkedFace face = { corners<4>(end, found->second), to_index(id, end_of_ids) };
-      if (face.id != 0)
-        content.faces.push_back(face);
-    }
-    else
+    static const std::map<double, ElementType> types = { { 12, { 8, 8 } },  { 25, { 20, 8 } },
+                                                         { 29, { 27, 8 } }, { 9, { 4, 4 } },
+                                                         { 23, { 8, 4 } },  { 28, { 9, 4 } } };
+    const auto found = types.find(type);
+    if (found == types.end())
       throw UnreadableMesh(
         sentence("has cells of VTK's type ", type,
                  "; save hexahedra (12, 25, 29) and, for the ids of faces, quadrilaterals (9, 23, 28)."));
-  }
-
-  template <std::size_t n>
-  std::array<unsigned int, n> corners(double end, std::size_t n_nodes) const
-  {
-    const std::size_t begin = to_index(end - static_cast<double>(n_nodes), nodes.size());
-    std::array<unsigned int, n> corners;
-    for (std::size_t k = 0; k < n; ++k)
-      corners[k] = to_index(nodes.at(begin + k), content.points.size());
-    return corners;
+    constexpr std::size_t end_of_ids = 1000000000;
+    const std::size_t begin = to_index(end - found->second.n_nodes, nodes.size());
+    content.add(found->second, found->second.n_corners == 4 ? to_index(id, end_of_ids) : 0,
+                [&](unsigned int k) { return to_index(nodes.at(begin + k), content.points.size()); });
   }
 
   std::vector<double> nodes;
