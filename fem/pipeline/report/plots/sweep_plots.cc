@@ -277,7 +277,9 @@ void add_samples(const SweepPlan &plan, const FinishedCases &cases, const std::s
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return std::abs(weights[i]) < std::abs(weights[j]); });
-  const std::size_t strongest = order.back();
+  const std::size_t strongest =
+    *std::find_if(order.begin(), order.end(),
+                  [&](std::size_t i) { return std::abs(weights[i]) == std::abs(weights[order.back()]); });
   const SweptEntry &along = plan.entries[strongest];
   std::vector<std::string> names;
   std::vector<double> changes;

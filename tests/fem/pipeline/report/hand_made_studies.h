@@ -132,7 +132,6 @@ struct RunByHand
   pipeline::ContactReport report = { { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
                                      { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) },
                                      {},
-                                     {},
                                      {} }; // replaced
   pipeline::SpinStudy spin;
   std::vector<pipeline::BandedQuantity> bands;

@@ -1,4 +1,5 @@
 // The results of `sweep` from cases made by hand, whose numbers are all different; the third has failed.
+#include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "tests/fem/pipeline/report/hand_made_studies.h"
 
@@ -256,6 +257,22 @@ TEST(SweepByHand, StatisticsOfASample)
   }
   EXPECT_EQ(results.findings.key_figures["omega_terminal"],
             (nlohmann::ordered_json{ spin.band->lower, spin.band->upper }));
+}
+
+TEST(SweepByHand, SamplesAreDrawnOverTheFirstOfEntriesThatCountAlike)
+{
+  const SweepPlan plan = sample_by_hand();
+  const FinishedCases cases = cases_by_hand(plan);
+  SweepFindings findings = find_out(plan, cases);
+  ASSERT_EQ(plan.entries.size(), 2u);
+  for (QuantityFindings &about : findings.quantities)
+    if (about.sensitivity)
+      about.sensitivity->regression = { 0.5, -0.5 };
+  Document document;
+  add_sweep_plots(plan, cases, findings, document);
+  const std::string label = document.plots["terminal_spin_samples"]["x_label"];
+  EXPECT_EQ(label.substr(0, label.find(" (")),
+            plan.entries[0].path.substr(plan.entries[0].path.find('/') + 1));
 }
 
 } // namespace

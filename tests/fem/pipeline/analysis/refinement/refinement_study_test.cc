@@ -271,6 +271,35 @@ TEST(ErrorBands, TakeTwiceTheRingsThatTheFootHas)
   ASSERT_TRUE(band_of(bands, "tau_at_spin_2"));
 }
 
+/// A foot under which no balance is found.
+class FootWithoutBalance : public fem::Foot
+{
+public:
+  fem::FootDescription description() const override { return {}; }
+  fem::FootCapabilities capabilities() const override { return {}; }
+  fem::ContactState solve(const fem::ContactDemand &, const ring::Slip &, const fem::ContactGuess &,
+                          const std::function<void(const fem::ContactIteration &)> &) const override
+  {
+    throw ring::NoBalance("no balance here");
+  }
+  unsigned int n_resolved_harmonics() const override { return 16; }
+  fem::ContactLoad gather(const fem::ContactState &, const std::vector<double> &, unsigned int) const override
+  {
+    throw std::logic_error("there is no contact");
+  }
+  std::vector<fem::PointForce> point_forces(const fem::ContactState &) const override { return {}; }
+  fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
+};
+
+/// A changed contact that is not in balance, as next to tipping, leaves no band and does not end the run.
+TEST(ErrorBands, NoneWhereAChangedContactHasNoBalance)
+{
+  const test::SolvedStudy solved(test::quick_contact_study());
+  const Executor executor([](const Study &, const fem::Foot *)
+                          { return std::make_shared<FootWithoutBalance>(); });
+  EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
+}
+
 /// Every row of the contact has a band, however many there are; the closed forms have none.
 TEST(ErrorBands, OfEveryRowOfTheContact)
 {
