@@ -125,7 +125,7 @@ private:
     return x;
   }
 
-  /// What nodes or elements of one entity stand behind in format 4; in format 2 all of them are one block.
+  /// The head of a block of nodes or elements: of one entity in format 4, in format 2 of all of them.
   struct Block
   {
     long dimension = 0, entity = 0;

@@ -2,8 +2,8 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/coupling/if_balanced.h"
-#include "fem/pipeline/coupling/phases.h"
 #include "fem/pipeline/coupling/phase_loads.h"
+#include "fem/pipeline/coupling/phases.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/variants/solve.h"
 #include "ring_model/friction_law.h"
