@@ -1,4 +1,5 @@
 #include "fem/pipeline/analysis/sweep/grid_view.h"
+#include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/report/render/table_renderers.h"
 #include "fem/pipeline/support/numbers.h"
