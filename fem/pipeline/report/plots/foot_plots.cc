@@ -1,4 +1,5 @@
 #include "fem/contact/footprint.h"
+#include "fem/pipeline/report/plot.h"
 #include "fem/pipeline/report/plots/plots.h"
 
 #include <boost/math/constants/constants.hpp>
