@@ -65,7 +65,7 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
   stopwatch.finish("tables");
   write_report(results.report, place);
   stopwatch.finish("report");
-  Json summary = { { "schema", 2 },
+  Json summary = { { "schema", 3 },
                    { "program", { { "version", program_version() }, { "revision", program_revision() } } },
                    { "verb", options.verb } };
   if (study)

@@ -132,12 +132,13 @@ struct EntryList
   }
 };
 
-/// An entry of version 0.1, or a value of one, and what to do instead.
+/// Entry of an earlier version, or a value of an entry, and the new way.
 struct Renamed
 {
   std::string path;
-  std::string value; ///< empty: every other one, and the entry itself
+  std::string value; ///< empty: every other value, and the entry itself
   std::string instead;
+  std::string last_version = "0.1"; ///< last version that took it
 };
 
 const std::vector<Renamed> all_renamed = {
@@ -155,9 +156,8 @@ const std::vector<Renamed> all_renamed = {
     "leave it out: with Load/Coupling = two-way the contact is solved in balance at every spin" },
 };
 
-/// Throws BadInput with the words of today for an entry of version 0.1 that has another name now, and for a
-/// value of it that has. @p origin begins the sentence; @p value is the text that the entry is given, nothing
-/// where the entry alone is asked for.
+/// Throws BadInput with the new way for an entry or a value of an earlier version. @p origin begins the
+/// sentence; @p value is the text that the entry is given, nothing where the entry alone is asked for.
 void refuse_renamed(const std::string &origin, const std::string &path,
                     const std::optional<std::string> &value = {})
 {
@@ -166,7 +166,8 @@ void refuse_renamed(const std::string &origin, const std::string &path,
   for (const Renamed &renamed : all_renamed)
     if (renamed.path == path && (renamed.value.empty() || renamed.value == value))
       throw BadInput(origin + path + (value ? " = " + shortened(*value) : "") + " is " +
-                     (entry_is_gone ? "an entry" : "a value") + " of version 0.1; " + renamed.instead + '.');
+                     (entry_is_gone ? "an entry" : "a value") + " of version " + renamed.last_version + "; " +
+                     renamed.instead + '.');
 }
 
 /// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the

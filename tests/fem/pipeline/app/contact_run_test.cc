@@ -57,7 +57,7 @@ TEST(ContactRun, SummaryHasThePromisedKeys)
 {
   const ScratchFolder scratch;
   const auto summary = run_fully(scratch, {});
-  EXPECT_EQ(summary["schema"], 2);
+  EXPECT_EQ(summary["schema"], 3);
   EXPECT_EQ(summary["parameters"]["Contact"]["Azimuthal cells"], 16);
   const std::vector<std::string> of_a_load = {
     "radii",  "rings",        "a",           "b",           "normal_force",

@@ -1,0 +1,25 @@
+#include "fem/pipeline/app/removed_words.h"
+
+namespace stemware::pipeline
+{
+
+const std::vector<RemovedWord> &removed_words()
+{
+  static const std::vector<RemovedWord> words = {};
+  return words;
+}
+
+std::string refusal_of_removed(const std::string &verb, const std::string &word)
+{
+  const std::string name = word.substr(0, word.find('='));
+  for (const RemovedWord &removed : removed_words())
+  {
+    const bool is_verb = removed.word.front() != '-';
+    const bool in_place = is_verb ? verb.empty() : removed.verb.empty() || removed.verb == verb;
+    if (removed.word == name && in_place)
+      return name + " was removed in version 0.4; " + removed.instead;
+  }
+  return "";
+}
+
+} // namespace stemware::pipeline
