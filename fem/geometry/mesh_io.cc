@@ -226,7 +226,8 @@ void move_to_crown(const GlassProfile &profile, Triangulation<3> &triangulation)
 
 void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
 {
-  stream << std::setprecision(17) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
+  stream << std::setprecision(17) << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n"
+         << "Foot mesh written by Stemware\n$EndComments\n$Nodes\n"
          << triangulation.n_vertices() << '\n';
   for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
     stream << v + 1 << ' ' << triangulation.get_vertices()[v] << '\n';
@@ -270,7 +271,11 @@ void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
   data_out.add_data_vector(quality, "scaled_jacobian");
   data_out.add_data_vector(boundary, "boundary_id");
   data_out.build_patches();
-  data_out.write_vtu(stream);
+  std::ostringstream text;
+  data_out.write_vtu(text);
+  const std::string file = text.str(), declaration = "?>\n";
+  const std::size_t root = file.find(declaration) + declaration.size();
+  stream << file.substr(0, root) << "<!-- Foot mesh written by Stemware -->\n" << file.substr(root);
 }
 
 } // namespace stemware::fem

@@ -3,9 +3,7 @@
 #include "fem/contact/contact_newton.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_size.h"
-#include "fem/pipeline/support/interruption.h"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/math/constants/constants.hpp>
 
 #include <cmath>
@@ -42,21 +40,10 @@ ConsoleProgress::ConsoleProgress(Stopwatch &stopwatch)
 void ConsoleProgress::stage_done(const std::string &stage)
 {
   stopwatch.finish(stage);
-  const std::string words = boost::replace_all_copy(stage, "_", " ");
-  if (stages.find(words) == std::string::npos)
-    stages += (stages.empty() ? "" : ", ") + words;
-  note_done("");
-}
-
-void ConsoleProgress::note_done(const std::string &piece) const
-{
-  PostponedInterruption()->work_done = stages + (stages.empty() || piece.empty() ? "" : ", ") + piece;
 }
 
 void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all)
 {
-  note_done(n_all > 0 ? fmt::format(FMT_STRING("{} of {} {}"), n_done, n_all, what)
-                      : fmt::format(FMT_STRING("{} {}"), n_done, what));
   if (n_all > 0)
   {
     if (!bar)
@@ -75,7 +62,6 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
 
 void ConsoleProgress::iteration(const fem::ContactIteration &step)
 {
-  note_done(fmt::format(FMT_STRING("{} Newton steps of the contact"), step.number));
   if (!has_header)
     console() << "  step   active  changed    residual   step length   CG iterations\n";
   has_header = true;
@@ -87,8 +73,6 @@ void ConsoleProgress::iteration(const fem::ContactIteration &step)
 
 void ConsoleProgress::note(const std::string &subject, const std::string &text)
 {
-  if (stages.empty())
-    note_done("no stage");
   console() << fmt::format(FMT_STRING("{:<9} {}"), subject, text) << std::endl;
 }
 

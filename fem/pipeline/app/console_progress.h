@@ -26,11 +26,7 @@ public:
   void note(const std::string &subject, const std::string &text) override;
 
 private:
-  /// Notes for who interrupts the program which stages have ended, and @p piece.
-  void note_done(const std::string &piece) const;
-
   Stopwatch &stopwatch;
-  std::string stages; ///< "mesh and stiffness, contact"
   std::optional<WorkProgress> bar;
   bool has_header = false; ///< of the table of Newton steps
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();

@@ -2,8 +2,8 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/explore/page.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/text_file.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,6 +37,7 @@ void explore(const ExploreOptions &options)
 {
   PageWish wish;
   wish.study = begin_study(options.study);
+  on_first_rank([&] { require_writable(options.file); });
   wish.most_nodes = options.most_nodes;
   for (const std::string &name : options.glasses)
     wish.glasses.push_back(preset_of(glass_presets(), "--glass", name));
@@ -52,7 +53,7 @@ void explore(const ExploreOptions &options)
                                          pair.table, pair.n_nodes, pair.omega)
                           << (pair.band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair.band) : "") << std::endl;
               });
-  on_first_rank([&] { replace_text_file(options.file, page.text); });
+  on_first_rank([&] { write_output_file(options.file, page.text); });
   console() << fmt::format(FMT_STRING("Written   {}, {:.0f} kB: open it in a browser\n"), options.file,
                            static_cast<double>(page.text.size()) / 1e3)
             << std::flush;

@@ -10,9 +10,8 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/pipeline/support/text_file.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -57,9 +56,7 @@ void check_options(const MeshOptions &options)
     if (extension != ".msh" && extension != ".vtu")
       throw BadInput("--write " + shortened_path(file) +
                      " ends in neither .msh nor .vtu; end it in the format that you want.");
-    if (fs::exists(file) && !fs::is_regular_file(file))
-      throw OutputFailure("--write " + shortened_path(file) +
-                          " exists and is not a file; choose another name.");
+    on_first_rank([&] { require_writable(file); });
   }
 }
 
@@ -86,7 +83,7 @@ std::string as_text(const Triangulation &mesh, const std::string &format)
 
 void write_mesh(const Triangulation &mesh, const std::string &file)
 {
-  on_first_rank([&] { replace_text_file(file, as_text(mesh, fs::path(file).extension())); });
+  on_first_rank([&] { write_output_file(file, as_text(mesh, fs::path(file).extension())); });
   console() << "Written   " << file << std::endl;
 }
 

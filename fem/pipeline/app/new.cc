@@ -3,9 +3,9 @@
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
-#include "fem/pipeline/support/text_file.h"
 
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/join.hpp>
@@ -41,9 +41,9 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
     [&parts]
     {
       for (const StudyPart &part : parts)
-        require_no_file(part.file);
+        require_writable(part.file);
       for (const StudyPart &part : parts)
-        create_text_file(part.file, part.text);
+        write_output_file(part.file, part.text);
     });
   console() << "Written   " << file << words;
   for (std::size_t i = 1; i < parts.size(); ++i)

@@ -8,7 +8,6 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
@@ -165,7 +164,6 @@ Study begin_study(const StudyOptions &options, bool needs_mpi)
   require_known_body(study);
   if (needs_mpi || study.load.is_from_contact())
     start_mpi();
-  watch_for_interruption(); // again: now it is known which rank this is
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     "
             << (options.study_file.empty()  ? "default"

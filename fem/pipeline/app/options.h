@@ -53,8 +53,7 @@ void add_console_options(CLI::App &verb, StudyOptions &options);
 void say_note(const std::string &label, const std::string &note);
 
 /// Begins a verb: directs the console, reads and checks the study, starts MPI where @p needs_mpi or a contact
-/// asks for it, and watches for interruptions. Refuses everything that can be refused before the work; throws
-/// BadInput.
+/// asks for it. Refuses everything that can be refused before the work; throws BadInput.
 Study begin_study(const StudyOptions &options, bool needs_mpi = false);
 
 } // namespace stemware::pipeline

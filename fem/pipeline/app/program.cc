@@ -5,7 +5,7 @@
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/interruption.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/shared_files.h"
@@ -13,6 +13,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -120,6 +122,15 @@ std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *ar
   }
 }
 
+/// Words of the command line become names and entries of results, which are UTF-8.
+void require_utf8(int argc, char *argv[])
+{
+  for (int i = 1; i < argc; ++i)
+    require(is_utf8(argv[i]), "\"" + shortened(argv[i]) +
+                                "\" on the command line is not in UTF-8; rename the file, or set a locale of "
+                                "UTF-8 (LANG=C.UTF-8).");
+}
+
 } // namespace
 
 std::string help_of(const std::string &name)
@@ -162,10 +173,11 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  watch_for_interruption();
+  std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is one that cannot be written
   const MpiSession mpi;
   try
   {
+    require_utf8(argc, argv);
     // 1. What is to be done? Each verb declares its options, examples and work.
     CLI::App program("Stemware: what the elasticity of a wine glass's foot does to its spin on a table.",
                      "stemware");

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/study/study_options.h"
-#include "fem/pipeline/support/results_folder.h"
+#include "fem/pipeline/support/output.h"
 #include "fem/pipeline/variants/solve.h"
 
 #include <functional>

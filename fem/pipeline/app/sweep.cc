@@ -7,7 +7,6 @@
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"
-#include "fem/pipeline/support/interruption.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
@@ -33,40 +32,14 @@ struct SweepOptions : StudyOptions
   bool restart = false; ///< throws away the finished cases of an earlier sweep into the same place
 };
 
-/// Message of an interrupted sweep: how many cases are kept, and how to go on.
-std::string interruption_message(const fs::path &folder, std::size_t n_cases)
-{
-  const std::size_t n_kept = LogCounter(folder).count().n_finished;
-  if (n_kept == 0)
-    return "interrupted; no results were written.";
-  return fmt::format(
-    FMT_STRING("interrupted; {} of {} cases are kept in {}, and the same command goes on from there."),
-    n_kept, n_cases, folder.string());
-}
-
-/// Takes the folder of finished cases, on the first rank, which owns it: nothing on the others. An
-/// interruption keeps what is in it from now on.
+/// Takes the folder of finished cases, on the first rank, which owns it: nothing on the others.
 std::shared_ptr<SweepFolder> take_folder(const SweepOptions &options, const SweepPlan &plan)
 {
   std::shared_ptr<SweepFolder> folder;
   on_first_rank(
     [&]
-    {
-      const PostponedInterruption postponed;
-      folder = std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart);
-      postponed->clean_up = [folder] { folder->remove_if_empty(); };
-      postponed->sentence = [path = folder->path(), n_cases = plan.cases.size()]
-      { return interruption_message(path, n_cases); };
-    });
+    { folder = std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart); });
   return folder;
-}
-
-/// Removes the folder of finished cases: the results are whole.
-void remove(SweepFolder &folder)
-{
-  const PostponedInterruption postponed;
-  postponed->sentence = {};
-  folder.remove();
 }
 
 /// Solves the cases that are not @p finished, and shows on the first rank how far all of them have come.
@@ -120,7 +93,7 @@ void sweep(const SweepOptions &options)
   Stopwatch stopwatch;
   SweepPlan plan = make_plan(options.request);
   plan.base = begin_study(options, true);
-  on_first_rank([&] { require_replaceable(options.results_place()); });
+  on_first_rank([&] { require_replaceable(resolved_output(options.results_place())); });
   const std::shared_ptr<SweepFolder> owned = take_folder(options, plan);
   const fs::path cases = from_first_rank([&] { return owned->path().string(); });
   FinishedCases finished;
@@ -144,7 +117,7 @@ void sweep(const SweepOptions &options)
   const Results results = is_first_rank() ? tabulate(plan, finished, found) : Results();
   publish(options, plan.base, results, folder, stopwatch);
   if (owned)
-    remove(*owned);
+    owned->remove();
   require_one_solved(finished, found);
 }
 

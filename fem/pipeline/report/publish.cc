@@ -4,7 +4,6 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text_file.h"
@@ -47,6 +46,12 @@ void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &fol
     write_text_file(folder / "fields" / field.name, field.text);
 }
 
+/// Bytes of other programs' files that are no UTF-8, such as names in a mesh, become replacement characters.
+std::string valid_text(const Json &json, int indent = -1)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string text_of(const ResultFile &file)
 {
   if (const auto *text = std::get_if<std::string>(&file.content))
@@ -80,9 +85,9 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
   std::sort(files.begin(), files.end());
   summary["files"] = files;
   require_finite(summary, "summary");
-  write_text_file(place / "summary.json", summary.dump(2) + "\n");
+  write_text_file(place / "summary.json", valid_text(summary, 2) + "\n");
   stopwatch.finish("summary");
-  write_text_file(place / "timings.json", sealed_text(stopwatch.times()));
+  write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
   folder.publish();
 }
 
@@ -92,8 +97,9 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
              ResultsFolder &folder, Stopwatch &stopwatch)
 {
   // The folder is whole before it gets its name.
+  folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
-  results.fields = {}; // large texts, whose check sums are those of the files
+  results.fields = {}; // large texts
   on_first_rank([&] { write_and_publish(options, study, results, stopwatch, folder); });
   if (!is_first_rank())
     return;
@@ -101,7 +107,7 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
   const fs::path place = options.results_place();
   const std::string report = (place / "report.html").string();
   console() << "Results   " << place.string() << "\nReport    "
-            << fs::absolute(report).lexically_normal().string() << std::endl;
+            << (folder.final_folder() / "report.html").string() << std::endl;
   if (!options.json)
     return;
   Json line = { { "verb", options.verb },
@@ -109,7 +115,7 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
                 { "summary", (place / "summary.json").string() },
                 { "report", report } };
   line.update(results.findings.key_figures);
-  std::cout << line.dump() << std::endl;
+  std::cout << valid_text(line) << std::endl;
 }
 
 } // namespace stemware::pipeline

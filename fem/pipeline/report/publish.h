@@ -3,7 +3,7 @@
 #include "fem/pipeline/report/results.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_options.h"
-#include "fem/pipeline/support/results_folder.h"
+#include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/stopwatch.h"
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace stemware::pipeline
 /// The end of every verb, collective over all ranks: each writes its fields of @p results into the working
 /// folder, the first all else: the files with content, report.html and its pictures. When all have, that one
 /// writes parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files"),
-/// timings.json and manifest.json, gives the folder its final name, and prints the console's text and where
+/// timings.json, gives the folder its final name, and prints the console's text and where
 /// the results are. With --json the last line of standard output is {"verb", "results", "summary", "report",
 /// key figures}. Without a study there is neither parameters.prm nor "parameters".
 ///

@@ -223,6 +223,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
                       rest = boost::trim_copy(line.substr(word.size()));
     if (line.empty())
       continue;
+    require(is_utf8(line), where + "the line is not in UTF-8; save the study file as UTF-8.");
     if (boost::iequals(word, "subsection") && !rest.empty())
     {
       require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),

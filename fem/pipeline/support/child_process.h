@@ -19,8 +19,7 @@ struct EndedProgram
 };
 
 /// Runs @p commands, each the path of a program and its arguments, side by side in @p folder, and waits for
-/// all of them. They read nothing, and do not outlive this program where that is interrupted. Throws
-/// std::system_error.
+/// all of them. They read nothing. Throws std::system_error.
 std::vector<EndedProgram> run_programs(const std::vector<std::vector<std::string>> &commands,
                                        const std::filesystem::path &folder);
 

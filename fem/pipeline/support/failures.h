@@ -12,8 +12,7 @@ enum class ExitCode : int
   success = 0,
   bad_input = 1,         ///< usage, study file, mesh file, load file
   numerical_failure = 2, ///< no contact solution, no terminal spin, out of memory
-  output_failure = 3,    ///< the results cannot be written
-  interrupted = 130      ///< SIGINT, SIGTERM or SIGHUP
+  output_failure = 3     ///< the results cannot be written
 };
 
 /// Something that the user gave is not allowed; what() is one sentence: what was given, what is allowed, what

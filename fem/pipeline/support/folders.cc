@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fmt/format.h>
-#include <random>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -72,18 +70,6 @@ std::vector<std::string> names_in(const fs::path &folder)
     names.push_back(item.path().filename());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-void create_new_folder(const fs::path &folder)
-{
-  if (!fs::create_directory(folder)) // is content with a folder, or a link to one, that is there already
-    throw fs::filesystem_error("cannot create folder", folder, std::make_error_code(std::errc::file_exists));
-}
-
-std::string unique_suffix()
-{
-  std::random_device random;
-  return fmt::format(FMT_STRING("{}-{:08x}"), ::getpid(), random());
 }
 
 FolderClaim::FolderClaim(const fs::path &folder)

@@ -28,14 +28,6 @@ bool is_plain_file(const std::filesystem::path &path);
 /// Names of all that is in a folder, sorted. Throws std::filesystem::filesystem_error.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 
-/// Makes a folder that nobody else has made: fails where there is anything of that name, a link included.
-/// Throws std::filesystem::filesystem_error.
-void create_new_folder(const std::filesystem::path &folder);
-
-/// Text that other processes neither have nor guess, "<pid>-<random digits>", for names that need not be
-/// found again.
-std::string unique_suffix();
-
 /// A folder that a running process works in, marked so that others can see it: a lock of the system on the
 /// folder (flock), which ends with the process however that ends.
 class FolderClaim

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <lzma.h>
 #include <set>
 #include <vector>
 
@@ -78,22 +77,15 @@ catch (const BadInput &)
   return std::nullopt;
 }
 
-std::string check_sum(const std::string &bytes)
+bool is_utf8(const std::string &text)
+try
 {
-  return fmt::format(FMT_STRING("{:016x}"),
-                     lzma_crc64(reinterpret_cast<const std::uint8_t *>(bytes.data()), bytes.size(), 0));
+  Json(text).dump();
+  return true;
 }
-
-std::string sealed_text(Json object)
+catch (const Json::exception &)
 {
-  object["crc64"] = check_sum(object.dump());
-  return object.dump(2) + "\n";
-}
-
-bool is_sealed(const std::string &text)
-{
-  Json object = json_in(text).value_or(Json());
-  return object.is_object() && object.erase("crc64") > 0 && sealed_text(object) == text;
+  return false;
 }
 
 } // namespace stemware::pipeline

@@ -16,14 +16,7 @@ nlohmann::ordered_json parse_json(const std::string &origin, const std::string &
 /// The JSON of a text that the program itself has written: nothing where it is broken.
 std::optional<nlohmann::ordered_json> json_in(const std::string &text);
 
-/// A JSON object as the text of a file that carries a check sum of its own, as its last key "crc64": for
-/// results that differ between equal runs.
-std::string sealed_text(nlohmann::ordered_json object);
-
-/// Whether @p text is such a file, as it was written.
-bool is_sealed(const std::string &text);
-
-/// CRC-64 of @p bytes (ECMA-182, as xz has it), 16 hexadecimal digits.
-std::string check_sum(const std::string &bytes);
+/// Whether @p text is valid UTF-8, as JSON has to be.
+bool is_utf8(const std::string &text);
 
 } // namespace stemware::pipeline

@@ -1,7 +1,6 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/folders.h"
 
 #include <boost/algorithm/string/trim.hpp>
 
@@ -17,62 +16,17 @@ namespace stemware::pipeline
 
 namespace fs = std::filesystem;
 
-namespace
+void write_text_file(const fs::path &file, const std::string &text)
 {
-
-/// Writes a whole file; where @p is_new, one of that name must not be there, not even as a link. Says what is
-/// wrong, and leaves nothing of a new file then.
-std::error_code write_file(const fs::path &file, const std::string &text, bool is_new)
-{
-  std::FILE *const stream = std::fopen(file.c_str(), is_new ? "wxe" : "we");
+  std::FILE *const stream = std::fopen(file.c_str(), "we");
   int trouble =
     stream == nullptr || std::fwrite(text.data(), 1, text.size(), stream) < text.size() ? errno : 0;
   if (stream != nullptr && std::fclose(stream) != 0 && trouble == 0)
     trouble = errno;
-  std::error_code ignored;
-  if (is_new && stream != nullptr && trouble != 0)
-    fs::remove(file, ignored);
-  return { trouble, std::generic_category() };
-}
-
-} // namespace
-
-void write_text_file(const fs::path &file, const std::string &text)
-{
-  if (const std::error_code error = write_file(file, text, false))
+  if (trouble != 0)
     throw OutputFailure(fmt::format(FMT_STRING("The file {} of the results cannot be written ({}); make "
                                                "room, or choose another folder with --output."),
-                                    file.filename().string(), error.message()));
-}
-
-void replace_text_file(const fs::path &file, const std::string &text)
-{
-  fs::path partial = file;
-  partial.replace_filename("." + file.filename().string() + ".partial-" + unique_suffix());
-  std::error_code error = write_file(partial, text, true), ignored;
-  if (!error)
-    fs::rename(partial, file, error);
-  if (!error)
-    return;
-  fs::remove(partial, ignored);
-  throw OutputFailure(fmt::format(FMT_STRING("The file {} cannot be written ({}); choose another place."),
-                                  file.string(), error.message()));
-}
-
-void require_no_file(const fs::path &file)
-{
-  std::error_code error;
-  if (fs::exists(fs::symlink_status(file, error)))
-    throw OutputFailure("The file " + shortened_path(file.string()) +
-                        " exists already and is not overwritten; give another name, or remove it.");
-}
-
-void create_text_file(const fs::path &file, const std::string &text)
-{
-  require_no_file(file);
-  if (const std::error_code error = write_file(file, text, true))
-    throw OutputFailure("The file " + shortened_path(file.string()) + " cannot be written (" +
-                        error.message() + "); choose another place.");
+                                    file.filename().string(), std::generic_category().message(trouble)));
 }
 
 std::string read_text_file(const fs::path &file)

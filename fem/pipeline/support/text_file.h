@@ -11,17 +11,6 @@ namespace stemware::pipeline
 /// disk.
 void write_text_file(const std::filesystem::path &file, const std::string &text);
 
-/// Writes a whole file that stands alone, outside a folder of results: it appears under its name when it is
-/// complete, and replaces an older one. Throws OutputFailure with one sentence.
-void replace_text_file(const std::filesystem::path &file, const std::string &text);
-
-/// Throws OutputFailure, with one sentence, where there is anything of that name, a link included.
-void require_no_file(const std::filesystem::path &file);
-
-/// Writes a whole file that must not be there yet, not even as a link; nothing is left of one that the disk
-/// does not take. Throws OutputFailure with one sentence.
-void create_text_file(const std::filesystem::path &file, const std::string &text);
-
 /// All bytes of a file; nothing of one that cannot be read.
 std::string read_text_file(const std::filesystem::path &file);
 

@@ -318,27 +318,14 @@ std::vector<std::vector<double>> read_columns(const fs::path &table)
 std::map<std::string, std::string> all_files(const fs::path &folder)
 {
   std::map<std::string, std::string> files;
-  std::vector<std::string> timed;
   for (const auto &item : fs::recursive_directory_iterator(folder))
     if (item.is_regular_file() && item.path().filename() != "timings.json")
     {
-      const std::string name = fs::relative(item.path(), folder).string();
-      std::string &text = files[name] = read_text(item.path());
+      std::string &text = files[fs::relative(item.path(), folder).string()] = read_text(item.path());
       if (const auto hour = text.rfind("/Type /ObjStm");
           item.path().extension() == ".pdf" && hour != text.npos)
-      {
         text.resize(hour);
-        timed.push_back(name);
-      }
     }
-  const auto manifest = files.find("manifest.json");
-  if (manifest != files.end() && !timed.empty())
-  {
-    auto listed = nlohmann::json::parse(manifest->second);
-    for (const std::string &name : timed)
-      listed["files"].erase(name);
-    manifest->second = listed.dump();
-  }
   return files;
 }
 

@@ -100,7 +100,7 @@ std::set<fs::path> logs_that_are_in(const fs::path &folder)
 /// Whole or not at all, even if the power fails.
 void write_durably(const fs::path &file, const std::string &text)
 {
-  replace_text_file(file, text);
+  write_text_file(file, text);
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   ::fsync(descriptor);
   ::close(descriptor);

@@ -280,7 +280,15 @@ TEST(BadInput, UnwritableOutputIsRefused)
   expect_refused(scratch, { "run", file, "--output", "/proc/stemware" }, 3, "cannot be written");
   expect_refused(scratch, { "run", file, "--output", "study.prm/results" }, 3, "cannot be written");
   expect_refused(scratch, { "run", file, "--output", "study.prm" }, 3, "not a folder");
-  expect_refused(scratch, { "run", file, "--output", "." }, 3, "not a result of Stemware");
+  expect_refused(scratch, { "run", file, "--output", "." }, 3, "where the program was started");
+  expect_refused(scratch, { "run", file, "--output", "/" }, 3,
+                 "around the folder where the program was started");
+  expect_refused(scratch, { "explore", file, "--output", "study.prm" }, 3,
+                 "exists without a mark of Stemware");
+  expect_refused(scratch, { "mesh", file, "--write", scratch.write("mine.msh", "mine") }, 3,
+                 "exists without a mark of Stemware");
+  EXPECT_EQ(read_text(file), "# defaults\n");
+  EXPECT_EQ(read_text(scratch / "mine.msh"), "mine");
 }
 
 TEST(BadInput, ARerunLosesNoFileOfAUser)
@@ -295,7 +303,7 @@ TEST(BadInput, ARerunLosesNoFileOfAUser)
   const auto before = all_files(scratch / "results");
   for (const char *verb : { "run", "truncate", "compare" })
     expect_refused(scratch, { verb, file, "--output", "results" }, 3,
-                   "holds figures/my_note.txt, which is not a result of Stemware; move it away");
+                   "holds figures/my_note.txt, which Stemware never writes; move it away");
   EXPECT_EQ(all_files(scratch / "results"), before);
 }
 

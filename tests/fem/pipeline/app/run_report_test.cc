@@ -241,33 +241,5 @@ TEST(FirstHarmonicReport, TemplatesOfTheSharedFolderComeBeforeThoseThatAreCompil
   EXPECT_TRUE(fs::exists(scratch / "results/figures/spin_up.svg")); // which has no template there
 }
 
-TEST(FirstHarmonicReport, InterruptionWhileGnuplotDrawsLeavesNothing)
-{
-  const ScratchFolder scratch;
-  fs::create_directory(scratch / "programs");
-  const std::string slow = scratch.write(
-    "programs/gnuplot", "#!/bin/sh\necho $$ > '" + (scratch / "number").string() + "'\nexec /bin/sleep 60\n");
-  fs::permissions(slow, fs::perms::owner_all);
-  const Programs programs((scratch / "programs").string() + ":" + std::getenv("PATH"));
-  std::vector<std::string> command = lifted_run(scratch);
-  command.insert(command.begin(), STEMWARE_PROGRAM);
-  command.insert(command.end(), { "--set", "Load/Source=first harmonic" });
-  RunningProgram program(command, scratch.path());
-  for (unsigned int i = 0; i < 6000 && read_text(scratch / "number").find('\n') == std::string::npos; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  // Empty when it has ended, whether or not anybody has taken notice.
-  const std::string number = read_text(scratch / "number");
-  const fs::path command_line = "/proc/" + number.substr(0, number.find('\n')) + "/cmdline";
-  for (unsigned int i = 0; i < 500 && read_text(command_line).find("sleep") == std::string::npos; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10)); // it is empty while the shell becomes sleep
-  ASSERT_NE(read_text(command_line), "");
-  program.send(SIGTERM);
-  EXPECT_EQ(program.end().exit_code, 130);
-  for (unsigned int i = 0; i < 500 && !read_text(command_line).empty(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_EQ(read_text(command_line), "");
-  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "number", "programs", "study.prm" }));
-}
-
 } // namespace
 } // namespace stemware::test

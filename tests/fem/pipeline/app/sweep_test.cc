@@ -177,14 +177,12 @@ TEST(Sweep, KilledTwiceItEndsWithTheTableOfAnUnbrokenRun)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
 
-TEST(Sweep, InterruptedItSaysHowToGoOn)
+TEST(Sweep, InterruptedItsCasesAreKept)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
   const Ended ended = stop_after(scratch, 10, SIGINT);
   EXPECT_EQ(ended.exit_code, 130);
-  EXPECT_NE(ended.err.find(" of 300 cases are kept in "), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("the same command goes on from there"), std::string::npos) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ ".results.sweep", "study.prm" }));
 
   // Another sweep does not take these cases for its own, nor throw them away unasked.

@@ -4,7 +4,6 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/json_text.h"
-#include "fem/pipeline/support/results_folder.h"
 #include "tests/fem/temporary_file.h"
 
 #include <boost/algorithm/string.hpp>
@@ -107,15 +106,6 @@ TEST(TextReader, RefusesJsonThatIsNestedDeeply)
   EXPECT_EQ(
     parse_json("text", "{\"a\": \"" + repeated("[", 1000) + "\\\"[\"}")["a"].get<std::string>().size(),
     1002u); // not within strings
-  // A manifest that somebody has put into a folder.
-  const std::filesystem::path folder =
-    testing::TempDir() + "stemware_deep_manifest_" + std::to_string(getpid());
-  std::filesystem::create_directory(folder);
-  std::ofstream(folder / manifest_name)
-    << "{\"program\":\"stemware\",\"files\":" << repeated("{\"a\":", 300000) << "1" << repeated("}", 300001);
-  EXPECT_EQ(why_not_replaceable(folder).value_or(""),
-            "holds manifest.json, which is not a result of Stemware");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(TextReader, NamesTheNumbersThatNoGlassHas)

@@ -1,0 +1,292 @@
+#include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/output.h"
+#include "fem/pipeline/support/text_file.h"
+#include "tests/fem/pipeline/program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <regex>
+#include <sys/stat.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using test::names_in;
+using test::read_text;
+using test::ScratchFolder;
+using Names = std::vector<std::string>;
+
+void write_results(const fs::path &folder, const std::string &mark)
+{
+  write_text_file(folder / "summary.json", mark);
+  fs::create_directory(folder / "figures");
+  write_text_file(folder / "figures/load.svg", "a picture of " + mark);
+}
+
+void publish(const fs::path &target, const std::string &mark)
+{
+  ResultsFolder folder(target);
+  folder.open();
+  write_results(folder.working_folder(), mark);
+  folder.publish();
+}
+
+/// Sentence with which a place is refused for results, before any work; empty if it is not refused.
+std::string refusal(const fs::path &target)
+{
+  try
+  {
+    const ResultsFolder folder(target);
+    return "";
+  }
+  catch (const OutputFailure &failure)
+  {
+    return failure.what();
+  }
+}
+
+void expect_sentence(const std::string &sentence, const std::string &part)
+{
+  EXPECT_NE(sentence.find(part), std::string::npos) << "\"" << sentence << "\" lacks \"" << part << "\"";
+  EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+}
+
+TEST(ResultNames, AreThoseOfTheReportsTemplates)
+{
+  unsigned int n_names = 0;
+  const std::regex line("@(file|plot|drawing) ([^ {]+)(\\{\\{key\\}\\})?([.a-z]*)( .*)?");
+  for (const auto &item : fs::directory_iterator(STEMWARE_TEMPLATES))
+  {
+    std::istringstream text(read_text(item.path()));
+    for (std::string row; std::getline(text, row);)
+      if (std::smatch part; std::regex_match(row, part, line))
+      {
+        const std::string name = part.str(2) + (part[3].matched ? "degree" : "") + part.str(4);
+        const bool is_file = part[1] == "file";
+        EXPECT_TRUE(is_result_name(is_file ? name : "figures/" + name + ".svg"))
+          << item.path() << ": " << row << "\nsupport/output.cc lists all names of results";
+        ++n_names;
+      }
+  }
+  EXPECT_GT(n_names, 50u);
+  for (const char *name : { "fields/contact.vtu", "fields/contact_12.vtu", "figures/load.dat" })
+    EXPECT_TRUE(is_result_name(name)) << name;
+  for (const char *name : { "fields/contact_.vtu", "fields/contact_1a.vtu", "fields/contact_1.vtu.txt",
+                            "figures/note.svg", "load.svg", "figures/load.csv", "../load.csv", "" })
+    EXPECT_FALSE(is_result_name(name)) << name;
+}
+
+TEST(ResultsFolder, AppearsWholeOrNotAtAll)
+{
+  const ScratchFolder scratch;
+  {
+    ResultsFolder folder(scratch / "results/paper");
+    EXPECT_EQ(names_in(scratch.path()), Names{});
+    folder.open();
+    write_results(folder.working_folder(), "new");
+    EXPECT_FALSE(fs::exists(scratch / "results/paper"));
+    EXPECT_EQ(folder.contents(), (Names{ "figures", "summary.json" }));
+    folder.publish();
+  }
+  EXPECT_EQ(names_in(scratch / "results"), Names{ "paper" });
+  EXPECT_EQ(names_in(scratch / "results/paper"), (Names{ "figures", "summary.json" }));
+  {
+    ResultsFolder failed(scratch / "results/deep/other");
+    failed.open();
+    write_results(failed.working_folder(), "lost");
+  }
+  EXPECT_EQ(names_in(scratch / "results"), Names{ "paper" });
+}
+
+TEST(ResultsFolder, ReplacesOlderResultsWholly)
+{
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "paper"); // empty
+  publish(scratch / "paper", "old");
+  scratch.write("paper/without.csv", "not written again");
+  publish(scratch / "paper", "new");
+  EXPECT_EQ(read_text(scratch / "paper/summary.json"), "new");
+  EXPECT_EQ(names_in(scratch / "paper"), (Names{ "figures", "summary.json" }));
+  EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
+}
+
+TEST(ResultsFolder, AFileThatNoListNamesIsNotPublished)
+{
+  const ScratchFolder scratch;
+  ResultsFolder folder(scratch / "paper");
+  folder.open();
+  write_text_file(folder.working_folder() / "new.csv", "forgotten in the list");
+  EXPECT_THROW(folder.publish(), std::logic_error);
+}
+
+struct Change
+{
+  std::string name;
+  std::function<void(const ScratchFolder &)> make; ///< in the folder "paper" of results
+  std::string reason;
+};
+
+class ChangedResults : public testing::TestWithParam<Change>
+{
+};
+
+TEST_P(ChangedResults, AreRefusedBeforeTheWorkAndAfterIt)
+{
+  const ScratchFolder scratch;
+  scratch.write("elsewhere", "years of work");
+  publish(scratch / "paper", "old");
+  ResultsFolder folder(scratch / "paper"); // not changed yet
+  folder.open();
+  write_results(folder.working_folder(), "new");
+  GetParam().make(scratch);
+  const auto before = test::all_files(scratch / "paper");
+  expect_sentence(refusal(scratch / "paper"), GetParam().reason);
+  try
+  {
+    folder.publish();
+    ADD_FAILURE();
+  }
+  catch (const OutputFailure &failure) // and says where the new results are
+  {
+    expect_sentence(failure.what(), folder.final_folder().string() + ".partial-");
+  }
+  EXPECT_EQ(test::all_files(scratch / "paper"), before);
+  EXPECT_EQ(read_text(scratch / "elsewhere"), "years of work");
+  const std::string partial = "paper.partial-" + std::to_string(::getpid());
+  EXPECT_EQ(read_text(scratch / (partial + "/summary.json")), "new");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Kinds, ChangedResults,
+  testing::Values(
+    Change{ "note", [](const auto &s) { s.write("paper/note.txt", "mine"); }, "holds note.txt, which" },
+    Change{ "hidden", [](const auto &s) { s.write("paper/.git", "mine"); }, "holds .git, which" },
+    Change{ "own_figure", [](const auto &s) { s.write("paper/figures/note.svg", "mine"); },
+            "holds figures/note.svg, which Stemware never writes" },
+    Change{ "quotes_and_lines", [](const auto &s) { s.write("paper/it's \"mine\"\n`x`", "mine"); },
+            "holds it's \"mine\" `x`, which" },
+    Change{ "folder", [](const auto &s) { fs::create_directory(s / "paper/mine"); }, "holds mine, which" },
+    Change{ "folder_named_as_a_file", [](const auto &s) { fs::create_directory(s / "paper/load.csv"); },
+            "holds load.csv, which" },
+    Change{ "no_summary",
+            [](const auto &s)
+            {
+              fs::remove_all(s / "paper");
+              fs::create_directory(s / "paper");
+              s.write("paper/load.csv", "measured by hand");
+            },
+            "holds load.csv but no summary.json" },
+    Change{ "link_for_a_file",
+            [](const auto &s)
+            {
+              fs::remove(s / "paper/summary.json");
+              fs::create_symlink("../elsewhere", s / "paper/summary.json");
+            },
+            "holds summary.json, which" },
+    Change{ "link_for_a_folder",
+            [](const auto &s)
+            {
+              fs::rename(s / "paper/figures", s / "moved");
+              fs::create_directory_symlink("../moved", s / "paper/figures");
+            },
+            "holds figures, which" }),
+  [](const auto &info) { return info.param.name; });
+
+TEST(ResultsFolder, RefusesPlacesThatAreNone)
+{
+  const ScratchFolder scratch;
+  scratch.write("file", "mine");
+  fs::create_directory(scratch / "folder");
+  fs::create_symlink("nowhere", scratch / "to_nothing");
+  fs::create_symlink("loop", scratch / "loop");
+  fs::create_directory_symlink("folder", scratch / "to_folder");
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  const auto before = names_in(scratch.path());
+  for (const auto &[place, reason] :
+       { std::pair("file", "exists and is not a folder"), std::pair("pipe", "exists and is not a folder"),
+         std::pair("to_nothing", "is a link"), std::pair("loop", "is a link"),
+         std::pair("to_folder/", "is a link"), std::pair("file/results", "cannot be written"),
+         std::pair("loop/results", "cannot be written") })
+    expect_sentence(refusal(scratch / place), reason);
+  expect_sentence(refusal("/proc/stemware"), "cannot be written");
+  expect_sentence(refusal("/dev"), "Stemware never writes");
+  expect_sentence(refusal("/"), "is around the folder where the program was started");
+  expect_sentence(refusal("."), "is the folder where the program was started");
+  expect_sentence(refusal(scratch / "\xff"), "not in UTF-8");
+  EXPECT_EQ(names_in(scratch.path()), before);
+  // Folders above the last one may be links.
+  publish(scratch / "to_folder/it's \"odd\"\n$(x)", "new");
+  EXPECT_EQ(names_in(scratch / "folder"), Names{ "it's \"odd\"\n$(x)" });
+}
+
+TEST(ResultsFolder, NamesLeftoversAndLeavesThem)
+{
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "paper.partial-1");
+  scratch.write("paper.partial-1/load.csv", "half");
+  const std::string own = "paper.partial-" + std::to_string(::getpid());
+  fs::create_directory(scratch / own); // of an earlier process of the same number
+  fs::create_directory(scratch / "other.partial-1");
+  testing::internal::CaptureStdout();
+  publish(scratch / "paper", "new");
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(said.find("paper.partial-1 and " + own), std::string::npos) << said;
+  EXPECT_EQ(said.find("other.partial-1"), std::string::npos) << said;
+  EXPECT_EQ(names_in(scratch.path()), (Names{ "other.partial-1", "paper", "paper.partial-1", own }));
+  EXPECT_EQ(read_text(scratch / "paper.partial-1/load.csv"), "half");
+}
+
+TEST(ResultsFolder, OfTwoAtOnceTheLaterOneStays)
+{
+  const ScratchFolder scratch;
+  ResultsFolder one(scratch / "paper"), two(scratch / "paper");
+  one.open();
+  two.open();
+  write_results(one.working_folder(), "one");
+  write_results(two.working_folder(), "two");
+  one.publish();
+  two.publish();
+  EXPECT_EQ(read_text(scratch / "paper/summary.json"), "two");
+  EXPECT_EQ(names_in(scratch.path()), Names{ "paper" });
+}
+
+TEST(OutputFile, ReplacesOnlyFilesWithItsMark)
+{
+  const ScratchFolder scratch;
+  const std::string page = std::string("<!-- ") + written_by_stemware + " -->\n";
+  write_output_file(scratch / "page.html", page);
+  write_output_file(scratch / "page.html", page + "newer");
+  EXPECT_EQ(read_text(scratch / "page.html"), page + "newer");
+
+  scratch.write("mine.html", "years of work");
+  fs::create_directory(scratch / "folder");
+  fs::create_symlink("page.html", scratch / "link");
+  fs::create_symlink("nowhere", scratch / "to_nothing");
+  fs::create_symlink("loop", scratch / "loop");
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  const auto before = names_in(scratch.path());
+  for (const char *name : { "mine.html", "folder", "link", "to_nothing", "loop", "pipe", "no/folder",
+                            "mine.html/page", "loop/page", "/", ".", "/proc/page", "" })
+  {
+    SCOPED_TRACE(name);
+    const fs::path file = std::string(name).size() > 1 ? scratch / name : fs::path(name);
+    EXPECT_THROW(require_writable(file), OutputFailure);
+    EXPECT_THROW(write_output_file(file, page), OutputFailure);
+  }
+  EXPECT_EQ(names_in(scratch.path()), before);
+  EXPECT_EQ(read_text(scratch / "mine.html"), "years of work");
+  EXPECT_EQ(read_text(scratch / "page.html"), page + "newer");
+}
+
+TEST(TextFile, TellsWhenItCannotBeWritten)
+{
+  EXPECT_THROW(write_text_file("/dev/full", "text"), OutputFailure);
+  EXPECT_THROW(write_text_file("/proc/stemware", "text"), OutputFailure);
+}
+
+} // namespace
+} // namespace stemware::pipeline
