@@ -144,7 +144,7 @@ std::string script_of(const Plot &plot)
 
 void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 {
-  fs::create_directory(folder / "figures"); // not the folder itself: an interruption may have taken it away
+  fs::create_directory(folder / "figures");
   write_text_file(folder / "figures/style.gnuplot", plot_file_text("style.gnuplot"));
   for (const Plot &plot : plots)
   {
@@ -160,10 +160,9 @@ void write_scripts(const std::vector<Plot> &plots, const fs::path &folder)
 }
 
 /// A gnuplot that draws some plots one after the other; a user's own start-up files have no say.
-std::vector<std::string> drawing(const std::string &gnuplot, const std::string &format,
-                                 const std::vector<Plot> &plots)
+std::vector<std::string> drawing(const std::string &format, const std::vector<Plot> &plots)
 {
-  std::vector<std::string> command = { gnuplot, "-d", "-e", "format = \"" + format + "\"" };
+  std::vector<std::string> command = { "gnuplot", "-d", "-e", "format = \"" + format + "\"" };
   for (const Plot &plot : plots)
     command.push_back(plot_file(plot, "gp").string());
   return command;
@@ -171,10 +170,9 @@ std::vector<std::string> drawing(const std::string &gnuplot, const std::string &
 
 /// Draws one plot in one format, alone. Returns what gnuplot says when it fails; what it has drawn by then
 /// is not kept.
-std::string draw_alone(const std::string &gnuplot, const std::string &format, const Plot &plot,
-                       const fs::path &folder)
+std::string draw_alone(const std::string &format, const Plot &plot, const fs::path &folder)
 {
-  const EndedProgram ended = run_programs({ drawing(gnuplot, format, { plot }) }, folder).front();
+  const EndedProgram ended = run_programs({ drawing(format, { plot }) }, folder).front();
   if (ended.exit_status == 0)
     return "";
   fs::remove(folder / plot_file(plot, format));
@@ -253,7 +251,7 @@ std::string grouped_data(const std::string &title, const std::vector<std::string
 
 std::string missing_plotter()
 {
-  if (find_program("gnuplot"))
+  if (has_program("gnuplot"))
     return "";
   return "gnuplot is not in the PATH: there will be no pictures, only their scripts and data; install it "
          "(Debian: apt-get install gnuplot-nox).";
@@ -274,20 +272,19 @@ std::string draw_plots(const std::vector<Plot> &pictures, const fs::path &folder
   std::vector<Plot> plots;
   std::copy_if(pictures.begin(), pictures.end(), std::back_inserter(plots),
                [](const Plot &picture) { return picture.drawing.empty(); });
-  const auto gnuplot = find_program("gnuplot");
-  if (!gnuplot)
-    return missing_plotter();
+  if (const std::string trouble = missing_plotter(); !trouble.empty())
+    return trouble;
   if (plots.empty())
     return "";
   std::vector<std::vector<std::string>> commands;
   for (const char *format : formats)
-    commands.push_back(drawing(gnuplot->string(), format, plots));
+    commands.push_back(drawing(format, plots));
   const std::vector<EndedProgram> ended = run_programs(commands, folder);
   std::string trouble;
   for (std::size_t f = 0; f < formats.size(); ++f)
     if (ended[f].exit_status != 0)
       for (const Plot &plot : plots) // gnuplot stops at the first that fails
-        trouble += draw_alone(gnuplot->string(), formats[f], plot, folder);
+        trouble += draw_alone(formats[f], plot, folder);
   for (const Plot &plot : plots)
     if (const fs::path pdf = folder / plot_file(plot, "pdf"); fs::exists(pdf))
       remove_date(pdf);

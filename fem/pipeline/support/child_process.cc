@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
@@ -52,18 +51,9 @@ EndedProgram wait_for(std::FILE *messages)
 
 } // namespace
 
-std::optional<fs::path> find_program(const std::string &name)
+bool has_program(const std::string &name)
 {
-  const char *path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-  {
-    const fs::path file = fs::absolute(fs::path(folder.empty() ? "." : folder) / name);
-    std::error_code error;
-    if (fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0)
-      return file;
-  }
-  return std::nullopt;
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
 std::vector<EndedProgram> run_programs(const std::vector<std::vector<std::string>> &commands,

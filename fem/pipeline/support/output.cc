@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -122,32 +121,6 @@ void remove_results(const fs::path &folder, const std::string &prefix = "")
   ::rmdir(folder.c_str());
 }
 
-/// Gives @p partial the name @p target. Returns the folder where older results are then, if there are any.
-std::optional<fs::path> take_place(const fs::path &partial, const fs::path &target)
-{
-  if (!fs::exists(target) || fs::is_empty(target))
-  {
-    fs::rename(partial, target);
-    return std::nullopt;
-  }
-  if (::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE) == 0)
-    return partial;
-  // Some file systems cannot exchange names.
-  fs::path older = partial;
-  older += ".replaced";
-  fs::rename(target, older);
-  try
-  {
-    fs::rename(partial, target);
-  }
-  catch (const fs::filesystem_error &)
-  {
-    fs::rename(older, target);
-    throw;
-  }
-  return older;
-}
-
 [[noreturn]] void fail_to_write(const fs::path &path, const std::error_code &error)
 {
   throw OutputFailure(
@@ -164,15 +137,6 @@ void require_not_around_working_folder(const fs::path &target)
                         (inside == "." ? " is" : " is around") +
                         " the folder where the program was started, which it does not replace; choose "
                         "another one: --output results.");
-}
-
-void require_no_mount_point(const fs::path &target)
-{
-  struct stat own = {}, above = {};
-  if (::stat(target.c_str(), &own) == 0 && ::stat(target.parent_path().c_str(), &above) == 0 &&
-      own.st_dev != above.st_dev)
-    throw OutputFailure("The output folder " + shortened_path(target.string()) +
-                        " is a mount point, which cannot be renamed; choose a folder in it.");
 }
 
 /// Names the partial folders beside @p target that other runs have made.
@@ -280,9 +244,10 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
       {
         require_not_around_working_folder(target);
         require_replaceable(target);
-        require_no_mount_point(target);
         name_leftovers(target);
         make_partial();
+        if (fs::exists(target) && fs::is_empty(target))
+          fs::rename(partial, target); // fails for a mount point
         remove_partial();
       }
       catch (const fs::filesystem_error &error)
@@ -359,8 +324,13 @@ void ResultsFolder::publish()
   try
   {
     require_replaceable(target);
-    if (const auto older = take_place(whole, target))
-      remove_results(*older);
+    const bool replaces = fs::exists(target) && !fs::is_empty(target);
+    const fs::path older = whole.string() + ".replaced";
+    if (replaces)
+      fs::rename(target, older);
+    fs::rename(whole, target);
+    if (replaces)
+      remove_results(older);
   }
   catch (const OutputFailure &failure)
   {
@@ -390,21 +360,18 @@ void require_writable(const fs::path &file)
 void write_output_file(const fs::path &file, const std::string &text)
 {
   require_writable(file);
-  const bool replaces = is_taken(file);
   const std::string partial = partial_name(file);
-  std::FILE *const stream = std::fopen(partial.c_str(), "wxe");
-  int trouble =
-    stream == nullptr || std::fwrite(text.data(), 1, text.size(), stream) < text.size() ? errno : 0;
-  if (stream != nullptr && std::fclose(stream) != 0 && trouble == 0)
-    trouble = errno;
-  // Unless it replaces a file of its own, nothing that has come meanwhile.
-  if (trouble == 0 &&
-      ::renameat2(AT_FDCWD, partial.c_str(), AT_FDCWD, file.c_str(), replaces ? 0 : RENAME_NOREPLACE) != 0)
-    trouble = errno != EINVAL ? errno : std::rename(partial.c_str(), file.c_str()) != 0 ? errno : 0;
-  if (stream != nullptr && trouble != 0)
+  try
+  {
+    write_text_file(partial, text);
+    require_writable(file);
+    fs::rename(partial, file);
+  }
+  catch (const std::exception &)
+  {
     std::remove(partial.c_str());
-  if (trouble != 0)
-    fail_to_write_file(file, trouble);
+    throw;
+  }
 }
 
 } // namespace stemware::pipeline

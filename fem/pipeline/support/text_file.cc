@@ -24,9 +24,9 @@ void write_text_file(const fs::path &file, const std::string &text)
   if (stream != nullptr && std::fclose(stream) != 0 && trouble == 0)
     trouble = errno;
   if (trouble != 0)
-    throw OutputFailure(fmt::format(FMT_STRING("The file {} of the results cannot be written ({}); make "
-                                               "room, or choose another folder with --output."),
-                                    file.filename().string(), std::generic_category().message(trouble)));
+    throw OutputFailure(fmt::format(
+      FMT_STRING("The file {} cannot be written ({}); make room, or choose another place with --output."),
+      file.filename().string(), std::generic_category().message(trouble)));
 }
 
 std::string read_text_file(const fs::path &file)
