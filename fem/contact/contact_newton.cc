@@ -324,7 +324,7 @@ private:
     steadiness = increment.steadiness;
     n_linear_iterations += increment.linear_iterations;
     const unsigned int n_loaded_now = n_loaded(); // all parts count, whoever reports
-    if (!control.progress && !control.checkpoint)
+    if (!control.progress)
       return;
     ContactIteration iteration;
     iteration.number = n_steps;
@@ -333,10 +333,7 @@ private:
     iteration.residual = residual();
     iteration.step_length = step_length;
     iteration.linear_iterations = increment.linear_iterations;
-    if (control.checkpoint)
-      control.checkpoint({ motion, normal_displacement, n_steps, n_linear_iterations }, iteration);
-    if (control.progress)
-      control.progress(iteration);
+    control.progress(iteration);
   }
 
   ElasticBody &body;

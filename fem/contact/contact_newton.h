@@ -54,8 +54,6 @@ struct ContactControl
   /// nodes. A pressure that is integrated along lines depends on its edges smoothly.
   bool set_matters = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
-  /// Called after each step, before `progress`, with where the solve could go on; may be empty.
-  std::function<void(const ContactStart &, const ContactIteration &)> checkpoint;
   /// Asked after each step: whether what has been found is enough, whatever the tolerances on the residual
   /// say; may be empty.
   std::function<bool(const ContactSolution &)> is_enough;

@@ -51,7 +51,7 @@ std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const Interf
 
 std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                     double softening, const ContactDemand &demand,
-                                                    double radius, ContactCheckpoint *checkpoint)
+                                                    double radius)
 {
   body.reset();
   const std::unique_ptr<SolidBody> coarse = body.coarser();
@@ -60,30 +60,18 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
   const std::shared_ptr<const InterfaceLaw> softer = interface.softened(softening);
   try
   {
-    std::optional<ContactStart> start;
-    if (checkpoint)
-      if (const auto kept = checkpoint->restore(*coarse))
-        start = kept->start;
-    if (!start)
-      start = coarse->has_coarser()
-                ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius, checkpoint)
-                : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
-    ContactControl control = coarse_control(softening);
-    if (checkpoint)
-      control.checkpoint = [&](const ContactStart &at, const ContactIteration &)
-      { checkpoint->save(*coarse, at, {}); };
+    const std::optional<ContactStart> start =
+      coarse->has_coarser() ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius)
+                            : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
     const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
     const ContactSolution solution =
-      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius, control,
-                    start ? &*start : nullptr);
+      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
+                    coarse_control(softening), start ? &*start : nullptr);
     body.start_from(*coarse);
     const ContactSurface &surface = body.contact_surface();
-    const ContactStart next =
-      hardened({ solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion },
-               surface, softening);
-    if (checkpoint)
-      checkpoint->save(body, next, {});
-    return next;
+    return hardened(
+      { solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion }, surface,
+      softening);
   }
   catch (const ContactFailure &)
   {

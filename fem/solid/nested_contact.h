@@ -3,7 +3,6 @@
 #include "fem/contact/contact_demand.h"
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/interface_law.h"
-#include "fem/solid/contact_checkpoint.h"
 #include "fem/solid/solid_body.h"
 
 #include <optional>
@@ -17,10 +16,9 @@ namespace stemware::fem
 /// the contact.
 ///
 /// Each coarser mesh has an interface @p softening times softer: 1 for a table that yields by itself, more
-/// for a spring that stands for a hard one and can be found by hardening only. A @p checkpoint is kept after
-/// each step, and gone on from where it has one of these meshes.
+/// for a spring that stands for a hard one and can be found by hardening only.
 std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                     double softening, const ContactDemand &demand,
-                                                    double radius, ContactCheckpoint *checkpoint = nullptr);
+                                                    double radius);
 
 } // namespace stemware::fem

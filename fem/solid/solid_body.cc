@@ -1,6 +1,5 @@
 #include "fem/solid/solid_body.h"
 
-#include "fem/solid/binary_stream.h"
 #include "fem/solid/factorized_stiffness.h"
 #include "fem/solid/multigrid_stiffness.h"
 
@@ -179,12 +178,15 @@ void SolidBody::for_each_state(Body &body, const Use &use)
 
 void SolidBody::write_state(std::ostream &stream) const
 {
-  for_each_state(*this, [&](const auto *numbers, std::size_t n) { write_binary(stream, numbers, n); });
+  for_each_state(
+    *this, [&](const auto *numbers, std::size_t n)
+    { stream.write(reinterpret_cast<const char *>(numbers), std::streamsize(n * sizeof *numbers)); });
 }
 
 void SolidBody::read_state(std::istream &stream)
 {
-  for_each_state(*this, [&](auto *numbers, std::size_t n) { read_binary(stream, numbers, n); });
+  for_each_state(*this, [&](auto *numbers, std::size_t n)
+                 { stream.read(reinterpret_cast<char *>(numbers), std::streamsize(n * sizeof *numbers)); });
 }
 
 SolidBody::Vector SolidBody::displacement_for_output() const

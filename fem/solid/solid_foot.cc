@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -67,24 +66,6 @@ bool is_spring(const SolidSetup &setup, const SolidBody &body)
   return setup.table.interface->is_hard() && body.has_coarser();
 }
 
-/// All numbers of a demand and a slip.
-std::string text_of(const ContactDemand &demand, const ring::Slip &slip)
-{
-  std::ostringstream text;
-  text << std::setprecision(17);
-  for (const double number : { demand.normal_force, demand.moment_x, demand.moment_y, demand.tilt_moment,
-                               slip.spin_per_speed, slip.orientation.glass, slip.orientation.table })
-    text << number << ' ';
-  for (const double radius : demand.ring_radii)
-    text << radius << ' ';
-  for (const ring::LoadFunctional &function : { demand.friction_x, demand.friction_y })
-    for (const auto &coefficients : { function.a, function.b })
-      for (const std::vector<double> &ring : coefficients)
-        for (const double number : ring)
-          text << number << ' ';
-  return text.str();
-}
-
 std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const SolidBody &body)
 {
   if (setup.table.substrate)
@@ -134,10 +115,6 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const Solid
 {
   if (has_multipliers() && setup.options.linear_tolerance == 0)
     body->set_linear_tolerance(foot_numbers.reduction);
-  if (!setup.checkpoint_folder.empty() && !body->has_coarser())
-    throw std::invalid_argument("Contact/Checkpoint folder needs a solid foot on a refined mesh; set "
-                                "Contact/Refinements to at least 1 and Contact/Linear solver = automatic, or "
-                                "leave it empty.");
 }
 
 SolidFoot::~SolidFoot() = default;
@@ -255,32 +232,8 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
         throw;
     }
   law->start_from({});
-  std::optional<ContactCheckpoint> checkpoint;
-  std::optional<ContactStart> start;
-  std::vector<ContactIteration> history; // of this solve, with the steps before it was stopped
-  if (!setup.checkpoint_folder.empty())
-  {
-    checkpoint.emplace(setup.checkpoint_folder, setup.checkpoint_owner,
-                       setup.problem + text_of(demand, slip));
-    control.checkpoint = [&](const ContactStart &at, const ContactIteration &step)
-    {
-      history.push_back(step);
-      checkpoint->save(*body, at, history);
-    };
-    if (const auto kept = checkpoint->restore(*body))
-    {
-      start = kept->start;
-      history = kept->history;
-      for (const ContactIteration &step : history)
-        control.progress(step);
-    }
-  }
-  if (!start)
-    start = start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius,
-                                    checkpoint ? &*checkpoint : nullptr);
-  const ContactSolution solution = find_contact(conditions, control, start);
-  if (checkpoint)
-    checkpoint->remove();
+  const ContactSolution solution = find_contact(
+    conditions, control, start_from_coarser_mesh(*body, *interface, softening_of_coarser, demand, radius));
   if (!(solution.steadiness > 0))
     throw ContactFailure(
       ContactOutcome::tipping,

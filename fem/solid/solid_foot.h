@@ -54,10 +54,6 @@ struct SolidSetup
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
   double hardness = 1; ///< of a hard interface's spring over the usual; below 1 of any interface over its own
-  /// Folder for the state of the solve at work (ContactCheckpoint); empty: none is kept.
-  std::string checkpoint_folder;
-  std::string problem;          ///< text that no other setup and mesh share, for the checkpoint
-  std::string checkpoint_owner; ///< text that no other study shares whose solves take turns in that folder
 };
 
 /// The foot as three-dimensional finite elements on all MPI ranks. A mesh file's x axis is the azimuth 0 of

@@ -4,7 +4,6 @@
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
-#include "fem/solid/contact_checkpoint.h"
 #include "fem/solid/solid_foot.h"
 
 #include <fmt/format.h>
@@ -62,13 +61,6 @@ fem::SolidSetup solid_setup(const Study &study)
   setup.hardness = study.contact.hardness;
   if (study.model.friction_in_foot)
     set_friction(study, setup);
-  setup.checkpoint_folder = study.contact.checkpoint_folder;
-  setup.checkpoint_owner = study.contact.checkpoint_owner;
-  if (!setup.checkpoint_folder.empty()) // says before the work where it cannot be used
-    fem::ContactCheckpoint(setup.checkpoint_folder, setup.checkpoint_owner, "");
-  setup.problem = study_identity(study);
-  for (const fem::MarkedCells &marked : study.contact.halved)
-    setup.problem += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
   return setup;
 }
 

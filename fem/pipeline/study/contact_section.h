@@ -61,8 +61,6 @@ struct ContactSection
   BodyKind body = BodyKind::revolution;
   std::string mesh_file; ///< empty: the mesh is generated from the glass
   fem::MeshMarks mesh_marks;
-  std::string checkpoint_folder; ///< empty: no checkpoint is kept
-  std::string checkpoint_owner;  ///< the study as it was given, whose variants share the folder; not an entry
   unsigned int degree = 2;
   fem::FootResolution resolution;
   fem::LinearSolver linear_solver = fem::LinearSolver::automatic;
@@ -157,11 +155,6 @@ struct ContactSection
                   { "torque", Goal::torque } },
                 "What the cells that matter are halved for (torque: at half the terminal spin)");
     list.number("Goal tolerance", goal_tolerance, positive, "", "Error left of the goal, over its value");
-    list.path("Checkpoint folder", checkpoint_folder,
-              "Folder for the state of a long contact solve of a refined solid body, kept after each Newton "
-              "step: the same study goes on from there when it was killed; empty: none. The state of another "
-              "study is kept and said. A relative path starts at the study file",
-              used_if(is_solid), of_a_folder());
     list.number("Memory limit", memory_limit, positive, "B", "More is refused before the work");
   }
 };

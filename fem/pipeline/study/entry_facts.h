@@ -39,12 +39,6 @@ constexpr auto times_contact_radius(double least = 1e-5, double most = 300)
   return [=](auto &entry) { entry.times_contact_radius = { least, most }; };
 }
 
-/// The path is that of a folder, which the program may make.
-constexpr auto of_a_folder()
-{
-  return [](auto &entry) { entry.is_folder = true; };
-}
-
 constexpr auto follows_from_profile()
 {
   return [](auto &entry) { entry.follows_from_profile = true; };

@@ -154,6 +154,7 @@ const std::vector<Renamed> all_renamed = {
   { "Load/Coupling", "exact", "write Load/Coupling = two-way" },
   { "Load/Response tolerance", "",
     "leave it out: with Load/Coupling = two-way the contact is solved in balance at every spin" },
+  { "Contact/Checkpoint folder", "", "a contact takes seconds to a minute: leave the entry out", "0.3" },
 };
 
 /// Throws BadInput with the new way for an entry or a value of an earlier version. @p origin begins the

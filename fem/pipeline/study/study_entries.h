@@ -32,7 +32,6 @@ struct StudyEntry
   std::string unit;                  ///< "1" for pure numbers, empty for words and paths
   double *quantity = nullptr;        ///< where the entry takes any number, not only whole ones: its value
   std::string *path_value = nullptr; ///< where the entry is a path: its value
-  bool is_folder = false;            ///< the path is that of a folder, and not of a file to read
   bool follows_from_profile = false; ///< from the points of a drawn section, where it is not given
   // The study as it was when its entries were asked for:
   bool is_given = false;  ///< the study was given the entry (Study::given_entries)

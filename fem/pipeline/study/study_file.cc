@@ -182,12 +182,12 @@ void forget_stated_defaults(Study &study)
       study.given_entries.erase(own[i].path());
 }
 
-/// The paths that the study gives: of the files that it reads, and, with @p folders too, of folders.
-std::vector<std::string *> paths_of(Study &study, bool folders)
+/// Paths of the files that the study reads.
+std::vector<std::string *> paths_of(Study &study)
 {
   std::vector<std::string *> paths;
   for (const StudyEntry &entry : study_entries(study))
-    if (entry.path_value && !entry.path_value->empty() && (folders || !entry.is_folder))
+    if (entry.path_value && !entry.path_value->empty())
       paths.push_back(entry.path_value);
   return paths;
 }
@@ -291,11 +291,10 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
     is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
   }
   forget_stated_defaults(study);
-  for (std::string *path : paths_of(study, true))
+  for (std::string *path : paths_of(study))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
   read_files_and_check(study);
-  study.contact.checkpoint_owner = study_identity(study);
   return study;
 }
 
@@ -321,14 +320,14 @@ std::vector<std::string> files_of(const Study &study)
 {
   Study copy = study;
   std::vector<std::string> files;
-  for (const std::string *path : paths_of(copy, false))
+  for (const std::string *path : paths_of(copy))
     files.push_back(*path);
   return files;
 }
 
 Study with_paths_from(const std::filesystem::path &folder, Study study)
 {
-  for (std::string *path : paths_of(study, true))
+  for (std::string *path : paths_of(study))
     *path = std::filesystem::relative(*path, folder).string();
   return study;
 }
@@ -348,8 +347,7 @@ std::string study_as_prm(const Study &study)
 
 std::string study_identity(Study study)
 {
-  study.contact.checkpoint_folder.clear();
-  for (std::string *path : paths_of(study, true))
+  for (std::string *path : paths_of(study))
     *path = std::filesystem::absolute(*path).lexically_normal().string();
   return study_as_prm(study);
 }

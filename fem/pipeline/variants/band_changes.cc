@@ -187,7 +187,6 @@ std::vector<BandChange> changes_of_solid(const Study &given, const ElasticFoot &
   if (is_narrow && given.table.is_hard())
     throw BadInput("the contact is narrower than the mesh's cells");
   Study study = given;
-  study.contact.checkpoint_folder.clear();
   const auto is_affordable = [](const Study &finer)
   { return size_of(finer).memory <= finer.contact.memory_limit; };
   std::vector<BandChange> changes;

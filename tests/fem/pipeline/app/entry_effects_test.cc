@@ -158,7 +158,6 @@ const std::vector<Effect> effects = {
   // The mesh of this study is fine enough for both; in goal_mesh_test.cc it is not.
   { "Contact/Goal", "a2", nothing, {}, second_harmonic },
   { "Contact/Goal tolerance", "1e-3", nothing, {}, second_harmonic },
-  { "Contact/Checkpoint folder", "state", nothing, {}, second_harmonic },
   { "Contact/Memory limit", "8e9", nothing, {}, second_harmonic },
   { "Motion/Centre of mass height", "0.09", "/ring/omega_terminal", two_way },
   { "Load/Moment ratio", "0.5", "/load/moment_ratio" },

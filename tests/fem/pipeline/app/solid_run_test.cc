@@ -4,11 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
-#include <thread>
 
 namespace stemware::test
 {
@@ -177,32 +174,6 @@ TEST(SolidRun, SaysWhatItsMeshLeavesOfTheGoal)
   { return summary["error_bands"]["omega_terminal"]["band"].get<double>(); };
   EXPECT_GT(band_of(one), 0);
   EXPECT_NEAR(band_of(two) / band_of(one), 1, 1e-4);
-}
-
-TEST(SolidRun, GoesOnFromItsCheckpointWhenItWasKilled)
-{
-  const ScratchFolder scratch;
-  const std::vector<std::string> whole = { "run",     scratch.write("refined.prm", coarse_study()),
-                                           "--set",   "Contact/Degree=2",
-                                           "--set",   "Contact/Refinements=1",
-                                           "--output" };
-  std::vector<std::string> arguments = whole;
-  arguments.insert(arguments.end(), { "again", "--set", "Contact/Checkpoint folder=state" });
-  std::vector<std::string> without = whole;
-  without.emplace_back("whole");
-  ASSERT_EQ(stemware(scratch, without).exit_code, 0);
-  std::vector<std::string> command = { STEMWARE_PROGRAM };
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  RunningProgram program(command, scratch.path());
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!std::filesystem::exists(scratch / "state/latest") && std::chrono::steady_clock::now() < deadline)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  program.send(SIGKILL);
-  EXPECT_EQ(program.end().exit_code, 128 + SIGKILL);
-  const Ended ended = stemware(scratch, arguments);
-  ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(read_summary(scratch / "again")["load"], read_summary(scratch / "whole")["load"]);
-  EXPECT_TRUE(std::filesystem::is_empty(scratch / "state"));
 }
 
 } // namespace

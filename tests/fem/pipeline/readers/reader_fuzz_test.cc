@@ -7,7 +7,6 @@
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/solid/checkpoint_manifest.h"
 #include "tests/fem/geometry/mesh_writers.h"
 
 #include <gtest/gtest.h>
@@ -192,15 +191,6 @@ const std::string case_lines =
   "{\"case\":3,\"outcome\":\"contact\",\"message\":\"100 Newton steps\",\"values\":[]}\n"
   "{\"case\":4,\"outcome\":\"contact\",\"message\":\"tipping\",\"values\":[]}\n";
 
-std::string manifest_of_checkpoint()
-{
-  fem::CheckpointManifest manifest;
-  manifest.state = 3;
-  manifest.n_ranks = 2;
-  manifest.files = { { 100, 1 }, { 200, 2 } };
-  return fem::manifest_text(manifest);
-}
-
 /// Made once.
 std::vector<FuzzedReader> made_readers()
 {
@@ -210,13 +200,6 @@ std::vector<FuzzedReader> made_readers()
   };
   const auto read_speeds = [](const fs::path &file) {
     read_study("", { "Motion/End time=1", "Motion/Orbit speed file=" + file.string() });
-  };
-  const auto read_checkpoint = [](const fs::path &file)
-  {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-    const auto manifest = fem::checkpoint_manifest_in(text);
-    EXPECT_TRUE(!manifest || fem::manifest_text(*manifest) == text);
   };
   return {
     { "prm", ".prm", { text_in_docs("wine_glass.prm"), commented_defaults() }, read_given_study },
@@ -233,8 +216,7 @@ std::vector<FuzzedReader> made_readers()
     { "msh", ".msh", { small_mesh(".msh"), small_gmsh_4() }, read_mesh },
     { "inp", ".inp", { small_mesh(".inp"), small_mesh(".inp") + "*ELSET, ELSET=A\n1, 2\n" }, read_mesh },
     { "vtu", ".vtu", { small_mesh(".vtu") }, read_mesh },
-    { "cases", ".jsonl", { case_lines }, [](const fs::path &file) { recover_cases(file); } },
-    { "checkpoint", ".txt", { manifest_of_checkpoint() }, read_checkpoint }
+    { "cases", ".jsonl", { case_lines }, [](const fs::path &file) { recover_cases(file); } }
   };
 }
 

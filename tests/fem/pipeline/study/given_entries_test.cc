@@ -207,6 +207,8 @@ TEST(RenamedEntries, AreRefusedWithTheNewWordsWhereverTheyStand)
   expect_refusal("Load", "Response tolerance", "1e-6",
                  old_entry + "leave it out: with Load/Coupling = two-way the contact is solved in balance at "
                              "every spin.");
+  expect_refusal("Contact", "Checkpoint folder", "state",
+                 "an entry of version 0.3; a contact takes seconds to a minute: leave the entry out.");
 }
 
 TEST(RenamedEntries, TheNewWordsAreTaken)

@@ -97,7 +97,6 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Contact/Friction coupling", "elastic" },
     { "Contact/Goal", "none" },
     { "Contact/Goal tolerance", "1e-5" },
-    { "Contact/Checkpoint folder", "" },
     { "Contact/Memory limit", "4e9" },
     { "Load/Source", "contact" },
     { "Load/Coupling", "two-way" },
