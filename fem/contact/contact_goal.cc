@@ -6,27 +6,20 @@
 namespace stemware::fem
 {
 
-MarkedCells MeshError::mark(double share) const
+std::vector<unsigned int> MeshError::mark(double share) const
 {
-  std::vector<double> all = foot_cells;
-  all.insert(all.end(), disc_cells.begin(), disc_cells.end());
-  std::vector<unsigned int> order(all.size());
+  std::vector<unsigned int> order(cells.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
-                   [&](unsigned int i, unsigned int j) { return all[i] > all[j]; });
-  const double enough = share * std::accumulate(all.begin(), all.end(), 0.);
-  MarkedCells marked;
+                   [&](unsigned int i, unsigned int j) { return cells[i] > cells[j]; });
+  const double enough = share * std::accumulate(cells.begin(), cells.end(), 0.);
   double sum = 0;
   double last = 0;
-  for (auto cell = order.begin(); cell != order.end() && (sum < enough || all[*cell] == last); ++cell)
-  {
-    sum += last = all[*cell];
-    if (*cell < foot_cells.size())
-      marked.foot.push_back(*cell);
-    else
-      marked.disc.push_back(*cell - static_cast<unsigned int>(foot_cells.size()));
-  }
-  return marked;
+  auto end = order.begin();
+  for (; end != order.end() && (sum < enough || cells[*end] == last); ++end)
+    sum += last = cells[*end];
+  order.erase(end, order.end());
+  return order;
 }
 
 } // namespace stemware::fem

@@ -19,25 +19,16 @@ struct ContactGoal
   Eigen::Vector3d of_motion = Eigen::Vector3d::Zero(); ///< of the table motions [J/m, J/rad, J/rad]
 };
 
-/// Cells of a mesh that are halved, by their numbers among the active ones.
-struct MarkedCells
-{
-  std::vector<unsigned int> foot;
-  std::vector<unsigned int> disc; ///< of an elastic table
-};
-
 /// Error of a number asked of a solved contact that is due to the mesh, to first order.
 struct MeshError
 {
   double correction = 0; ///< added to the number it gives that of the exact displacement, as estimated
-  /// Shares of the mesh's cells in it, all >= 0, by active cell: what to halve first. Of the foot, and of the
-  /// disc under it where there is one.
-  std::vector<double> foot_cells;
-  std::vector<double> disc_cells;
+  /// Shares of the mesh's cells in it, all >= 0, by active cell: what to halve first.
+  std::vector<double> cells;
 
-  /// The fewest cells that have @p share of the sum of all shares, and those with as much as the last of
-  /// them: rings of equal cells stay whole.
-  MarkedCells mark(double share) const;
+  /// Numbers of the fewest cells that have @p share of the sum of all shares, and of those with as much as
+  /// the last of them: rings of equal cells stay whole.
+  std::vector<unsigned int> mark(double share) const;
 };
 
 } // namespace stemware::fem

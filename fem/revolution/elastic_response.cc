@@ -103,31 +103,6 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
   return result + modes.evaluate(amplitudes);
 }
 
-Eigen::MatrixXd ElasticResponse::transposed_displacement(const Eigen::MatrixXd &weights) const
-{
-  const double per_line = n_lines() / FourierBasis::norm(0);
-  const Eigen::MatrixXd projected = modes.project(weights);
-  const auto answer = [&](const auto &matrix_of)
-  {
-    Eigen::MatrixXd amplitudes(n_radii(), modes.n_modes());
-    for (unsigned int mode = 0; mode < modes.n_modes(); ++mode)
-      amplitudes.col(mode) = matrix_of(circles.harmonics[FourierBasis::harmonic(mode)]).transpose() *
-                             projected.col(mode) / FourierBasis::norm(mode);
-    return amplitudes;
-  };
-  Eigen::MatrixXd result = per_line * (circles.beyond.normal.transpose() * weights) +
-                           modes.evaluate(answer([&](const HarmonicCompliance &of) -> Eigen::MatrixXd
-                                                 { return of.normal - circles.beyond.normal; }));
-  if (!has_sliding())
-    return result;
-  const Eigen::MatrixXd radial = per_line * (circles.beyond.radial.transpose() * weights) +
-                                 modes.evaluate(answer([&](const HarmonicCompliance &of) -> Eigen::MatrixXd
-                                                       { return of.radial - circles.beyond.radial; }));
-  const Eigen::MatrixXd azimuthal = modes.evaluate_conjugates(
-    answer([](const HarmonicCompliance &of) -> const Eigen::MatrixXd & { return of.azimuthal; }));
-  return result + radial.cwiseProduct(slide_radial) + azimuthal.cwiseProduct(slide_azimuthal);
-}
-
 HarmonicCompliance ElasticResponse::local(Eigen::Index first, Eigen::Index size) const
 {
   const double per_line = n_lines() / FourierBasis::norm(0);

@@ -58,10 +58,6 @@ public:
   /// u_z under the normal @p forces [N] and the friction that they bring along [m].
   Eigen::MatrixXd displacement(const Eigen::MatrixXd &forces) const;
 
-  /// The transpose of displacement(): what a virtual normal displacement of the lines, @p weights, says about
-  /// the normal forces that come with their friction. Without friction both are the same.
-  Eigen::MatrixXd transposed_displacement(const Eigen::MatrixXd &weights) const;
-
   /// The forces' harmonics up to n_max.
   ForceModes force_modes(const Eigen::MatrixXd &forces) const;
 

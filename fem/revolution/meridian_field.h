@@ -34,9 +34,6 @@ public:
   Amplitudes amplitudes(const dealii::DoFHandler<2>::active_cell_iterator &cell,
                         const dealii::Quadrature<2> &unit_points) const;
 
-  /// Displacement of one mode: amplitudes at the space's nodes; empty where the mode carries no force.
-  const dealii::Vector<double> &displacement(unsigned int mode) const { return displacements[mode]; }
-
   const MeridianSpace &space() const { return meridian; }
   const ElasticMaterial &material() const { return glass; }
   unsigned int n_modes() const { return static_cast<unsigned int>(displacements.size()); }

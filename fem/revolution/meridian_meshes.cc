@@ -104,10 +104,9 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
     flag_corner_cells(foot, reentrant_corners(foot));
     refine();
   }
-  for (const MarkedCells &marked : setup.halved)
+  for (const std::vector<unsigned int> &cells : setup.halved)
   {
-    flag(foot, marked.foot);
-    flag(disc, marked.disc);
+    flag(foot, cells);
     refine();
   }
   for (unsigned int i = 0; i < setup.halvings_beyond_zone; ++i)
@@ -143,20 +142,6 @@ void MeridianMeshes::refine_beyond_zone(const RevolutionSetup &setup)
           cell->set_refine_flag();
       }
   refine();
-}
-
-void MeridianMeshes::refine_where_singular(double inner, double outer, unsigned int n_halvings)
-{
-  for (unsigned int i = 0; i < n_halvings; ++i)
-  {
-    flag_corner_cells(foot, reentrant_corners(foot));
-    for (Triangulation<2> *body : { &foot, &disc })
-      if (i == 0 && body->n_levels() > 0)
-        for (const auto &cell : body->active_cell_iterators())
-          if (const auto [begin, end] = contact_of(cell); begin < end && begin < outer && end > inner)
-            cell->set_refine_flag();
-    refine();
-  }
 }
 
 std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,

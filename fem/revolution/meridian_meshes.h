@@ -26,10 +26,6 @@ struct MeridianMeshes
   /// cells that lie in the focus of @p setup or are as small.
   void refine_beyond_zone(const RevolutionSetup &setup);
 
-  /// Halves all contact cells between the radii @p inner and @p outer, and @p n_halvings times those cells
-  /// outside the contact zone that touch a re-entrant corner.
-  void refine_where_singular(double inner, double outer, unsigned int n_halvings);
-
   dealii::Triangulation<2> foot;
   dealii::Triangulation<2> disc;
 };

@@ -9,7 +9,6 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -135,47 +134,6 @@ HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic)
   result.azimuthal = displacements.bottomRows(n_nodes).transpose();
   result.normal = (result.normal + result.normal.transpose()).eval() / 2;
   return result;
-}
-
-double MeridianSpace::detail_product(unsigned int harmonic, const Cell &cell, const Vector<double> &first,
-                                     const Vector<double> &second) const
-{
-  const unsigned int n = element.n_dofs_per_cell();
-  FullMatrix<double> lowered(n, n);
-  FETools::get_back_interpolation_matrix(element, FESystem<2>(FE_Q<2>(element.degree - 1), 3), lowered);
-  const auto interpolant = [&](const Vector<double> &values)
-  {
-    Vector<double> on_cell(n), result(n);
-    cell->get_interpolated_dof_values(values, on_cell);
-    lowered.vmult(result, on_cell);
-    return result;
-  };
-  double product = 0;
-  // What is left on the children, their part of the interpolants prolonged from the cell's.
-  const std::function<void(const Cell &, const Vector<double> &, const Vector<double> &)> add =
-    [&](const Cell &part, const Vector<double> &one, const Vector<double> &other)
-  {
-    Vector<double> v(n), w(n);
-    if (part->is_active())
-    {
-      part->get_dof_values(first, v);
-      part->get_dof_values(second, w);
-      v -= one;
-      w -= other;
-      product += stiffness->product(harmonic, part->active_cell_index(), v, w);
-      return;
-    }
-    for (unsigned int child = 0; child < part->n_children(); ++child)
-    {
-      const FullMatrix<double> &prolongation =
-        element.get_prolongation_matrix(child, part->refinement_case());
-      prolongation.vmult(v, one);
-      prolongation.vmult(w, other);
-      add(part->child(child), v, w);
-    }
-  };
-  add(cell, interpolant(first), interpolant(second));
-  return product;
 }
 
 void MeridianSpace::find_contact_nodes()

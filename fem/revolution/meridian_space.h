@@ -81,12 +81,6 @@ public:
     std::unique_ptr<const BlockInverse> inverse;
   };
 
-  using Cell = dealii::DoFHandler<2>::cell_iterator;
-  /// Energy product per radian, on @p cell or its children, of what an interpolation of one degree less on @p
-  /// cell leaves out of @p first and @p second.
-  double detail_product(unsigned int harmonic, const Cell &cell, const dealii::Vector<double> &first,
-                        const dealii::Vector<double> &second) const;
-
 private:
   void find_contact_nodes();
   /// Nodes at r = 0; an annular section has none of them.

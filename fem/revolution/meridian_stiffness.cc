@@ -16,6 +16,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
 {
   const FiniteElement<2> &element = dof_handler.get_fe();
   const unsigned int n_dofs = element.n_dofs_per_cell(), n_shapes = n_dofs / 3;
+  std::vector<unsigned int> order; // the element's numbers of a cell's dofs
   for (unsigned int i = 0; i < n_shapes; ++i)
     for (unsigned int c = 0; c < 3; ++c)
       order.push_back(element.component_to_system_index(c, i));
@@ -49,23 +50,6 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
       entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data()); // symmetric
     cells.push_back(std::move(entry));
   }
-}
-
-double MeridianStiffness::product(unsigned int harmonic, unsigned int active_cell,
-                                  const Vector<double> &first, const Vector<double> &second) const
-{
-  const std::array<FullMatrix<double>, 3> &parts = cells[active_cell].parts;
-  const std::array<double, 3> factors = factors_of(harmonic);
-  Vector<double> v(first.size()), w(first.size());
-  for (unsigned int i = 0; i < order.size(); ++i)
-  {
-    v(i) = first(order[i]);
-    w(i) = second(order[i]);
-  }
-  double sum = 0;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    sum += factors[k] * parts[k].matrix_scalar_product(v, w);
-  return sum;
 }
 
 std::array<double, 3> MeridianStiffness::factors_of(unsigned int harmonic)

@@ -34,17 +34,12 @@ public:
   void assemble(const std::array<double, 3> &factors, const dealii::AffineConstraints<double> &constraints,
                 dealii::SparseMatrix<double> &matrix) const;
 
-  /// v'K_n w of the active cell with that number, v and w the values @p first and @p second of its dofs.
-  double product(unsigned int harmonic, unsigned int active_cell, const dealii::Vector<double> &first,
-                 const dealii::Vector<double> &second) const;
-
 private:
   struct Cell
   {
     std::vector<dealii::types::global_dof_index> dofs; ///< as HarmonicStiffness orders them
     std::array<dealii::FullMatrix<double>, 3> parts;   ///< factors of 1, n and n^2
   };
-  std::vector<unsigned int> order; ///< the element's numbers of a cell's dofs
   std::vector<Cell> cells;
 };
 

@@ -1,6 +1,5 @@
 #include "fem/revolution/meshed_revolution_foot.h"
 
-#include "fem/revolution/goal_estimate.h"
 #include "fem/revolution/meridian_field.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/pressure_field.h"
@@ -42,21 +41,6 @@ std::shared_ptr<const ContactCompliance> MeshedRevolutionFoot::of_whole_land() c
                      compliance_of(setup, MeridianMeshes(setup), setup.meridian, cache);
                  });
   return whole_land->compliance;
-}
-
-std::optional<MeshError> MeshedRevolutionFoot::mesh_error(const ContactState &state, const ContactGoal &goal,
-                                                          bool with_cells) const
-{
-  if (!setup.imperfection.empty())
-    return std::nullopt;
-  const Zone &zone = zone_of(state);
-  SolvedContact contact = { setup, zone.body, *interface };
-  contact.gap = gap_at({});
-  contact.state = &state;
-  contact.cache = &finer;
-  if (setup.friction_coefficient > 0)
-    contact.sliding = sliding_at(state.slip);
-  return estimate_mesh_error(contact, goal, with_cells);
 }
 
 struct MeshedRevolutionFoot::Meridian

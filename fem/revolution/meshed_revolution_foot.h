@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 namespace stemware::fem
@@ -13,8 +12,7 @@ namespace stemware::fem
 
 class MeridianField;
 
-/// A foot of revolution with the meridional meshes that its compliance comes from: it knows its fields, and
-/// what its meshes leave.
+/// A foot of revolution with the meridional meshes that its compliance comes from: it knows its fields.
 class MeshedRevolutionFoot : public RevolutionFoot
 {
 public:
@@ -30,9 +28,6 @@ public:
   std::shared_ptr<const Foot> twin() const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
-  /// Error by estimate_mesh_error(); nothing for a foot or table that is out of flat.
-  std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
-                                      bool with_cells) const override;
 
 private:
   /// The compliance of the whole land, once for a foot and its twins.
@@ -53,7 +48,6 @@ private:
   MeridianField field(const ContactState &state) const;
 
   mutable std::shared_ptr<const Meridian> made_meridian; ///< of meridian(), when it was asked for
-  mutable ComplianceCache finer{ 4 };                    ///< of mesh_error()
 };
 
 } // namespace stemware::fem

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/contact/contact_goal.h"
 #include "fem/contact/table.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/elasticity/elastic_material.h"
@@ -31,9 +30,10 @@ struct RevolutionSetup
   bool friction_in_foot = true; ///< whether friction tractions deform the foot
   bool friction_in_substrate = true;
 
-  MeridianOptions meridian;        ///< order and highest elastic harmonic
-  MeridianResolution resolution;   ///< see resolved_for()
-  std::vector<MarkedCells> halved; ///< of the meshes that `resolution` gives, one after the other
+  MeridianOptions meridian;      ///< order and highest elastic harmonic
+  MeridianResolution resolution; ///< see resolved_for()
+  /// Numbers of the active cells of the foot that are halved, mesh after mesh.
+  std::vector<std::vector<unsigned int>> halved;
   /// How often the cells at re-entrant corners are halved.
   unsigned int corner_halvings = 0;
   unsigned int n_lines = 256; ///< azimuth lines

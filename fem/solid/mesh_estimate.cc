@@ -217,15 +217,15 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   products.scale(body.residual(pressed.forces));
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
-  error.foot_cells = sums_over_cells(hierarchy->level(finest), products, numbers);
+  error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
   // What is as large all round a ring cancels in no other place: a mesh of rings stays one.
   for (const std::vector<std::size_t> &ring : numbers.rings())
   {
     double sum = 0;
     for (const std::size_t cell : ring)
-      sum += error.foot_cells[cell];
+      sum += error.cells[cell];
     for (const std::size_t cell : ring)
-      error.foot_cells[cell] = std::abs(sum) / static_cast<double>(ring.size());
+      error.cells[cell] = std::abs(sum) / static_cast<double>(ring.size());
   }
   return error;
 }

@@ -88,12 +88,11 @@ Study with_smaller_cells(Study study, unsigned int n_halvings)
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
     const std::vector<fem::SectionPolygon> cells = foot_section(study);
-    fem::MarkedCells marked;
-    marked.foot = corner_cells(cells);
+    std::vector<unsigned int> marked = corner_cells(cells);
     if (!is_focused)
       for (const unsigned int c : contact_cells(cells, study))
-        marked.foot.push_back(c);
-    if (marked.foot.empty())
+        marked.push_back(c);
+    if (marked.empty())
       break;
     study.contact.halved.push_back(marked);
   }

@@ -140,21 +140,14 @@ ContactGoal second_harmonic(const Case &study)
   return goal;
 }
 
-/// Of the body of revolution, on meshes refined until they have nothing left that is seen here.
+/// Of the body of revolution, on elements of degree 4, half as large as usual and less at re-entrant edges.
 double truth(const Case &study)
 {
-  constexpr double enough = 2e-8;
   RevolutionSetup setup = study.revolution;
-  const ContactGoal goal = second_harmonic(study);
-  for (;;)
-  {
-    MeshedRevolutionFoot foot(setup);
-    const ContactState state = foot.solve(study.demand, study.slip);
-    const MeshError error = foot.mesh_error(state, goal, true).value();
-    if (std::abs(error.correction) < enough || setup.halved.size() == 8)
-      return goal.of_load(state.load) + error.correction;
-    setup.halved.push_back(error.mark(0.9));
-  }
+  setup.meridian.degree = 4;
+  setup.resolution.refinements += 1;
+  setup.corner_halvings += 12;
+  return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
 /// Solves on @p mesh and prints its row; returns the shares where it estimates.
@@ -236,7 +229,7 @@ void run(const Case &study)
     if (mesh.triangulation->n_global_active_cells() * 24 > study.most_unknowns)
       break;
     const MeshError error = solve_on(mesh, study, exact, "adaptive", true);
-    halve(mesh, error.mark(study.share).foot);
+    halve(mesh, error.mark(study.share));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace stemware::pipeline
 {
@@ -37,16 +38,16 @@ std::string elements_of(const Study &study)
   bare.glass = study.glass;
   bare.contact = study.contact;
   std::string text = study_identity(bare) + fmt::format(FMT_STRING("{}\n"), edge_halvings(study));
-  for (const fem::MarkedCells &marked : study.contact.halved)
-    text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(marked.foot, " "));
+  for (const std::vector<unsigned int> &cells : study.contact.halved)
+    text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(cells, " "));
   return text;
 }
 
 fem::SolidMesh solid_mesh(const Study &study)
 {
   fem::SolidMesh mesh = mesh_before_goal(study);
-  for (const fem::MarkedCells &marked : study.contact.halved)
-    fem::halve(mesh, marked.foot);
+  for (const std::vector<unsigned int> &cells : study.contact.halved)
+    fem::halve(mesh, cells);
   return mesh;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/contact/contact_goal.h"
 #include "fem/elasticity/linear_solver.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
@@ -77,8 +76,8 @@ struct ContactSection
   FrictionCoupling friction_coupling = FrictionCoupling::elastic;
   Goal goal = Goal::none;
   double goal_tolerance = 1e-5; ///< on the goal's estimated error, relative to its value
-  std::vector<fem::MarkedCells>
-    halved; ///< cells, mesh by mesh, by the body's numbers; not an entry: the goal asks for them
+  /// Numbers of the cells of the foot that are halved, mesh after mesh; not an entry: the goal asks for them.
+  std::vector<std::vector<unsigned int>> halved;
   double memory_limit = 4e9; ///< estimated memory above which a study is refused [byte]
 
   /// Declares the entries with all that is known of them. A template, so that one file alone compiles it.
@@ -148,13 +147,16 @@ struct ContactSection
                 { { "elastic", FrictionCoupling::elastic }, { "none", FrictionCoupling::none } },
                 "elastic: the friction's tractions deform the foot and an elastic substrate; none: friction "
                 "does not act back on the pressure");
-    list.choice("Goal", goal,
-                { { "none", Goal::none },
-                  { "terminal spin", Goal::terminal_spin },
-                  { "a2", Goal::a2 },
-                  { "torque", Goal::torque } },
-                "What the cells that matter are halved for (torque: at half the terminal spin)");
-    list.number("Goal tolerance", goal_tolerance, positive, "", "Error left of the goal, over its value");
+    list.choice(
+      "Goal", goal,
+      { { "none", Goal::none },
+        { "terminal spin", Goal::terminal_spin },
+        { "a2", Goal::a2 },
+        { "torque", Goal::torque } },
+      "What the cells of a solid body that matter are halved for (torque: at half the terminal spin)",
+      used_if(is_solid));
+    list.number("Goal tolerance", goal_tolerance, positive, "", "Error left of the goal, over its value",
+                used_if(is_solid));
     list.number("Memory limit", memory_limit, positive, "B", "More is refused before the work");
   }
 };

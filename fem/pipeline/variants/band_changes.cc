@@ -106,15 +106,7 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
     fewer = with_harmonics(n_harmonics / 4);
     changes.push_back(change_of(from, 0, fewer));
   }
-  // Meshes for a goal: the one before.
-  const Study coarse = changed(fewer,
-                               [](ContactSection &contact)
-                               {
-                                 if (contact.halved.empty())
-                                   contact.fineness /= 2;
-                                 else
-                                   contact.halved.pop_back();
-                               });
+  const Study coarse = changed(fewer, [](ContactSection &contact) { contact.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
   // Where cells are small, a higher degree is tried on the coarse ones: that tells more than enough.
   if (study.contact.degree < 4 && study.table.is_hard())
@@ -123,7 +115,7 @@ std::vector<BandChange> changes_of_revolution(const Study &study, const ElasticF
     changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
   // At re-entrant corners, far from the contact, the error falls with the first order: halved cells show half
   // of it.
-  if (study.contact.halved.empty() && has_focused_mesh(study))
+  if (has_focused_mesh(study))
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](ContactSection &contact) { ++contact.halvings_beyond_zone; }), from));
   if (!is_full)

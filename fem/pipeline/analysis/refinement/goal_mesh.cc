@@ -55,9 +55,8 @@ double slope_at(const BalancedLoad &load, const ring::Motion &motion, double ome
 void scale(fem::MeshError &error, double factor)
 {
   error.correction *= factor;
-  for (std::vector<double> *cells : { &error.foot_cells, &error.disc_cells })
-    for (double &share : *cells)
-      share *= std::abs(factor);
+  for (double &share : error.cells)
+    share *= std::abs(factor);
 }
 
 /// Share of the error whose cells are halved at once.
@@ -80,27 +79,23 @@ GoalError error_of(const Study &study, const Executor &executor)
     solve(std::vector<Variant>{ { "", "", study } }, nullptr, error, executor).front().value();
   if (!found)
     throw std::runtime_error(
-      "The error of Contact/Goal cannot be estimated in this study: a rim or table is out of flat, or the "
-      "contact of a solid foot with a hard table is narrower than two of its cells; set it to none, or take "
-      "the foot as a body of revolution.");
+      "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "
+      "narrower than two of its cells; set it to none, or take the foot as a body of revolution.");
   return *found;
 }
 
 double sum_of_shares(const fem::MeshError &error)
 {
-  const double foot = std::accumulate(error.foot_cells.begin(), error.foot_cells.end(), 0.);
-  return std::accumulate(error.disc_cells.begin(), error.disc_cells.end(), foot);
+  return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
 }
 
 /// A mesh for a goal has cells that no size of a study foresees. @p before: of the mesh without the last
 /// cells that @p meshed halves.
 void require_memory(const Study &meshed, const GoalError &before)
 {
-  if (abilities(meshed.contact.body).is_of_revolution)
-    return;
   constexpr double per_unknown = 10e3; // bytes, most of them in the estimate; measured
   const double n_cells =
-    static_cast<double>(before.error.foot_cells.size() + 7 * meshed.contact.halved.back().foot.size());
+    static_cast<double>(before.error.cells.size() + 7 * meshed.contact.halved.back().size());
   const double memory = per_unknown * 4.5 * n_cells * std::pow(meshed.contact.degree, 3);
   if (memory > meshed.contact.memory_limit)
     throw std::runtime_error(
@@ -117,7 +112,7 @@ void require_memory(const Study &meshed, const GoalError &before)
 std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
                                     double omega_terminal, Goal goal, bool with_cells)
 {
-  if (!load.contact(0) || foot.ring_radii().empty() || study.contact.degree >= 4 || study.has_waviness() ||
+  if (abilities(study.contact.body).is_of_revolution || !load.contact(0) || foot.ring_radii().empty() ||
       foot.body().capabilities().period_of_glass > 0 || goal == Goal::none)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
@@ -157,7 +152,7 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
     if (std::abs(found.error.correction) <= allowed &&
         sum_of_shares(found.error) <= allowed_cancelling * allowed)
     {
-      const std::size_t n_cells = found.error.foot_cells.size() + found.error.disc_cells.size();
+      const std::size_t n_cells = found.error.cells.size();
       progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
                                                    "goal {:.1e} of its value"),
                                         n_cells, n_meshes, std::abs(found.error.correction / found.value)));

@@ -11,24 +11,24 @@
 namespace stemware::pipeline
 {
 
-/// Error of one number of a study that is due to the mesh of the foot.
+/// Error of one number of a study that is due to the mesh of a solid foot.
 struct GoalError
 {
   double value = 0;     ///< of the study
   fem::MeshError error; ///< its correction in the unit of the value: rad/s, 1 or N m
 };
 
-/// The error that the mesh of @p foot has in @p goal, estimated by a dual problem
+/// The error that the mesh of @p foot, a solid one, has in @p goal, estimated on finer elements
 /// (docs/method/error_bands.md, "The error of one number"):
 ///
 ///   terminal spin   the torque's at that spin over its slope, the balance of moments included [rad/s]
 ///   a2              a_2 / a_0 of the load at rest
 ///   torque          tau_z at half the terminal spin [N m]
 ///
-/// @p load is find_load() of the study, @p omega_terminal its terminal spin [rad/s]. Nothing where there is
-/// no such estimate: without a contact, for an out-of-flat rim or table, a foot whose load depends on where
-/// the moment points, elements of degree 4, one ring, or a load that has lost its balance. @p with_cells:
-/// with the cells' shares. May solve a contact.
+/// @p load is find_load() of the study, @p omega_terminal its terminal spin [rad/s]. Nothing if there is
+/// no such estimate: for a body of revolution, without a contact, a foot whose load depends on where the
+/// moment points, one ring, or a load that has lost its balance. @p with_cells: with the cells' shares. May
+/// solve a contact.
 std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
                                     double omega_terminal, Goal goal, bool with_cells = false);
 

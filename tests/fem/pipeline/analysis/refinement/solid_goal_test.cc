@@ -71,6 +71,16 @@ TEST(SolidGoal, EstimatesAreTheErrorsOnACoarseMesh)
   }
 }
 
+TEST(SolidGoal, LeavesAStudyWithoutAGoalAlone)
+{
+  Study study = lifting_foot();
+  study.contact.body = BodyKind::solid;
+  fem::ComplianceCache cache;
+  const MeshForGoal meshed = mesh_for_goal(study, cache);
+  EXPECT_TRUE(meshed.study.contact.halved.empty());
+  EXPECT_FALSE(meshed.outcome);
+}
+
 // Oracle: the body of revolution on a mesh that leaves a tenth of the smallest error judged, by the next
 // coarser one.
 TEST(SolidGoal, EstimatesAreTheErrorsAgainstTheBodyOfRevolution)
