@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
+#include <map>
 #include <vector>
 
 namespace stemware::ring
@@ -16,6 +18,7 @@ constexpr double shortest_way = 1. / 4096.; ///< to a spin without torque, befor
 constexpr double scan_step = 1. / 16.;      ///< [spin scales]
 constexpr double steepness_ratio = 16.;     ///< of the torque near the zero to the mean that needs no scan
 constexpr unsigned int most_evaluations = 200; ///< of one search
+constexpr double unsteady = 0.5;               ///< steadiness below which the balance may end nearby
 
 /// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
 struct Sample
@@ -96,8 +99,10 @@ public:
   /// The first zero; the spin @p first > 0 is tried first.
   double zero(double first)
   {
-    const double spin = converge(samples.front(), first, {});
-    return needs_scan(spin) ? scanned(spin) : spin;
+    double spin = converge(samples.front(), first, {});
+    if (needs_scan(spin))
+      spin = scanned(spin);
+    return search.steadiness ? reached(spin) : spin;
   }
 
 private:
@@ -209,11 +214,11 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  std::optional<double> push_if_balanced(double spin) const
+  std::optional<double> push_if_balanced(double spin)
   {
     try
     {
-      return push(spin);
+      return samples.emplace_back(Sample{ spin, push(spin) }).push;
     }
     catch (const NoBalance &)
     {
@@ -235,6 +240,49 @@ private:
         return converge(near, (near.spin * sample.push - sample.spin * near.push) / (sample.push - near.push),
                         sample);
       near = sample;
+    }
+    return spin;
+  }
+
+  /// The zero at @p spin, if the balance holds all the way to it. The square of the steadiness is nearly a
+  /// parabola where it is small: where that leads to no steadiness at all, the torque is asked for.
+  double reached(double spin)
+  {
+    constexpr unsigned int most_probes = 12;
+    for (unsigned int i = 0; i < most_probes; ++i)
+    {
+      std::map<double, double> squares; // by spin
+      for (const Sample &sample : samples)
+        if (sample.spin <= (1. + 1e-6) * spin)
+          squares[sample.spin] = std::pow(search.steadiness(direction * sample.spin), 2);
+      const auto least =
+        std::min_element(squares.begin(), squares.end(),
+                         [](const auto &one, const auto &other) { return one.second < other.second; });
+      if (squares.size() < 3 || least->second > unsteady * unsteady)
+        return spin;
+      auto middle = least;
+      if (middle == squares.begin())
+        ++middle;
+      if (std::next(middle) == squares.end())
+        --middle;
+      const auto [below, square_below] = *std::prev(middle);
+      const auto [here, square] = *middle;
+      const auto [above, square_above] = *std::next(middle);
+      const double rise = (square - square_below) / (here - below),
+                   curvature = ((square_above - square) / (above - here) - rise) / (above - below);
+      const double vertex = (below + here) / 2. - rise / (2. * curvature);
+      const double at_vertex = square_below + (vertex - below) * (rise + curvature * (vertex - here));
+      const double too_close = shortest_way * search.spin_scale;
+      if (!(curvature > 0.) || !(vertex > 0. && vertex < spin) || at_vertex > 0.75 * least->second ||
+          std::abs(vertex - least->first) < too_close)
+        return spin;
+      if (const std::optional<double> found = push_if_balanced(vertex); found && *found > 0.)
+        continue;
+      Sample near = samples.front();
+      for (const Sample &sample : samples)
+        if (sample.spin < vertex && sample.spin > near.spin)
+          near = sample;
+      return converge(near, vertex, {});
     }
     return spin;
   }
@@ -289,7 +337,11 @@ std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const To
   {
     const double step = -value / slope, next = spin + step;
     if (std::abs(step) <= nearly * scale && slope_error * std::abs(step) <= search.tolerance * scale)
+    {
+      if (search.steadiness && search.steadiness(spin) < unsteady)
+        return std::nullopt;
       return SpinZero{ next, false, n, spin };
+    }
     if (!(std::abs(next - known.omega) <= 0.1 * search.spin_scale))
       return std::nullopt;
     const double next_value = torque(next) - grip;

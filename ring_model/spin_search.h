@@ -22,6 +22,10 @@ struct SpinSearch
   /// Noise of the torque at rest [N m]: one no larger moves nothing, so that rest, stable or not, is the
   /// answer.
   double torque_noise = 0.;
+  /// Steadiness of the balance at a spin that the torque has been asked for: 1 where the glass stands
+  /// upright, 0 where its balance ends, and falling towards that like the root of the distance. Empty: not
+  /// known.
+  std::function<double(double omega)> steadiness = {};
 };
 
 /// Where the torques on the glass balance.
@@ -46,7 +50,9 @@ struct SpinZero
  * the zero sixteen times more or less steeply than on average, the way to it is scanned in steps of 1/16
  * spin_scale, and the first zero that the scan meets is taken.
  *
- * If @p torque throws NoBalance the search steps back towards rest.
+ * If @p torque throws NoBalance the search steps back towards rest. A range of spins without a balance may
+ * be narrower than the steps of the search: where the steadiness tells that there is one on the way to the
+ * zero, the balance ends there.
  * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
  * sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
  * scale), NoBalance if the search does not converge, what @p torque throws at rest.
@@ -64,7 +70,8 @@ struct KnownZero
  * find_terminal_spin() next to the zero of another torque that differs little, by the secant method: one to
  * four evaluations. A last step that is known to the tolerance is not evaluated. The zero found is the one
  * that the search from rest would find as long as the torques differ too little for others to appear. Nothing
- * where the method leaves the neighbourhood (a tenth of spin_scale) or does not end in eight steps.
+ * where the method leaves the neighbourhood (a tenth of spin_scale), does not end in eight steps, or comes to
+ * a balance of little steadiness, the way to which has to be looked at.
  * @throws what @p torque throws.
  */
 std::optional<SpinZero> find_terminal_spin_near(const KnownZero &known, const TorqueFunction &torque,

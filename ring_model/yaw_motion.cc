@@ -19,12 +19,69 @@ namespace
 /// psi and omega / spin_scale: one accuracy for both.
 using YawState = std::array<double, 2>;
 
+/// A spin that follows its torque so fast that stability would ask an explicit method for very many steps: it
+/// is the spin at which the torque is I d omega / dt, by the inertia's first order.
+class FollowingSpin
+{
+public:
+  FollowingSpin(const PhasedTorqueFunction &torque, double yaw_inertia, double spin_scale, double time_step)
+      : torque(torque)
+      , yaw_inertia(yaw_inertia)
+      , spin_step(1e-5 * spin_scale)
+      , time_step(time_step)
+  {
+  }
+
+  /// Whether the spin next to @p start, followed for @p time [s], is one.
+  bool is_one(const YawSample &start, double time) const
+  {
+    constexpr double many_time_constants = 1e6;
+    return -slope(start.time, start.yaw_angle, start.omega) / yaw_inertia * time > many_time_constants;
+  }
+
+  /// The spin at a time and yaw angle, found from @p near.
+  double at(double time, double yaw_angle, double near) const
+  {
+    const double omega = balanced(time, yaw_angle, near);
+    const double next = balanced(time + time_step, yaw_angle + omega * time_step, omega),
+                 last = balanced(time - time_step, yaw_angle - omega * time_step, omega);
+    return omega + yaw_inertia * (next - last) / (2. * time_step) / slope(time, yaw_angle, omega);
+  }
+
+private:
+  double slope(double time, double yaw_angle, double omega) const
+  {
+    return (torque(time, yaw_angle, omega + spin_step) - torque(time, yaw_angle, omega - spin_step)) /
+           (2. * spin_step);
+  }
+
+  /// Where the torque vanishes, by Newton's method.
+  double balanced(double time, double yaw_angle, double omega) const
+  {
+    constexpr unsigned int most_steps = 20;
+    for (unsigned int i = 0; i < most_steps; ++i)
+    {
+      const double step = -torque(time, yaw_angle, omega) / slope(time, yaw_angle, omega);
+      omega += step;
+      if (std::abs(step) < 1e-6 * spin_step)
+        return omega;
+    }
+    throw NoBalance(
+      sentence("the spin that follows its torque was not found at t = ", time, " s near ", omega, " rad/s"));
+  }
+
+  const PhasedTorqueFunction &torque;
+  const double yaw_inertia;
+  const double spin_step; ///< of differences [rad/s]
+  const double time_step; ///< over which the phase changes little [s]
+};
+
 /// The motion from @p start on, sampled at @p times counted from there: by the
 /// Dormand-Prince pair with step control and dense output (Boost.Odeint). The torque is never asked for at
-/// times beyond the last of @p times.
+/// times beyond the last of @p times, but by a FollowingSpin, which @p may_follow allows.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
-                                   double spin_scale)
+                                   double spin_scale, bool may_follow = false)
 {
   // The error of one step is held a decade below the request: errors of all steps add up, and the
   // interpolation between steps is one order lower than the steps themselves.
@@ -32,10 +89,13 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
   auto stepper =
     odeint::make_dense_output(accuracy / 10., accuracy / 10., odeint::runge_kutta_dopri5<YawState>());
   const double end = times.empty() ? 0. : times.back();
+  const FollowingSpin following(torque, yaw_inertia, spin_scale, 1e-5 * end);
+  const bool follows = may_follow && following.is_one(start, end);
   const auto rate_of = [&](const YawState &state, YawState &rate, double time)
   {
-    rate[0] = state[1] * spin_scale;
-    rate[1] = torque(start.time + std::min(time, end), state[0], rate[0]) / (yaw_inertia * spin_scale);
+    rate[0] = (follows ? following.at(start.time + time, state[0], start.omega) : state[1] * spin_scale);
+    rate[1] =
+      follows ? 0. : torque(start.time + std::min(time, end), state[0], rate[0]) / (yaw_inertia * spin_scale);
   };
   const double push = std::abs(torque(start.time, start.yaw_angle, start.omega)) / yaw_inertia;
   const YawState first = { start.yaw_angle, start.omega / spin_scale };
@@ -61,7 +121,9 @@ std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFun
     YawState state = first;
     if (time > 0.)
       stepper.calc_state(time, state);
-    samples.push_back({ start.time + time, state[0], state[1] * spin_scale });
+    const double omega =
+      follows ? following.at(start.time + time, state[0], start.omega) : state[1] * spin_scale;
+    samples.push_back({ start.time + time, state[0], omega });
   }
   return samples;
 }
@@ -155,7 +217,7 @@ LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
     for (unsigned int i = 0; i < n_windows; ++i)
     {
       const std::vector<YawSample> samples =
-        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale);
+        motion_from(state, torque, yaw_inertia, times, accuracy / 10., spin_scale, true);
       state = samples.back();
       spin.mean = smooth_mean(samples);
       spin.ripple = half_range(samples);

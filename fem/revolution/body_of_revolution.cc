@@ -113,6 +113,8 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   NewtonIncrement step;
   step.displacement = moved.reshaped();
   step.motion = found.motion;
+  step.steadiness =
+    (found.resistance - conditions.motion_weights()).determinant() / found.resistance.determinant();
   step.energy_slope = moved.cwiseProduct(state).sum();
   step.energy_curvature = moved.cwiseProduct(increment).sum();
   return step;

@@ -119,7 +119,7 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
                  softening_of_start, 10);
 }
 
-bool RevolutionContact::is_stable(const ContactSolution &solution) const
+bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
   // A rim that carries all round resists every motion as it does an upright glass.
   constexpr double moment_ratio_of_lift_off = 1;
@@ -132,10 +132,9 @@ bool RevolutionContact::is_stable(const ContactSolution &solution) const
   {
     ContactForces contact;
     law.evaluate(solution.normal_displacement, contact);
-    body.solve(contact.tangent, contact.forces, conditions, solution.motion);
+    solution.steadiness = body.solve(contact.tangent, contact.forces, conditions, solution.motion).steadiness;
   }
-  const Eigen::Matrix3d &upright = body.resistance();
-  return (upright - conditions.motion_weights()).determinant() * upright.determinant() > 0;
+  return solution.steadiness > 0;
 }
 
 ContactSolution RevolutionContact::solve(const RevolutionStarts &starts)
@@ -170,7 +169,7 @@ ContactSolution RevolutionContact::solve(const RevolutionStarts &starts)
     try
     {
       used.reset();
-      const ContactSolution solution = way();
+      ContactSolution solution = way();
       if (is_stable(solution))
         return solution;
       body.set_forces(forces_before);

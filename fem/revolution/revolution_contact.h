@@ -51,9 +51,9 @@ private:
                           double largest_step,
                           double hopeless_residual = std::numeric_limits<double>::infinity());
   /// Whether the glass stays where @p solution has it: one that leans may have a second balance, beyond which
-  /// it tips. The two are told apart by the sign of the determinant of what is set against motions, which
-  /// vanishes where they meet and is that of a glass whose weight does not count at the first.
-  bool is_stable(const ContactSolution &solution) const;
+  /// it tips. The steadiness tells the two apart: it is positive in the first and vanishes where they meet.
+  /// Completes the steadiness of a solution that took no step.
+  bool is_stable(ContactSolution &solution) const;
 
   const RevolutionSetup &setup;
   const InterfaceLaw &interface;

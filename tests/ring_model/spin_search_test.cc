@@ -262,6 +262,54 @@ TEST(SpinSearch, FindsWhereTheBalanceIsLostBeforeADistantZero)
   }
 }
 
+TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
+{
+  // A balance that ends in a fold: the steadiness is the root of the distance to it, in one direction after
+  // the other.
+  const double middle = 0.7;
+  const auto square = [=](double omega, double least)
+  { return std::min(1., least + 2. * std::pow(omega - middle, 2)); };
+  for (const double half_width : { 0.05, 0.01, 1e-3 })
+    for (const double sense : { 1., -1. })
+    {
+      const double least = -2. * half_width * half_width;
+      const auto torque = [=](double omega)
+      {
+        if (square(sense * omega, least) < 0.)
+          throw Tipping("a fold");
+        return sense - omega;
+      };
+      SpinSearch search{ 1., 0.99 * sense };
+      search.steadiness = [=](double omega) { return std::sqrt(square(sense * omega, least)); };
+      try
+      {
+        find_terminal_spin(torque, search);
+        FAIL() << "the search has jumped over a gap of " << half_width;
+      }
+      catch (const BalanceLost &lost)
+      {
+        EXPECT_NEAR(lost.last_spin, sense * (middle - half_width), 1. / 4096.);
+        EXPECT_THROW(std::rethrow_if_nested(lost), Tipping);
+      }
+      EXPECT_FALSE(find_terminal_spin_near({ sense, -1. }, torque, search)) << "0.99 is next to a fold";
+    }
+}
+
+TEST(SpinSearch, PassesByASpinOfLittleSteadiness)
+{
+  // A balance that nearly ends: as many torques as the zero takes, and a few.
+  const auto torque = [](double omega) { return 1. - omega; };
+  for (const double least : { 1e-4, 1e-2, 0.1 })
+  {
+    SpinSearch search{ 1., 0.99 };
+    search.steadiness = [=](double omega)
+    { return std::sqrt(std::min(1., least + 4. * std::pow(omega - 0.7, 2))); };
+    const SpinZero zero = find_terminal_spin(torque, search);
+    EXPECT_NEAR(zero.omega, 1., 1e-12);
+    EXPECT_LE(zero.n_evaluations, 8u);
+  }
+}
+
 TEST(SpinSearch, EndsWhereTheTorqueIsNoisy)
 {
   const auto torque = [](double omega) { return 1. - omega + 1e-9 * std::sin(1e12 * omega); };

@@ -162,6 +162,24 @@ TEST(LongTimeSpin, IsThatOfManyTurnsOfTheMark)
   EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
 }
 
+TEST(LongTimeSpin, WalksWithLongStepsWhereTheSpinFollowsItsTorque)
+{
+  // Without inertia, phi = psi - orbit t obeys phi' = drive - orbit + bump / damping cos phi, and its mean is
+  // the root of a difference of squares. The time constant of 8e-6 s is a millionth of the windows.
+  const MarkedRing ring;
+  unsigned int n_torques = 0;
+  const auto counted = [&](double time, double yaw_angle, double omega)
+  {
+    ++n_torques;
+    return ring(time, yaw_angle, omega);
+  };
+  const LongTimeSpin spin = long_time_spin(counted, 1e-8, 0., 25., 1e-9, 10.);
+  const double lag = ring.orbit - ring.drive, swing = ring.bump / ring.damping;
+  EXPECT_NEAR(spin.mean, ring.orbit - std::sqrt(lag * lag - swing * swing), 1e-8);
+  EXPECT_NEAR(spin.ripple, swing, 1e-5);
+  EXPECT_LT(n_torques, 2000000u);
+}
+
 TEST(LongTimeSpin, LocksToTheOrbitWhereTheMarkHoldsTheGlass)
 {
   MarkedRing ring;

@@ -164,13 +164,18 @@ std::vector<ring::TerminalSpin> all_terminal_spins(const BalancedLoad &load, con
             last = n_balances(torque, step, stride, n_steps);
   if (first == last)
     return {};
-  if (first < 0)
-    torque.survey(first * step, 0);
-  if (last > 0)
-    torque.survey(0, last * step);
-  std::vector<ring::TerminalSpin> spins =
-    ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia, first * step,
-                             last * step, static_cast<unsigned int>(finest_steps * (last - first)));
+  const auto scan = [&]
+  {
+    if (first < 0)
+      torque.survey(first * step, 0);
+    if (last > 0)
+      torque.survey(0, last * step);
+    return ring::all_terminal_spins([&](double omega) { return torque(omega); }, motion.yaw_inertia,
+                                    first * step, last * step,
+                                    static_cast<unsigned int>(finest_steps * (last - first)));
+  };
+  // A load without a balance between spins that have one: what lies beyond is not looked for.
+  std::vector<ring::TerminalSpin> spins = if_balanced(scan).value_or(std::vector<ring::TerminalSpin>());
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (ring::TerminalSpin &spin : spins)
     if (grip_torque > 0 && std::abs(spin.omega) < 1e-9 * unit)

@@ -44,14 +44,14 @@ SharedLoad on_the_way_to(double terminal, const BalancedLoad &load)
   return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
 }
 
-/// Where the load of rest would take the glass: a first guess. Nothing where that is nowhere.
+/// Where the load of rest would take the glass: a first guess. Nothing if it takes the glass nowhere.
 std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion &motion)
 {
   try
   {
     return ring::terminal_spin(load.at(0), motion).omega;
   }
-  catch (const ring::NoTerminalSpin &)
+  catch (const ring::NoBalance &)
   {
     return std::nullopt;
   }
@@ -153,24 +153,13 @@ std::vector<double> friction_torques(const BalancedLoad &load, const ring::Motio
 LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, double expected,
                           bool with_slope, double grip_torque, const std::optional<ring::KnownZero> &near)
 {
-  const auto torque = [&](double omega)
-  {
-    try
-    {
-      return yaw_torque(load, motion, omega);
-    }
-    catch (const fem::ContactFailure &failure)
-    {
-      if (failure.outcome == fem::ContactOutcome::tipping)
-        throw ring::Tipping(failure.what());
-      throw ring::NoBalance(failure.what());
-    }
-  };
+  const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   ring::SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
   search.tolerance = 1e-11; // contacts are good to 1e-10 of the load or better
   search.expected = expected != 0 ? expected : expected_spin(load, motion);
   search.grip_torque = grip_torque;
+  search.steadiness = [&load](double omega) { return load.steadiness(omega); };
   // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
   // direction.
   search.torque_noise =
@@ -202,7 +191,7 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   const ring::LongTimeSpin mean = ring::long_time_spin(
     torque_function(load, motion, grip_torque), motion.yaw_inertia, result.spin.omega,
     averaging_window(load.phases()->periods(), motion, result.spin), accuracy, search.spin_scale);
-  result.spin.omega = result.asked = mean.mean;
+  result.spin.omega = mean.mean;
   result.ripple = mean.ripple;
   // The mean's own error, and that between phases as far as ripple makes the glass stay longer at some.
   const double turning = std::abs(mean.mean - motion.orbit_rate());
@@ -245,8 +234,10 @@ SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question)
     solve_row(load, question, row);
     return row;
   }
-  catch (...)
+  catch (const std::exception &failure)
   {
+    if (!is_of_variant(failure))
+      throw;
     return failed_row(std::current_exception(), row);
   }
 }
@@ -257,10 +248,8 @@ SpinRow failed_row(const std::exception_ptr &failure, SpinRow row)
   {
     std::rethrow_exception(failure);
   }
-  catch (const std::runtime_error &why)
+  catch (const std::exception &why)
   {
-    if (!is_of_variant(why))
-      throw;
     const auto *contact = dynamic_cast<const fem::ContactFailure *>(&why);
     row.standing = Standing::no_balance;
     if (dynamic_cast<const ring::Tipping *>(&why) ||

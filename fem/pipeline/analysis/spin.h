@@ -91,8 +91,7 @@ SpinRow spin_row(const BalancedLoad &load, const SpinQuestion &question);
 /// standing and the reason for what is missing.
 SpinRow attempt_spin_row(const BalancedLoad &load, const SpinQuestion &question);
 
-/// @p row, as far as it has got, with the reason why it got no further: ring::NoBalance, fem::ContactFailure,
-/// or BadInput where a model cannot be made of the study. Throws every other @p failure on.
+/// @p row, as far as it has got, with @p failure as the reason why it got no further.
 SpinRow failed_row(const std::exception_ptr &failure, SpinRow row = {});
 
 /// Equally spaced times from 0 to @p end [s]: 201 of them.

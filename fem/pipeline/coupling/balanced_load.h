@@ -55,6 +55,9 @@ public:
   /// a_0; where it has lifted off, how far below 0 the least load would be that a first harmonic continues to
   /// there, by the arc that carries nothing.
   virtual double clearance(double /*omega*/) const { return 1; }
+  /// fem::ContactSolution::steadiness at @p omega, a spin that at() has been asked for; 1 if that is not
+  /// known.
+  virtual double steadiness(double /*omega*/) const { return 1; }
   /// How the loads have been found so far; nothing where they are the same at every spin.
   virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
 
@@ -118,6 +121,7 @@ public:
   const PhaseLoads *phases() const override { return whole->phases(); }
   std::vector<double> known_spins() const override { return whole->known_spins(); }
   double clearance(double omega) const override { return whole->clearance(omega); }
+  double steadiness(double omega) const override { return whole->steadiness(omega); }
   std::optional<CouplingStatistics> statistics() const override { return whole->statistics(); }
 
 protected:

@@ -114,8 +114,15 @@ PhaseLoads::PhaseLoads(LoadAtPhase load_given, const PhasePeriods &periods, cons
 
 LeaningLoad PhaseLoads::at(double omega, const ring::Orientation &phase) const
 {
-  // An integrator asks often; samples of rest are not copied for each answer.
-  return follows_spin(omega) ? samples_around(omega).at(omega).at(phase) : at_rest.at(phase);
+  if (!follows_spin(omega))
+    return at_rest.at(phase);
+  // An integrator asks often: the phases go first, so that no samples are made.
+  const Samples &samples = samples_around(omega);
+  const Eigen::VectorXd spins = samples.spins.weights(omega), phases = at_rest.phases().weights(phase);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.at_nodes.front().columns().rows());
+  for (unsigned int k = 0; k < samples.spins.size(); ++k)
+    sum.noalias() += samples.at_nodes[k].columns() * (spins(k) * phases);
+  return LeaningLoad::from_coefficients(sum, samples.at_nodes.front().n_rings());
 }
 
 PhaseSamples PhaseLoads::at_spin(double omega) const

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <exception>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -59,6 +60,7 @@ public:
       : GivenLoad(report, at_rest)
       , contacts(std::make_unique<BalancedContact>(foot, balance, at_rest))
       , clearance_at_rest(clearance_of(at_rest.load))
+      , steadiness_at_rest(at_rest.solution.steadiness)
       , progress(progress)
   {
   }
@@ -70,12 +72,14 @@ public:
     const auto known = loads.find(omega);
     if (known != loads.end())
       return known->second.load;
-    latest.emplace_front(omega, contacts->contact(omega));
+    latest.emplace_front(omega, contact_in_balance(omega));
     if (latest.size() > n_latest)
       latest.pop_back();
     const fem::ContactState &state = latest.front().second;
-    const auto found =
-      loads.emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load) }).first;
+    const auto found = loads
+                         .emplace(omega, Found{ contacts->load_of(state), clearance_of(state.load),
+                                                state.solution.steadiness })
+                         .first;
     progress.pieces_done("spins in balance", loads.size(), 0);
     return found->second.load;
   }
@@ -87,7 +91,7 @@ public:
     for (const auto &[spin, state] : latest)
       if (spin == omega)
         return state;
-    return contacts->contact(omega);
+    return contact_in_balance(omega);
   }
   std::vector<double> known_spins() const override
   {
@@ -101,6 +105,13 @@ public:
   {
     return omega == 0 ? clearance_at_rest : loads.at(omega).clearance;
   }
+  double steadiness(double omega) const override
+  {
+    if (omega == 0)
+      return steadiness_at_rest;
+    const auto found = loads.find(omega);
+    return found == loads.end() ? 1 : found->second.steadiness;
+  }
   std::optional<CouplingStatistics> statistics() const override
   {
     return CouplingStatistics{ loads.size(), contacts->n_contact_solutions() };
@@ -110,8 +121,34 @@ private:
   struct Found
   {
     LeaningLoad load;
-    double clearance;
+    double clearance, steadiness;
   };
+
+  /// The contact at @p omega. Rest has a balance: a contact that fails at another spin is a glass that has
+  /// fallen over, or one of which nothing is known. Each is tried once.
+  fem::ContactState contact_in_balance(double omega) const
+  {
+    if (const auto failed = failures.find(omega); failed != failures.end())
+      std::rethrow_exception(failed->second);
+    const auto keep = [&](const auto &failure)
+    {
+      failures.emplace(omega, std::make_exception_ptr(failure));
+      throw failure;
+    };
+    try
+    {
+      return contacts->contact(omega);
+    }
+    catch (const fem::ContactFailure &failure)
+    {
+      if (failure.outcome == fem::ContactOutcome::tipping)
+        keep(ring::Tipping(failure.what()));
+      keep(ring::NoBalance("at " + to_short_text(omega) +
+                           " rad/s no balance was found, nor that the glass falls over (" + failure.what() +
+                           ")"));
+    }
+    throw std::logic_error("a contact that is neither found nor missing");
+  }
 
   static double clearance_of(const fem::ContactLoad &load)
   {
@@ -122,9 +159,10 @@ private:
   }
 
   const std::unique_ptr<BalancedContact> contacts;
-  const double clearance_at_rest;
+  const double clearance_at_rest, steadiness_at_rest;
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
+  mutable std::map<double, std::exception_ptr> failures;
   /// The contacts of the newest of them: at the terminal spin and what is asked next about it, or of a band.
   mutable std::deque<std::pair<double, fem::ContactState>> latest;
   static constexpr std::size_t n_latest = 6;

@@ -42,9 +42,9 @@ struct Executor
   }
 
   FootMaker make_foot;
-  /// Whether any failure is one of the variant, as in a sweep, where the other cases go on. Else those are
-  /// that is_of_variant() knows; all others end the work.
-  bool keeps_all_failures = false;
+  /// Whether any failure leaves its variant alone without an answer. On several ranks only those do that
+  /// is_of_variant() knows, which all ranks meet together; others end the work.
+  bool keeps_all_failures = true;
 
 private:
   /// for_each() on several threads; nothing: there is one.

@@ -1,4 +1,5 @@
 #include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/variants/executor.h"
 
 #include <deal.II/base/multithread_info.h>
@@ -72,6 +73,7 @@ Executor::Executor(fem::ComplianceCache &cache, unsigned int n_threads)
     : Executor([&cache](const Study &study, const fem::Foot *similar)
                { return pipeline::make_foot(study, cache, similar); })
 {
+  keeps_all_failures = n_ranks() == 1;
   if (n_threads > 1)
     side_by_side = [n_threads](std::size_t n, const Work &work) { on_threads(n_threads, n, work); };
 }

@@ -35,7 +35,7 @@ struct Solved
 };
 
 /// Whether @p failure is one of the variant that is solved, which has no value then: bad input, or a contact
-/// or a balance that does not exist. All others end the work.
+/// or a balance that does not exist.
 bool is_of_variant(const std::exception &failure);
 
 /// The foot of @p variant: that of the study, @p foot, where the variant stands on it, with a body and a path

@@ -269,9 +269,9 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
   {
     return bands_of(study, foot, all, first, executor, progress);
   }
-  catch (const std::runtime_error &failure)
+  catch (const std::exception &failure)
   {
-    if (!is_of_variant(failure)) // a contact, a balance, a mesh that cannot be made coarser or finer
+    if (!executor.keeps_all_failures && !is_of_variant(failure))
       throw;
     progress.note("No band", failure.what());
   }
