@@ -156,13 +156,13 @@ void add_console_options(CLI::App &verb, StudyOptions &options)
                 "the other text goes to standard error");
 }
 
-Study begin_study(const StudyOptions &options, bool needs_mpi)
+Study begin_study(const StudyOptions &options)
 {
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
   study.name = options.study_name();
   require_known_body(study);
-  if (needs_mpi || study.load.is_from_contact())
+  if (study.load.is_from_contact() && study.contact.body == BodyKind::solid)
     start_mpi();
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     "

@@ -52,8 +52,8 @@ void add_console_options(CLI::App &verb, StudyOptions &options);
 /// Says @p note on the console behind @p label; nothing where it is empty.
 void say_note(const std::string &label, const std::string &note);
 
-/// Begins a verb: directs the console, reads and checks the study, starts MPI where @p needs_mpi or a contact
-/// asks for it. Refuses everything that can be refused before the work; throws BadInput.
-Study begin_study(const StudyOptions &options, bool needs_mpi = false);
+/// Begins a verb: directs the console, reads and checks the study, starts MPI for a solid foot. Refuses
+/// everything that can be refused before the work; throws BadInput.
+Study begin_study(const StudyOptions &options);
 
 } // namespace stemware::pipeline

@@ -174,9 +174,10 @@ int run_program(int argc, char *argv[])
 {
   open_missing_streams();
   std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is one that cannot be written
-  const MpiSession mpi;
+  std::optional<MpiSession> mpi; // ends after everything that uses it
   try
   {
+    mpi.emplace();
     require_utf8(argc, argv);
     // 1. What is to be done? Each verb declares its options, examples and work.
     CLI::App program("Stemware: what the elasticity of a wine glass's foot does to its spin on a table.",

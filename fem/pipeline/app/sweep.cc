@@ -92,7 +92,7 @@ void sweep(const SweepOptions &options)
   // 1. What is asked for; everything that can be refused is refused here.
   Stopwatch stopwatch;
   SweepPlan plan = make_plan(options.request);
-  plan.base = begin_study(options, true);
+  plan.base = begin_study(options);
   on_first_rank([&] { require_replaceable(resolved_output(options.results_place())); });
   const std::shared_ptr<SweepFolder> owned = take_folder(options, plan);
   const fs::path cases = from_first_rank([&] { return owned->path().string(); });

@@ -6,6 +6,7 @@
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/ranks.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 
@@ -33,6 +34,7 @@ std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &c
     switch (study.contact.body)
     {
     case BodyKind::solid:
+      start_mpi();
       return make_solid_foot(study, similar);
     case BodyKind::revolution:
       return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study), cache);

@@ -18,7 +18,7 @@ namespace stemware::pipeline
 void require_known_body(const Study &study);
 
 /// The foot that the study asks for, on its table; feet that are to share what they can are given the same
-/// @p cache. MPI must have been started, and all ranks call this together, for a solid foot, which shares
+/// @p cache. For a solid foot MPI starts, all ranks call this together, and it shares
 /// mesh and elements with @p similar where that has the same and is not asked while this one solves. Throws
 /// BadInput as require_known_body(), and for a mesh file or a setup that cannot be used.
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,

@@ -3,12 +3,14 @@
 #include "fem/pipeline/support/failures.h"
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <boost/serialization/utility.hpp>
 
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -28,13 +30,43 @@ constexpr bool has_mpi = true;
 constexpr bool has_mpi = false;
 #endif
 
-/// Open MPI, PMIx and MPICH launchers tell their processes so.
-bool launched_by_mpirun()
+bool says_one(const char *variable)
 {
-  for (const char *variable : { "OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK" })
-    if (std::getenv(variable) != nullptr)
-      return true;
-  return false;
+  const char *value = std::getenv(variable);
+  return value != nullptr && std::string(value) == "1";
+}
+
+/// Launcher that has started this process.
+struct Launcher
+{
+  bool is_there = false;
+  bool has_several = false; ///< processes: unless it says that there is one
+};
+
+/// Open MPI, MPICH and Slurm with PMIx tell their processes rank and number.
+Launcher launcher()
+{
+  for (const auto &[rank, size] :
+       { std::pair("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), std::pair("PMI_RANK", "PMI_SIZE"),
+         std::pair("PMIX_RANK", "SLURM_STEP_NUM_TASKS") })
+    if (std::getenv(rank) != nullptr)
+      return { true, !says_one(size) };
+  return {};
+}
+
+/// Prepares the environment of a process that stands alone: it needs no daemon of Open MPI beside it, nor the
+/// ssh that the daemon asks for; nor the folder in /tmp, which has the same name for all such processes: if
+/// two start at once, one finds it made, or gone, and aborts; nor a network, whose libraries take 0.2 s to
+/// find that there is none. In a step of Slurm, Open MPI would ask Slurm for the ranks, and end the process
+/// if it was built without Slurm's PMI.
+void prepare_to_stand_alone()
+{
+  for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
+                                     std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
+                                     std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self") })
+    ::setenv(name, value, 0);
+  if (says_one("SLURM_STEP_NUM_TASKS"))
+    ::unsetenv("SLURM_STEP_ID");
 }
 
 /// Outcome of some work: the exit code that belongs to it, and the message of its failure.
@@ -56,7 +88,9 @@ catch (const std::exception &failure)
 
 MpiSession::MpiSession()
 {
-  if (launched_by_mpirun() && has_mpi)
+  // deal.II's own threads would compete with those of the study and make sums depend on the machine.
+  dealii::MultithreadInfo::set_thread_limit(1);
+  if (launcher().has_several)
     start_mpi();
 }
 
@@ -67,23 +101,20 @@ MpiSession::~MpiSession()
 
 void start_mpi()
 {
-  if (launched_by_mpirun() && !has_mpi)
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (running_session || mpi::job_supports_mpi())
+    return;
+  if (launcher().has_several && !has_mpi)
     throw BadInput("mpirun has started this program, whose deal.II has no MPI, so that its processes do not "
                    "know of each other; start it by itself.");
+  if (!launcher().is_there)
+    prepare_to_stand_alone();
   static int n_arguments = 0;
   static char **arguments = nullptr;
-  // A process that stands alone needs no daemon of Open MPI beside it, nor the ssh that the daemon asks for;
-  // nor the folder in /tmp, which has the same name for all such processes: where two start at once, one
-  // finds it made, or gone, and aborts; nor a network, whose libraries take 0.2 s to find that there is none.
-  if (!launched_by_mpirun())
-    for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),
-                                       std::pair("OMPI_MCA_orte_create_session_dirs", "0"),
-                                       std::pair("OMPI_MCA_pml", "ob1"), std::pair("OMPI_MCA_btl", "self") })
-      ::setenv(name, value, 0);
-  // One thread per rank: deal.II's own threads would compete with the other ranks and make sums depend on the
-  // machine.
-  if (!running_session)
-    running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
+  const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
+  running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
+  dealii::MultithreadInfo::set_thread_limit(n_threads);
 }
 
 void on_every_rank(const std::function<void()> &work)

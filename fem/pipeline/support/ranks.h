@@ -6,19 +6,19 @@
 namespace stemware::pipeline
 {
 
-/// The span in which MPI may be used; one per program, in main(). It ends MPI, and starts it where mpirun has
-/// started the program.
+/// The span in which MPI may be used; one per program, in main(). Holds deal.II to one thread, and ends MPI.
 class MpiSession
 {
 public:
+  /// Starts MPI if mpirun has started several processes. Throws as start_mpi().
   MpiSession();
   ~MpiSession();
   MpiSession(const MpiSession &) = delete;
   MpiSession &operator=(const MpiSession &) = delete;
 };
 
-/// Starts MPI unless it runs already. Without mpirun that is left to those who need it: it takes a third of a
-/// second. Throws BadInput where mpirun has started a program without MPI.
+/// Starts MPI unless it runs already, which takes a third of a second. Solid feet need it. Throws BadInput if
+/// mpirun has started several processes of a program without MPI.
 void start_mpi();
 
 /// Whether this process is the one that prints and writes tables. True without MPI.
