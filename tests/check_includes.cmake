@@ -16,6 +16,7 @@ set(order
     fem/pipeline/support
     fem/pipeline/study
     fem/pipeline/coupling
+    fem/pipeline/modules
     fem/pipeline/variants
     fem/pipeline/analysis
     fem/pipeline/document
@@ -63,8 +64,10 @@ foreach(file IN LISTS files)
            AND NOT (file MATCHES "^fem/(contact|revolution|solid)/" AND included MATCHES "^ring_model/load/"))
       string(APPEND troubles "${file} includes ${included}: contact and bodies know ring_model/load, and no more\n")
     elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^fem/(solid|matrix_free)/" AND NOT file STREQUAL
-                                                                                    fem/pipeline/coupling/solid_feet.cc)
-      string(APPEND troubles "${file} includes ${included}: coupling/solid_feet.cc alone makes solid feet\n")
+                                                                                    fem/pipeline/modules/solid_feet.cc)
+      string(APPEND troubles "${file} includes ${included}: modules/solid_feet.cc alone makes solid feet\n")
+    elseif(file MATCHES "^fem/pipeline/" AND included MATCHES "^deal\\.II/" AND NOT file MATCHES "^fem/pipeline/modules/")
+      string(APPEND troubles "${file} includes ${included}: the program stands on deal.II through its modules alone\n")
     elseif(file MATCHES "^fem/solid/" AND included MATCHES "^fem/revolution/")
       string(APPEND troubles "${file} includes ${included}: the bodies do not know each other\n")
     endif()

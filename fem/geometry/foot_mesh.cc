@@ -418,13 +418,4 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
               triangulation);
 }
 
-unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard)
-{
-  if (!table_is_hard || profile.crown_radius != 0)
-    return 0;
-  // At a right angle the pressure stays finite. Under a surface that goes on it does not, and contact is a
-  // few hundredths of a millimetre wide.
-  return profile.shape == GlassShape::step ? 2 : 5;
-}
-
 } // namespace stemware::fem

@@ -2,6 +2,7 @@
 #include "fem/geometry/section_view.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/report/mesh_results.h"
 #include "fem/pipeline/report/profile_results.h"
@@ -13,8 +14,6 @@
 #include "fem/pipeline/support/output.h"
 #include "fem/pipeline/support/ranks.h"
 
-#include <deal.II/grid/tria.h>
-
 #include <CLI/CLI.hpp>
 
 #include <iostream>
@@ -24,7 +23,7 @@ namespace stemware::pipeline
 {
 
 namespace fs = std::filesystem;
-using Triangulation = dealii::Triangulation<3, 3>;
+using Mesh = FiniteElements::Mesh;
 
 namespace
 {
@@ -60,28 +59,28 @@ void check_options(const MeshOptions &options)
   }
 }
 
-MeshFindings read_mesh(const std::string &file, const fem::MeshMarks &marks, Triangulation &mesh)
+MeshFindings read_mesh(const std::string &file, const fem::MeshMarks &marks, Mesh &mesh)
 {
   const fem::MeshReport report = read_mesh_file(file, marks, mesh);
-  return { file, fem::check_mesh(mesh), report };
+  return { file, finite_elements().check_mesh(mesh), report };
 }
 
 /// The study's generated foot as a file has to describe it, with the crown in the mesh.
-MeshFindings generate_mesh(const Study &study, Triangulation &mesh)
+MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
-  fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
-  fem::move_to_crown(study.glass.profile, mesh);
-  return { "generated", fem::check_mesh(mesh), std::nullopt };
+  finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
+  finite_elements().move_to_crown(study.glass.profile, mesh);
+  return { "generated", finite_elements().check_mesh(mesh), std::nullopt };
 }
 
-std::string as_text(const Triangulation &mesh, const std::string &format)
+std::string as_text(const Mesh &mesh, const std::string &format)
 {
   std::ostringstream text;
-  format == ".msh" ? fem::write_msh(mesh, text) : fem::write_mesh_vtu(mesh, text);
+  format == ".msh" ? finite_elements().write_msh(mesh, text) : finite_elements().write_mesh_vtu(mesh, text);
   return text.str();
 }
 
-void write_mesh(const Triangulation &mesh, const std::string &file)
+void write_mesh(const Mesh &mesh, const std::string &file)
 {
   on_first_rank([&] { write_output_file(file, as_text(mesh, fs::path(file).extension())); });
   console() << "Written   " << file << std::endl;
@@ -114,10 +113,11 @@ void mesh(const MeshOptions &options)
   stopwatch.finish("input");
 
   // 2. What it is like, and whether it can be used.
-  Triangulation mesh;
+  const FiniteElements &elements = finite_elements();
+  const auto mesh = elements.empty_mesh();
   const MeshFindings findings =
-    file.empty() ? generate_mesh(*study, mesh)
-                 : read_mesh(file, study ? study->contact.mesh_marks : fem::MeshMarks(), mesh);
+    file.empty() ? generate_mesh(*study, *mesh)
+                 : read_mesh(file, study ? study->contact.mesh_marks : fem::MeshMarks(), *mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check);
   if (study && findings.report)
@@ -126,11 +126,12 @@ void mesh(const MeshOptions &options)
 
   // 3. The mesh in files, and the report.
   for (const std::string &name : options.writes)
-    write_mesh(mesh, name);
+    write_mesh(*mesh, name);
   constexpr double azimuth = 0.02; // between two sectors of any usual mesh
-  Results results = tabulate(
-    findings, { fem::contact_faces(mesh), fem::scaled_jacobians(mesh), fem::section_cells(mesh, azimuth) },
-    options.writes);
+  Results results = tabulate(findings,
+                             { elements.contact_faces(*mesh), elements.scaled_jacobians(*mesh),
+                               elements.section_cells(*mesh, azimuth) },
+                             options.writes);
   if (study && study->glass.profile.section)
     for (nlohmann::ordered_json *part : { &results.findings.summary, &results.findings.key_figures })
       (*part)["profile"] = profile_summary(*study);

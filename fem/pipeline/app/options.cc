@@ -161,9 +161,6 @@ Study begin_study(const StudyOptions &options)
   direct_console(options.quiet, options.json);
   Study study = read_study(options.study_file, options.overrides);
   study.name = options.study_name();
-  require_known_body(study);
-  if (study.load.is_from_contact() && study.contact.body == BodyKind::solid)
-    start_mpi();
   console() << "Stemware  " << program_version() << " (" << program_revision() << ")\n"
             << "Study     "
             << (options.study_file.empty()  ? "default"
@@ -178,6 +175,7 @@ Study begin_study(const StudyOptions &options)
   say_note("Unused    ", unused_note(study, options.verb));
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
+  load_modules_of(study);
   return study;
 }
 

@@ -52,7 +52,7 @@ void add_console_options(CLI::App &verb, StudyOptions &options);
 /// Says @p note on the console behind @p label; nothing where it is empty.
 void say_note(const std::string &label, const std::string &note);
 
-/// Begins a verb: directs the console, reads and checks the study, starts MPI for a solid foot. Refuses
+/// Begins a verb: directs the console, reads and checks the study, and loads the modules of its foot. Refuses
 /// everything that can be refused before the work; throws BadInput.
 Study begin_study(const StudyOptions &options);
 

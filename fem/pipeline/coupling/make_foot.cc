@@ -1,43 +1,55 @@
 #include "fem/pipeline/coupling/make_foot.h"
 
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/solid_feet.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/module.h"
 #include "fem/pipeline/support/ranks.h"
-#include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/meshed_revolution_foot.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <stdexcept>
 
 namespace stemware::pipeline
 {
 
-void require_known_body(const Study &study)
+namespace
 {
-  if (study.load.is_from_contact() && study.contact.body == BodyKind::solid && !has_solid_feet())
-    throw BadInput(
-      "Contact/Body = solid needs a Stemware with MPI, p4est and Trilinos, and this one was built without; "
-      "set Contact/Body = revolution, or build it with a deal.II that has the three.");
+
+const SolidFeet &solid_feet()
+{
+  finite_elements(); // the module stands on this one
+  return *static_cast<const SolidFeet *>(
+    load_table("solid", "stemware_solid_feet", "Contact/Body = solid, with MPI, p4est and Trilinos,"));
+}
+
+} // namespace
+
+void load_modules_of(const Study &study)
+{
+  if (!study.load.is_from_contact())
+    return;
+  finite_elements();
+  if (study.contact.body != BodyKind::solid)
+    return;
+  solid_feet();
+  start_mpi();
 }
 
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
                                      const fem::Foot *similar)
 {
-  require_known_body(study);
+  load_modules_of(study);
   try
   {
     switch (study.contact.body)
     {
     case BodyKind::solid:
-      start_mpi();
-      return make_solid_foot(study, similar);
+      return solid_feet().make_foot(study, similar);
     case BodyKind::revolution:
-      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study), cache);
+      return finite_elements().make_revolution_foot(revolution_setup(study), cache);
     }
   }
   catch (const std::invalid_argument &error)
@@ -72,18 +84,15 @@ bool has_spring_for_hard_table(const Study &study)
 std::vector<fem::SectionPolygon> foot_section(const Study &study)
 {
   if (abilities(study.contact.body).is_of_revolution)
-  {
-    const fem::RevolutionSetup setup = revolution_setup(study);
-    return fem::section_cells(fem::MeridianMeshes(setup).foot);
-  }
+    return finite_elements().meridian_cells(revolution_setup(study));
   // Between two sectors of any usual mesh.
   constexpr double azimuth = 0.02;
-  dealii::Triangulation<3> mesh;
+  const auto mesh = finite_elements().empty_mesh();
   if (study.contact.mesh_file.empty())
-    fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
+    finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, *mesh);
   else
-    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, mesh);
-  return fem::section_cells(mesh, azimuth);
+    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, *mesh);
+  return finite_elements().section_cells(*mesh, azimuth);
 }
 
 } // namespace stemware::pipeline

@@ -14,13 +14,14 @@ class ComplianceCache;
 namespace stemware::pipeline
 {
 
-/// Throws BadInput where the foot that @p study asks for is not part of this program.
-void require_known_body(const Study &study);
+/// Loads the modules that make the foot of @p study, and starts MPI for a solid one. Throws BadInput if a
+/// module cannot be loaded.
+void load_modules_of(const Study &study);
 
 /// The foot that the study asks for, on its table; feet that are to share what they can are given the same
-/// @p cache. For a solid foot MPI starts, all ranks call this together, and it shares
-/// mesh and elements with @p similar where that has the same and is not asked while this one solves. Throws
-/// BadInput as require_known_body(), and for a mesh file or a setup that cannot be used.
+/// @p cache. A solid foot, for which all ranks call this together, shares mesh and elements with @p similar
+/// where that has the same and is not asked while this one solves. Throws BadInput as load_modules_of(), and
+/// for a mesh file or a setup that cannot be used.
 std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
                                      const fem::Foot *similar = nullptr);
 

@@ -1,10 +1,9 @@
 #include "fem/pipeline/coupling/usable_mesh.h"
 
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text_file.h"
-
-#include <deal.II/grid/tria.h>
 
 #include <cmath>
 #include <fmt/format.h>
@@ -17,7 +16,7 @@ fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &ma
 try
 {
   require_regular_file("The mesh " + shortened_path(file), file);
-  return fem::read_foot_mesh(file, mesh, marks);
+  return finite_elements().read_foot_mesh(file, mesh, marks);
 }
 catch (const std::invalid_argument &error)
 {
@@ -67,9 +66,9 @@ void require_same_glass(const fem::MeshReport &report, const std::string &file, 
 void require_usable_mesh(const Study &study)
 {
   const std::string &file = study.contact.mesh_file;
-  dealii::Triangulation<3> mesh;
-  const fem::MeshReport report = read_mesh_file(file, study.contact.mesh_marks, mesh);
-  require_usable(file, fem::check_mesh(mesh));
+  const auto mesh = finite_elements().empty_mesh();
+  const fem::MeshReport report = read_mesh_file(file, study.contact.mesh_marks, *mesh);
+  require_usable(file, finite_elements().check_mesh(*mesh));
   require_same_glass(report, file, study);
 }
 

@@ -1,9 +1,9 @@
 #include "fem/pipeline/explore/live_bodies.h"
 
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/revolution/meridian_meshes.h"
 
 namespace stemware::pipeline
 {
@@ -27,13 +27,8 @@ void require_live(const Study &study)
 LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache)
 {
   require_live(study);
-  const fem::RevolutionSetup setup = revolution_setup(study);
-  const fem::MeridianMeshes meshes(setup);
-  const fem::MeridianOptions options = setup.meridian_of_zone();
-  LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), {} };
-  if (setup.table.substrate)
-    bodies.disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
-  return bodies;
+  const auto [foot, disc] = finite_elements().compliances(revolution_setup(study), cache);
+  return { *foot, disc ? std::optional(*disc) : std::nullopt };
 }
 
 } // namespace stemware::pipeline

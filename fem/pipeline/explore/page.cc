@@ -1,6 +1,7 @@
 #include "fem/pipeline/explore/page.h"
 
 #include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/explore/explorer.h"
@@ -10,8 +11,6 @@
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text_file.h"
-
-#include <deal.II/base/utilities.h>
 
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
@@ -24,10 +23,6 @@
 #include <set>
 #include <utility>
 
-#ifndef DEAL_II_WITH_ZLIB
-#error "The page is packed by deal.II's zlib."
-#endif
-
 namespace stemware::pipeline
 {
 
@@ -36,11 +31,6 @@ const CompiledTexts &page_texts();
 
 namespace
 {
-
-std::string base64(const std::string &bytes)
-{
-  return dealii::Utilities::encode_base64({ bytes.begin(), bytes.end() });
-}
 
 /// A compliance as the page has it: its numbers as whole multiples of a step, one for `normal`, `radial` and
 /// `azimuthal` each, which is 2^-bits of the largest of them.
@@ -250,7 +240,7 @@ LiveSolver live_solver()
     const std::string script = read_text_file(folder / "explore.js"),
                       wasm = read_text_file(folder / "explore.wasm");
     if (!script.empty() && !wasm.empty())
-      return { base64(dealii::Utilities::compress(script)), base64(dealii::Utilities::compress(wasm)) };
+      return { finite_elements().packed(script), finite_elements().packed(wasm) };
   }
   for (const std::filesystem::path &folder : shared_folders())
   {
@@ -345,7 +335,7 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
   };
   put("STYLE", text_of(texts, "style.css"));
   put("DATA", data.dump());
-  put("BODIES", base64(dealii::Utilities::compress(bodies.bytes)));
+  put("BODIES", finite_elements().packed(bodies.bytes));
   put("WASM", solver.wasm);
   put("GLUE", solver.script);
   put("WORKER", text_of(texts, "worker.js"));

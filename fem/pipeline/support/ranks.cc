@@ -1,15 +1,12 @@
 #include "fem/pipeline/support/ranks.h"
 
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/module.h"
+#include "fem/pipeline/support/rank_functions.h"
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/multithread_info.h>
-
-#include <boost/serialization/utility.hpp>
-
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -17,18 +14,11 @@
 namespace stemware::pipeline
 {
 
-namespace mpi = dealii::Utilities::MPI;
-
 namespace
 {
 
-std::unique_ptr<mpi::MPI_InitFinalize> running_session;
-
-#ifdef DEAL_II_WITH_MPI
-constexpr bool has_mpi = true;
-#else
-constexpr bool has_mpi = false;
-#endif
+/// MPI once it has started.
+std::atomic<const RankFunctions *> running = nullptr;
 
 bool says_one(const char *variable)
 {
@@ -70,7 +60,7 @@ void prepare_to_stand_alone()
 }
 
 /// Outcome of some work: the exit code that belongs to it, and the message of its failure.
-std::pair<int, std::string> outcome_of(const std::function<void()> &work)
+RankOutcome outcome_of(const std::function<void()> &work)
 try
 {
   work();
@@ -88,40 +78,38 @@ catch (const std::exception &failure)
 
 MpiSession::MpiSession()
 {
-  // deal.II's own threads would compete with those of the study and make sums depend on the machine.
-  dealii::MultithreadInfo::set_thread_limit(1);
   if (launcher().has_several)
     start_mpi();
 }
 
 MpiSession::~MpiSession()
 {
-  running_session.reset();
+  if (const RankFunctions *mpi = running.exchange(nullptr))
+    mpi->stop();
 }
 
 void start_mpi()
 {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  if (running_session || mpi::job_supports_mpi())
+  if (running)
     return;
-  if (launcher().has_several && !has_mpi)
+  const auto *mpi =
+    static_cast<const RankFunctions *>(load_table("fem", "stemware_ranks", "A study on ranks"));
+  if (launcher().has_several && !mpi->has_mpi)
     throw BadInput("mpirun has started this program, whose deal.II has no MPI, so that its processes do not "
                    "know of each other; start it by itself.");
   if (!launcher().is_there)
     prepare_to_stand_alone();
-  static int n_arguments = 0;
-  static char **arguments = nullptr;
-  const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
-  running_session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
-  dealii::MultithreadInfo::set_thread_limit(n_threads);
+  mpi->start();
+  running = mpi;
 }
 
 void on_every_rank(const std::function<void()> &work)
 {
-  std::vector<std::pair<int, std::string>> outcomes = { outcome_of(work) };
+  std::vector<RankOutcome> outcomes = { outcome_of(work) };
   if (n_ranks() > 1)
-    outcomes = mpi::all_gather(MPI_COMM_WORLD, outcomes.front());
+    outcomes = running.load()->all_gather(outcomes.front());
   for (const auto &[code, message] : outcomes)
     if (code == static_cast<int>(ExitCode::output_failure))
       throw OutputFailure(message);
@@ -138,17 +126,17 @@ std::string from_first_rank(const std::function<std::string()> &work)
 {
   std::string text;
   on_first_rank([&] { text = work(); });
-  return n_ranks() > 1 ? mpi::broadcast(MPI_COMM_WORLD, text) : text;
+  return n_ranks() > 1 ? running.load()->broadcast(text) : text;
 }
 
 unsigned int this_rank()
 {
-  return running_session ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
+  return running ? running.load()->this_rank() : 0;
 }
 
 unsigned int n_ranks()
 {
-  return running_session ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
+  return running ? running.load()->n_ranks() : 1;
 }
 
 bool is_first_rank()
@@ -158,9 +146,8 @@ bool is_first_rank()
 
 void abort_all_ranks(int exit_status)
 {
-#ifdef DEAL_II_WITH_MPI
-  MPI_Abort(MPI_COMM_WORLD, exit_status);
-#endif
+  if (running)
+    running.load()->abort(exit_status);
   std::_Exit(exit_status);
 }
 

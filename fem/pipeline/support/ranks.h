@@ -6,7 +6,7 @@
 namespace stemware::pipeline
 {
 
-/// The span in which MPI may be used; one per program, in main(). Holds deal.II to one thread, and ends MPI.
+/// The span in which MPI may be used; one per program, in main(). Ends MPI.
 class MpiSession
 {
 public:

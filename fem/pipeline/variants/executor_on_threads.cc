@@ -1,8 +1,7 @@
+#include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/variants/executor.h"
-
-#include <deal.II/base/multithread_info.h>
 
 #include <atomic>
 #include <exception>
@@ -16,17 +15,15 @@ namespace stemware::pipeline
 namespace
 {
 
-/// deal.II holds TBB of the whole program to its own number of threads, which is one once MPI runs
-/// (ranks.cc).
+/// limit_threads() while it lives.
 class ThreadLimit
 {
 public:
   explicit ThreadLimit(unsigned int n_threads)
-      : before(dealii::MultithreadInfo::n_threads())
+      : before(limit_threads(n_threads))
   {
-    dealii::MultithreadInfo::set_thread_limit(n_threads);
   }
-  ~ThreadLimit() { dealii::MultithreadInfo::set_thread_limit(before); }
+  ~ThreadLimit() { limit_threads(before); }
   ThreadLimit(const ThreadLimit &) = delete;
   ThreadLimit &operator=(const ThreadLimit &) = delete;
 

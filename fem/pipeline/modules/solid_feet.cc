@@ -80,14 +80,7 @@ public:
   const std::string elements; ///< elements_of()
 };
 
-} // namespace
-
-bool has_solid_feet()
-{
-  return true;
-}
-
-std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const fem::Foot *similar)
+std::shared_ptr<fem::Foot> make_foot(const Study &study, const fem::Foot *similar)
 {
   const fem::SolidSetup setup = solid_setup(study);
   const std::string elements = elements_of(study);
@@ -96,5 +89,10 @@ std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const fem::Foot *
     other = nullptr;
   return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study), setup, other, elements);
 }
+
+} // namespace
+
+extern "C" const SolidFeet stemware_solid_feet;
+const SolidFeet stemware_solid_feet = { make_foot };
 
 } // namespace stemware::pipeline
