@@ -236,6 +236,7 @@ source_commands() {
   report=("Debian $(cat "$root/etc/debian_version") ($release), commit $(git -C "$root/root/stemware" rev-parse --short HEAD), $(nproc) cores")
   report+=("bare             $(n_packages) packages, $(megabytes) MB")
   reported "quickstart-run" sh -c 'cd && cd stemware && ./quickstart run'
+  reported "quickstart-install" sh -c 'cd && cd stemware && ./quickstart install /root/installed' # with the solid foot
   grep -h -E "^Stemware |^[1-4]/4 .* s$" "$folder/quickstart-run.txt" | sed 's/^/    /' >"$folder/steps"
   mapfile -t -O "${#report[@]}" report <"$folder/steps"
   if [[ -x $root/root/stemware/build/${STEMWARE_PRESET:-release}/stemware ]]; then
