@@ -69,6 +69,14 @@ unsigned int id_at_end(const std::string &name)
   return digits.empty() || digits.size() > most_digits ? 0 : static_cast<unsigned int>(std::stoul(digits));
 }
 
+/// Whether a set is one of Gmsh's elementary surfaces, "Surface70", whose numbers are no ids.
+bool is_elementary(const std::string &set)
+{
+  const std::string gmsh_name = "SURFACE";
+  return boost::starts_with(set, gmsh_name) &&
+         set.find_first_not_of("0123456789", gmsh_name.size()) == std::string::npos;
+}
+
 ElementType type_of(const std::string &name)
 {
   struct Family
@@ -82,12 +90,18 @@ ElementType type_of(const std::string &name)
     { "CPS8", { 8, 4 } },   { "CPE4", { 4, 4 } },   { "CPE8", { 8, 4 } },   { "CAX4", { 4, 4 } },
     { "CAX8", { 8, 4 } },   { "M3D4", { 4, 4 } },   { "M3D8", { 8, 4 } },   { "M3D9", { 9, 4 } },
     { "SFM3D4", { 4, 4 } }, { "SFM3D8", { 8, 4 } }, { "R3D4", { 4, 4 } },   { "S4", { 4, 4 } },
-    { "S8R", { 8, 4 } },    { "S9R5", { 9, 4 } },   { "T3D2", { 2, 0 } },   { "T3D3", { 3, 0 } },
-    { "B31", { 2, 0 } },    { "B32", { 3, 0 } }
+    { "S8R", { 8, 4 } },    { "S9R5", { 9, 4 } }
   };
+  // Points, lines and springs, which have no faces.
+  static const std::vector<const char *> without_faces = { "MASS", "ROTARYI", "HEATCAP", "SPRING", "DASHPOT",
+                                                           "CONN", "DCOUP",   "GAP",     "T2D",    "T3D",
+                                                           "B2",   "B3",      "PIPE",    "ELBOW",  "FRAME" };
   for (const Family &family : families)
     if (boost::starts_with(name, family.beginning))
       return family.type;
+  for (const char *beginning : without_faces)
+    if (boost::starts_with(name, beginning))
+      return {};
   throw UnreadableMesh("has elements of the type " + shown(name).substr(0, 20) +
                        "; export hexahedra: C3D8, C3D20 or C3D27.");
 }
@@ -122,6 +136,8 @@ public:
         add(element, 0, { 0, 1, 2, 3, 4, 5, 6, 7 });
     mark_faces();
     content.points = std::move(points.points);
+    content.names.way_to_ids =
+      "end the names of its sets or surfaces of faces (*SURFACE, TYPE=ELEMENT) in ids";
     return std::move(content);
   }
 
@@ -158,17 +174,32 @@ private:
     if (makers.count(keyword.name) > 0)
       throw UnreadableMesh("makes nodes or elements by " + keyword.name +
                            "; export each node and element by itself.");
-    if (keyword.name == "*INSTANCE" && ++n_instances > 1)
-      throw UnreadableMesh("has several instances of parts (*INSTANCE); export the foot as one part.");
+    const std::string name = keyword.value("NAME");
+    if (keyword.name == "*ASSEMBLY" || keyword.name == "*ENDINSTANCE")
+      is_of_assembly = true;
+    else if (keyword.name == "*INSTANCE" || keyword.name == "*ENDASSEMBLY")
+      is_of_assembly = false;
+    for (const char *kind : { "*PART", "*INSTANCE" })
+      if (std::vector<std::string> &names = names_of[kind]; keyword.name == kind)
+      {
+        names.push_back(shown(name));
+        if (names.size() > 1)
+          throw UnreadableMesh("has several of " + keyword.name + " (" + boost::join(names, ", ") +
+                               "); export the foot alone, as one part.");
+      }
     if (keyword.name == "*NODE" && keyword.values.count("SYSTEM") > 0 && keyword.value("SYSTEM") != "R")
       throw UnreadableMesh("has nodes in the coordinates SYSTEM = " + shown(keyword.value("SYSTEM")) +
                            "; export x, y, z.");
     if (keyword.name == "*ELEMENT")
       type = type_of(keyword.value("TYPE"));
-    else if (keyword.name == "*SURFACE")
-      surface_id = keyword.values.count("TYPE") == 0 || keyword.value("TYPE") == "ELEMENT"
-                     ? id_at_end(keyword.value("NAME"))
-                     : 0;
+    if (keyword.name != "*SURFACE")
+      return;
+    const bool has_faces = keyword.values.count("TYPE") == 0 || keyword.value("TYPE") == "ELEMENT";
+    surface_id = has_faces ? id_at_end(name) : 0;
+    if (surface_id != 0)
+      content.names.of_ids[surface_id] = name;
+    else if (has_faces)
+      content.names.without_ids.push_back(name);
   }
 
   bool has_rows_of_mesh() const
@@ -181,9 +212,11 @@ private:
   {
     if (section.name == "*INSTANCE")
       throw UnreadableMesh("moves an instance of a part (*INSTANCE); export the nodes where they stand.");
-    if (section.name == "*NODE")
+    if (section.name == "*NODE" && !is_of_assembly) // else a reference point, numbered from 1 again
       take_node(cells);
-    else if (section.name == "*ELEMENT")
+    else if (section.name == "*ELEMENT" && !is_of_assembly && type.n_corners == 0)
+      elements.emplace(count_in(cells, 0), Element());
+    else if (section.name == "*ELEMENT" && !is_of_assembly)
       take_nodes_of_element(cells);
     else if (section.name == "*ELSET")
       take_members(cells);
@@ -248,8 +281,6 @@ private:
   void add_element()
   {
     const long number = row.front();
-    if (type.n_corners == 0)
-      return;
     const Element element = { type, { row.begin() + 1, row.begin() + 1 + type.n_corners } };
     if (!elements.emplace(number, element).second)
       throw UnreadableMesh("has two elements of the number " + std::to_string(number) + "; export one part.");
@@ -310,8 +341,10 @@ private:
       return;
     }
     bool is_known = false;
+    const std::string plain = member.set.substr(member.set.rfind('.') + 1); // of "INSTANCE.SET"
     for (const auto *known : { &sets, &sets_of_elements })
-      if (const auto found = known->find(member.set); found != known->end())
+      if (const auto found = known->count(member.set) > 0 ? known->find(member.set) : known->find(plain);
+          found != known->end())
       {
         is_known = true;
         for (const Member &inner : found->second)
@@ -336,13 +369,17 @@ private:
       if (surfaces.empty() && has_faces && content.faces.empty())
         for (const auto &[name, members] : *known)
           mark_quadrilaterals(name, members);
+    if (has_faces && content.faces.empty())
+      for (const auto &[name, members] : sets)
+        content.names.without_ids.push_back(name);
   }
 
   void mark_quadrilaterals(const std::string &set, const std::vector<Member> &members)
   {
-    const unsigned int id = id_at_end(set);
+    const unsigned int id = is_elementary(set) ? 0 : id_at_end(set);
     if (id == 0)
       return;
+    content.names.of_ids[id] = set;
     for (const Member &member : members)
       for_each_element(set, member,
                        [&](const Element &element)
@@ -354,6 +391,8 @@ private:
 
   void mark_face(const Element &element, const Surface &surface)
   {
+    if (element.type.n_corners == 0)
+      return;
     if (element.type.n_corners == 4)
       return add(element, surface.id, { 0, 1, 2, 3 });
     const std::string &side = surface.side;
@@ -372,8 +411,10 @@ private:
 
   Keyword section;
   ElementType type;
-  unsigned int surface_id = 0, n_instances = 0;
-  std::vector<long> row; ///< of an element that is not complete yet
+  unsigned int surface_id = 0;
+  bool is_of_assembly = false; ///< the section is of the assembly itself, and not of a part in it
+  std::map<std::string, std::vector<std::string>> names_of; ///< parts and instances, by their keyword
+  std::vector<long> row;                                    ///< of an element that is not complete yet
   NumberedPoints points;
   std::map<long, Element> elements;                                  ///< by their numbers
   std::map<std::string, std::vector<Member>> sets, sets_of_elements; ///< of *ELSET; of *ELEMENT

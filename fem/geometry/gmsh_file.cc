@@ -13,6 +13,11 @@ namespace
 constexpr char advice[] =
   "export hexahedra (Mesh.RecombineAll) of first or second order in format 2 or 4, ASCII.";
 
+std::string in_format_2()
+{
+  return std::string("; convert it: ") + gmsh_line + ".";
+}
+
 const std::map<long, ElementType> gmsh_types = { { 15, { 1, 0 } },  { 1, { 2, 0 } },  { 8, { 3, 0 } },
                                                  { 26, { 4, 0 } },  { 27, { 5, 0 } }, { 3, { 4, 4 } },
                                                  { 10, { 9, 4 } },  { 16, { 8, 4 } }, { 5, { 8, 8 } },
@@ -60,11 +65,13 @@ public:
   MeshContent read()
   {
     read_format();
+    read_names();
     if (is_format_4 && sections.count("Entities") > 0)
       read_surfaces();
     read_nodes();
     read_elements();
     content.points = std::move(points.points);
+    content.names.way_to_ids = "give its surfaces physical ids and save it without Mesh.SaveAll";
     return std::move(content);
   }
 
@@ -85,9 +92,28 @@ private:
     is_format_4 = is_format_4_0 || version == "4.1";
     if (!is_format_4 && version != "2" && version != "2.0" && version != "2.1" && version != "2.2")
       throw UnreadableMesh("is in Gmsh's format " + version.substr(0, 10) +
-                           "; save it in format 2 or 4 (Mesh.MshFileVersion = 2.2 or 4.1).");
+                           ", and 2.2, 4.0 and 4.1 are read" + in_format_2());
     if (words.next() != "0")
-      throw UnreadableMesh("is binary; save it in ASCII (Mesh.Binary = 0).");
+      throw UnreadableMesh("is binary, and ASCII is read" + in_format_2());
+    if (sections.count("PartitionedEntities") > 0)
+      throw UnreadableMesh("is partitioned, and a mesh in one part is read" + in_format_2());
+  }
+
+  /// Names of the physical groups of surfaces: lines such as 2 7 "contact".
+  void read_names()
+  {
+    const auto found = sections.find("PhysicalNames");
+    std::string_view text = found == sections.end() ? "" : found->second;
+    while (!text.empty())
+    {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      text.remove_prefix(std::min(line.size() + 1, text.size()));
+      Words words(line);
+      const auto dimension = whole_number_in(words.next()), id = whole_number_in(words.next());
+      const std::size_t begin = line.find('"'), end = line.rfind('"');
+      if (dimension == 2 && id && *id > 0 && begin < end)
+        content.names.of_ids[static_cast<unsigned int>(*id)] = line.substr(begin + 1, end - begin - 1);
+    }
   }
 
   /// The physical ids of the surfaces.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,11 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Command lines that convert a mesh file to one that is read; the first keeps physical groups.
+inline constexpr char gmsh_line[] = "`gmsh FILE -save -format msh22 -o x.msh`";
+inline constexpr char meshio_line[] =
+  "`meshio convert --ascii -o gmsh22 FILE x.msh` (Debian: python3-meshio)";
+
 /// Corners of the faces of a hexahedron, S1 to S6 of Abaqus, by their places in MeshContent::hexahedra.
 constexpr unsigned int faces_of_hexahedron[6][4] = { { 0, 1, 2, 3 }, { 4, 7, 6, 5 }, { 0, 4, 5, 1 },
                                                      { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } };
@@ -46,6 +52,14 @@ struct MarkedFace
 /// The id of a face, once it is known to be one: from 1 to 1000000000. Throws UnreadableMesh.
 unsigned int marked_id(long id);
 
+/// Names that a file gives to faces of the surface, for messages.
+struct FaceNames
+{
+  std::map<unsigned int, std::string> of_ids = {};
+  std::vector<std::string> without_ids = {}; ///< of sets and surfaces
+  std::string way_to_ids = {};               ///< how somebody gives ids to faces in this format
+};
+
 /// The hexahedra of a mesh file by their corners.
 struct MeshContent
 {
@@ -54,6 +68,7 @@ struct MeshContent
   std::vector<std::array<unsigned int, 8>> hexahedra;
   std::vector<MarkedFace> faces;
   bool is_second_order = false; ///< the file has more nodes than corners
+  FaceNames names;
 
   /// Adds a hexahedron, or a quadrilateral whose @p id is not 0: the points of its corners are @p corner(0),
   /// @p corner(1) and so on. Throws as marked_id().
@@ -115,18 +130,24 @@ private:
   std::unordered_map<long, unsigned int> index;
 };
 
-/// The content of a file in one of the formats of read_hexahedra(). Time and memory grow with the text, and
-/// with nothing that stands in it. Throw UnreadableMesh.
+/// Read the content of a file in one of the formats of read_hexahedra(). Time and memory grow with the text,
+/// whatever numbers are in it. Throw UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
 MeshContent read_abaqus(const std::string &text);
-MeshContent read_vtu(const std::string &text);
 
-/// Reads the hexahedra of a file, and of their faces the ids that it gives: Gmsh's .msh (format 2 or 4,
-/// ASCII; physical ids), Abaqus's .inp (C3D8, C3D20, C3D27; element surfaces whose names end in their ids, or
-/// where there are none, sets of surface elements such as S4 or CPS4 whose names do), VTK's .vtu in ASCII and
-/// one piece (types 12, 25, 29 and 9, 23, 28; integer cell data with the name boundary_id). Of hexahedra of
-/// second order the corners are kept; returns whether there are such. Time and memory grow with the size of
-/// the file. Throws std::invalid_argument with one sentence for any other file and for what cannot be read.
-bool read_hexahedra(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation);
+/// Facts of a mesh file beside its cells.
+struct MeshFileFacts
+{
+  bool is_second_order = false; ///< only the corners of its hexahedra were kept
+  FaceNames names = {};
+};
+
+/// Reads the hexahedra of a file and the ids of their faces: Gmsh's .msh (format 2 or 4, ASCII; physical
+/// ids), or Abaqus's .inp (C3D8, C3D20, C3D27; element surfaces whose names end in their ids, or if there are
+/// none, sets of surface elements such as S4 or CPS4 whose names do). Coordinates are multiplied by @p unit
+/// [m]. Time and memory grow with the size of the file. Throws std::invalid_argument with one sentence for
+/// any other file, for a damaged one, and if nodes coincide that are not shared.
+MeshFileFacts read_hexahedra(const std::string &file_name, double unit,
+                             dealii::Triangulation<3, 3> &triangulation);
 
 } // namespace stemware::fem

@@ -1,4 +1,5 @@
 #include "fem/geometry/mesh_content.h"
+#include "fem/geometry/require.h"
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
@@ -8,9 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 namespace stemware::fem
 {
@@ -26,16 +27,55 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
+/// Throws UnreadableMesh if corners of hexahedra coincide and are not shared: such cells only seem to be
+/// joined.
+void require_shared_nodes(const MeshContent &content)
+{
+  std::vector<unsigned int> corners;
+  for (const auto &hexahedron : content.hexahedra)
+    corners.insert(corners.end(), hexahedron.begin(), hexahedron.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  double size = 0;
+  for (const unsigned int i : corners)
+    for (const double coordinate : content.points[i])
+      size = std::max(size, std::abs(coordinate));
+  // Far more than rounding and far less than a cell; the offset keeps round numbers off the borders.
+  const double tolerance = 1e-7 * size, offset = 0.2137;
+  std::vector<std::array<double, 4>> places; // three coordinates in tolerances, and the index
+  for (const unsigned int i : corners)
+  {
+    places.push_back({ 0, 0, 0, static_cast<double>(i) });
+    for (unsigned int d = 0; d < 3; ++d)
+      places.back()[d] = std::floor(content.points[i][d] / tolerance + offset);
+  }
+  std::sort(places.begin(), places.end());
+  std::size_t n_repeated = 0, first = 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (std::equal(places[i].begin(), places[i].begin() + 3, places[i - 1].begin()))
+      first = n_repeated++ == 0 ? i : first;
+  if (n_repeated == 0)
+    return;
+  const auto &x = content.points[static_cast<unsigned int>(places[first][3])];
+  throw UnreadableMesh(
+    sentence("has ", n_repeated, " nodes that coincide with others and are not shared, one at (", x[0], ", ",
+             x[1], ", ", x[2],
+             ") m; merge them (Gmsh: Coherence, or a larger Geometry.Tolerance), so that the "
+             "foot is one body."));
+}
+
 /// Throws UnreadableMesh where points are no numbers, cells no hexahedra, or faces not those of one or two
 /// cells: deal.II takes the latter for granted.
 void require_mesh(const MeshContent &content)
 {
   if (content.hexahedra.empty())
-    throw UnreadableMesh("has no hexahedra; export hexahedra.");
+    throw UnreadableMesh("has no hexahedra; mesh the foot in hexahedra (Gmsh: Mesh.RecombineAll, "
+                         "Mesh.SubdivisionAlgorithm = 2).");
   for (const std::array<double, 3> &point : content.points)
     for (const double coordinate : point)
       if (!(std::abs(coordinate) < 1e6))
-        throw UnreadableMesh("has coordinates that are no lengths in metres; export the mesh anew.");
+        throw UnreadableMesh("has coordinates that are no lengths of a foot; export the mesh anew.");
+  require_shared_nodes(content);
   std::vector<std::array<unsigned int, 4>> faces;
   faces.reserve(6 * content.hexahedra.size());
   for (std::array<unsigned int, 8> corners : content.hexahedra)
@@ -108,15 +148,15 @@ void build(const MeshContent &content, Triangulation<3> &triangulation)
   }
 }
 
-/// The whole file, as text without a byte order mark.
+/// Returns the whole file, as text without a byte order mark.
 std::string text_of(const std::string &file_name)
 {
   std::ifstream file(file_name, std::ios::binary);
-  if (!file)
-    throw UnreadableMesh("cannot be read; give the path of a .msh, .inp or .vtu file.");
-  std::ostringstream stream;
-  stream << file.rdbuf();
-  std::string text = stream.str();
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file_name, error);
+  std::string text(error ? 0 : size, '\0');
+  if (!file || error || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
+    throw UnreadableMesh("cannot be read; give the path of a .msh or .inp file.");
   if (text.empty())
     throw UnreadableMesh("is empty; export the mesh anew.");
   if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
@@ -128,22 +168,26 @@ std::string text_of(const std::string &file_name)
 
 } // namespace
 
-bool read_hexahedra(const std::string &file_name, Triangulation<3> &triangulation)
+MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangulation<3> &triangulation)
 {
   const std::map<std::string, MeshContent (*)(const std::string &)> readers = { { ".msh", read_gmsh },
-                                                                                { ".inp", read_abaqus },
-                                                                                { ".vtu", read_vtu } };
+                                                                                { ".inp", read_abaqus } };
   const std::size_t dot = file_name.find_last_of('.');
   const auto reader =
     readers.find(dot == std::string::npos ? "" : boost::to_lower_copy(file_name.substr(dot)));
   const std::string subject = "Mesh file = " + file_name + " ";
   if (reader == readers.end())
-    throw std::invalid_argument(subject + "is no mesh by its name; give a .msh, .inp or .vtu file.");
+    throw std::invalid_argument(
+      subject + "is not read by its ending; give a .msh or .inp file, and convert others: " + gmsh_line +
+      ", or for .vtu and what Gmsh does not read " + meshio_line + ".");
   try
   {
-    const MeshContent content = reader->second(text_of(file_name));
+    MeshContent content = reader->second(text_of(file_name));
+    for (std::array<double, 3> &point : content.points)
+      for (double &coordinate : point)
+        coordinate *= unit;
     build(content, triangulation);
-    return content.is_second_order;
+    return { content.is_second_order, content.names };
   }
   catch (const UnreadableMesh &reason)
   {

@@ -76,7 +76,8 @@ void mark_by_height(const MeshMarks &marks, Triangulation<3> &triangulation)
   for_each_boundary_face(triangulation,
                          [&](const auto &cell, const Face &face)
                          {
-                           const double upward = face->center()[2] - cell->center()[2];
+                           const auto outward = face->center() - cell->center();
+                           const double upward = outward[2] + 1e-6 * outward.norm(); // walls look sideways
                            if (upward < 0 && lies_at(face, lowest, marks.contact_height))
                              face->set_boundary_id(contact_id);
                            else if (face->boundary_id() == contact_id)
@@ -106,53 +107,126 @@ void mark(const MeshMarks &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-void require_boundaries(const std::string &file_name, const MeshMarks &marks,
-                        const std::vector<types::boundary_id> &ids, const Triangulation<3> &triangulation)
+/// Mean height of the faces of each id of the file [m], for ids that an entry takes.
+std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
-  std::string known = "; of its faces ";
-  for (const types::boundary_id id : ids)
-    known += id == 0 ? "" : (known.back() == ' ' ? "" : ", ") + std::to_string(id);
-  known = known.back() == ' ' ? "; none of its faces has an id" : known + " are known";
-  const std::string subject = "Mesh file = " + file_name;
-  if (count_faces(triangulation, contact_id) == 0)
-    throw std::invalid_argument(subject + " has no contact zone" + known +
-                                "; give the faces that may touch the table the id " +
-                                std::to_string(marks.contact_id) + ", or set Contact/Mesh contact height.");
-  if (count_faces(triangulation, stem_cut_id) == 0)
-    throw std::invalid_argument(subject + " has no stem cut" + known +
-                                "; give the faces where the stem was cut the id " +
-                                std::to_string(marks.stem_id) + ".");
+  constexpr types::boundary_id max_entry = 65000;
+  std::map<types::boundary_id, std::pair<double, unsigned int>> sums;
+  for_each_boundary_face(triangulation,
+                         [&](const auto &, const Face &face)
+                         {
+                           auto &[sum, n_faces] = sums[face->boundary_id()];
+                           sum += face->center()[2];
+                           ++n_faces;
+                         });
+  std::map<types::boundary_id, double> heights;
+  for (const auto &[id, sum] : sums)
+    if (id != 0 && id <= max_entry)
+      heights[id] = sum.first / sum.second;
+  return heights;
 }
 
-/// The edges round the contact zone: those that belong to one contact face only.
+/// At most six texts, with commas between them.
+std::string listed(const std::vector<std::string> &texts)
+{
+  constexpr std::size_t max_texts = 6;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(texts.size(), max_texts); ++i)
+    list += (i > 0 ? ", " : "") + texts[i];
+  return list + (texts.size() > max_texts ? ", ..." : "");
+}
+
+/// A name of a file, at most 30 characters of it.
+std::string shown(const std::string &name)
+{
+  std::string text = name.substr(0, 30);
+  for (char &letter : text)
+    letter = letter < ' ' || letter == 127 ? '?' : letter;
+  return text;
+}
+
+/// Throws std::invalid_argument unless there are faces of both marks; @p heights are those of the ids of the
+/// file.
+void require_boundaries(const std::string &file_name, const MeshMarks &marks,
+                        const std::map<types::boundary_id, double> &heights, const FaceNames &names,
+                        const Triangulation<3> &triangulation)
+{
+  const bool has_contact = count_faces(triangulation, contact_id) > 0,
+             has_stem = count_faces(triangulation, stem_cut_id) > 0;
+  if (has_contact && has_stem)
+    return;
+  std::vector<std::string> known;
+  for (const auto &[id, height] : heights)
+  {
+    const auto name = names.of_ids.find(id);
+    known.push_back(std::to_string(id) +
+                    (name == names.of_ids.end() ? "" : " (" + shown(name->second) + ")"));
+  }
+  std::vector<std::string> others;
+  for (const std::string &name : names.without_ids)
+    others.push_back(shown(name));
+  std::string text =
+    "Mesh file = " + file_name + (has_contact ? " has no stem cut: " : " has no contact zone: ");
+  if (heights.empty())
+    throw std::invalid_argument(text + "none of its faces has an id" +
+                                (others.empty() ? "" : ", but it has the names " + listed(others)) + "; " +
+                                names.way_to_ids + ", " + std::to_string(marks.contact_id) +
+                                " for the contact zone and " + std::to_string(marks.stem_id) +
+                                " for the stem cut, or set Contact/Mesh contact height.");
+
+  // The lowest faces are likely to touch the table, and the highest ones to be the stem cut.
+  const auto is_lower = [](const auto &a, const auto &b) { return a.second < b.second; };
+  const auto lowest = std::min_element(heights.begin(), heights.end(), is_lower),
+             highest = std::max_element(heights.begin(), heights.end(), is_lower);
+  const bool names_contact = !has_contact && lowest->first != marks.stem_id,
+             names_stem =
+               !has_stem && highest->first != marks.contact_id && (has_contact || lowest != highest);
+  text += "its faces have the ids " + listed(known) + "; ";
+  if (names_contact)
+    text += "set Contact/Mesh contact id = " + std::to_string(lowest->first) + ", its lowest faces";
+  if (names_stem)
+    text += (names_contact ? ", and " : "set ") +
+            ("Contact/Mesh stem id = " + std::to_string(highest->first)) + ", its highest ones";
+  if (!names_contact && !names_stem)
+    text +=
+      "give the faces of the " + (has_contact ? "stem cut the id " + std::to_string(marks.stem_id)
+                                              : "contact zone the id " + std::to_string(marks.contact_id));
+  throw std::invalid_argument(text + (has_contact ? "." : ", or set Contact/Mesh contact height."));
+}
+
+/// Exterior angle of a polyline at @p here.
+double exterior_angle(const std::array<double, 2> &before, const std::array<double, 2> &here,
+                      const std::array<double, 2> &after)
+{
+  const double x[] = { here[0] - before[0], after[0] - here[0] },
+               y[] = { here[1] - before[1], after[1] - here[1] };
+  return std::abs(std::atan2(x[0] * y[1] - x[1] * y[0], x[0] * x[1] + y[0] * y[1]));
+}
+
+/// The borders of the contact zone.
 struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    std::map<unsigned int, std::pair<unsigned int, std::array<Point<3>, 2>>> edges;
-    for (const auto &face : triangulation.active_face_iterators())
-      if (face->at_boundary() && face->boundary_id() == contact_id)
-        for (unsigned int l = 0; l < 4; ++l)
-        {
-          auto &[n_faces, ends] = edges[face->line(l)->index()];
-          ++n_faces;
-          ends = { face->line(l)->vertex(0), face->line(l)->vertex(1) };
-        }
+    constexpr double corner = 1; // a larger angle is a corner of the foot, and not of a curve's chords
     double sum_of_deficits = 0;
-    unsigned int n_edges = 0;
-    for (const auto &[index, edge] : edges)
+    for (const Outline &outline : contact_outlines(triangulation))
     {
-      if (edge.first != 1)
-        continue;
-      const auto &[begin, end] = edge.second;
-      radii.push_back(std::hypot(begin[0], begin[1]));
-      radii.push_back(std::hypot(end[0], end[1]));
-      const double turn =
-        std::abs(std::atan2(begin[0] * end[1] - begin[1] * end[0], begin[0] * end[0] + begin[1] * end[1]));
-      sum_of_deficits += turn > 0 ? 1 - std::sin(turn) / turn : 0;
-      ++n_edges;
+      std::vector<double> angles;
+      const std::size_t n = outline.size();
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        radii.push_back(std::hypot(outline[i][0], outline[i][1]));
+        const double angle = exterior_angle(outline[(i + n - 1) % n], outline[i], outline[(i + 1) % n]);
+        angles.push_back(angle < corner ? angle : 0);
+      }
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        const double turn = (angles[i] + angles[(i + 1) % n]) / 2;
+        sum_of_deficits += turn > 1e-9 ? 1 - std::sin(turn) / turn : 0;
+      }
     }
-    area_deficit = sum_of_deficits / n_edges;
+    area_deficit = sum_of_deficits / static_cast<double>(radii.size());
     std::sort(radii.begin(), radii.end());
   }
 
@@ -165,10 +239,10 @@ struct RimBorder
                        { return radius - radii.front() < tolerance || radii.back() - radius < tolerance; });
   }
 
-  double middle() const { return (radii.front() + radii.back()) / 2; }
+  double middle() const { return radii.empty() ? 0 : (radii.front() + radii.back()) / 2; }
 
   std::vector<double> radii; ///< ascending
-  double area_deficit = 0;   ///< of an annulus whose borders are chords that turn by as much as these edges
+  double area_deficit = 0;   ///< share that chords cut off from a land whose borders turn as these edges do
 };
 
 void attach_cylinder(Triangulation<3> &triangulation)
@@ -185,12 +259,12 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
                           const MeshMarks &marks)
 {
   Triangulation<3> serial;
-  const bool is_second_order = read_hexahedra(file_name, serial);
-  const std::vector<types::boundary_id> ids = serial.get_boundary_ids();
+  const MeshFileFacts file = read_hexahedra(file_name, marks.unit, serial);
+  const std::map<types::boundary_id, double> heights = heights_by_id(serial);
   mark(marks, serial);
-  require_boundaries(file_name, marks, ids, serial);
+  require_boundaries(file_name, marks, heights, file.names, serial);
   const RimBorder border(serial);
-  if (is_second_order && !border.is_round())
+  if (file.is_second_order && !border.is_round())
     throw std::invalid_argument("Mesh file = " + file_name +
                                 " has hexahedra of second order on a rim that is not round, and their inner "
                                 "nodes cannot be kept; export smaller hexahedra of first order.");

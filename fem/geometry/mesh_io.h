@@ -23,11 +23,12 @@ struct MeshReport
   bool round_rim = false;
   double rim_radius = 0;          ///< (inner + outer)/2 of the contact zone [m]
   unsigned int n_repetitions = 1; ///< equal parts round the axis (mesh_quality.h)
-  /// Share of the land's area that straight edges cut off, estimated from their turning; 0 if round.
+  /// Share of the land's area that straight edges cut off, estimated from the angles between them; 0 if
+  /// round.
   double land_area_deficit = 0;
 };
 
-/// Marks that tell the faces of a mesh file apart.
+/// How a mesh file is to be read: its unit, and the marks that tell its faces apart.
 struct MeshMarks
 {
   unsigned int contact_id = 2; ///< of the faces that may touch the table
@@ -35,11 +36,12 @@ struct MeshMarks
   /// The contact zone is what looks down at most this high above the mesh's lowest point [m], whatever the
   /// ids; the stem cut then is its top where no face has stem_id. 0: ids.
   double contact_height = 0;
+  double unit = 1; ///< of the coordinates [m]
 };
 
 /// Reads a file as read_hexahedra(), axis along z; faces without a mark are free. Throws
-/// std::invalid_argument when that fails, without stem cut or contact zone, and for second order on a rim
-/// that is not round.
+/// std::invalid_argument if that fails, without stem cut or contact zone (with the names and ids that the
+/// file has, and the entry that takes them), and for second order on a rim that is not round.
 MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3, 3> &triangulation,
                           const MeshMarks &marks = {});
 

@@ -5,6 +5,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
+#include <Eigen/Dense>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/pending/disjoint_sets.hpp>
@@ -74,7 +75,8 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   check.inner_radius = check.lowest = std::numeric_limits<double>::infinity();
   check.outer_radius = check.highest = -std::numeric_limits<double>::infinity();
-  double upward = 0;
+  constexpr double steep = 0.1;
+  double upward = 0, sideways = 0;
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
@@ -84,7 +86,9 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
         continue;
       const Tensor<1, 3> area = area_of(cell, f);
       check.contact_area += area.norm();
-      upward += area[2] >= 0 ? area.norm() : 0;
+      check.mean_height += area.norm() * face->center()[2];
+      (std::abs(area[2]) <= steep * area.norm() ? sideways : upward) +=
+        area[2] > -1e-6 * area.norm() ? area.norm() : 0;
       for (unsigned int d = 0; d < 2; ++d)
         check.centre[d] += area.norm() * face->center()[d];
       for (const unsigned int v : face->vertex_indices())
@@ -98,8 +102,61 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
       }
     }
   check.upward_share = upward / check.contact_area;
+  check.sideways_share = sideways / check.contact_area;
+  check.mean_height /= check.contact_area;
   for (double &coordinate : check.centre)
     coordinate /= check.contact_area;
+}
+
+/// Finds the circle of least squares of x^2 + y^2 - 2 a x - 2 b y - c through the outer border.
+void check_rim(const Triangulation<3> &triangulation, MeshCheck &check)
+{
+  const std::vector<Outline> outlines = contact_outlines(triangulation);
+  const Outline outline = outlines.empty() ? Outline(1) : outlines.front(); // none of a closed surface
+  Eigen::MatrixX3d matrix(outline.size(), 3);
+  Eigen::VectorXd right(outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    const auto &[x, y] = outline[i];
+    matrix.row(row) << 2 * x, 2 * y, 1;
+    right(row) = x * x + y * y;
+  }
+  const Eigen::Vector3d fit = matrix.colPivHouseholderQr().solve(right);
+  check.rim_centre = { fit(0), fit(1) };
+  const double radius = std::sqrt(fit(2) + fit(0) * fit(0) + fit(1) * fit(1));
+  for (const auto &[x, y] : outline)
+    check.rim_deviation =
+      std::max(check.rim_deviation, std::abs(std::hypot(x - fit(0), y - fit(1)) / radius - 1));
+}
+
+/// Finds the height of the stem cut, and the cells that it does not hold.
+void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
+{
+  boost::disjoint_sets_with_storage<> sets(triangulation.n_active_cells() + 1);
+  const unsigned int held = triangulation.n_active_cells();
+  unsigned int n_faces = 0;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (!cell->at_boundary(f))
+        sets.union_set(cell->active_cell_index(), cell->neighbor(f)->active_cell_index());
+      else if (const auto face = cell->face(f);
+               face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::stem_cut))
+      {
+        sets.union_set(cell->active_cell_index(), held);
+        check.stem_height += face->center()[2];
+        ++n_faces;
+        for (const unsigned int v : face->vertex_indices())
+          check.stem_radius = std::max(check.stem_radius, std::hypot(face->vertex(v)[0], face->vertex(v)[1]));
+      }
+  check.stem_height /= std::max(1u, n_faces);
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (n_faces > 0 && sets.find_set(cell->active_cell_index()) != sets.find_set(held))
+    {
+      ++check.n_loose;
+      for (unsigned int d = 0; d < 3; ++d)
+        check.loose_place[d] = cell->center()[d];
+    }
 }
 
 /// How many sets of contact faces are joined by edges.
@@ -149,6 +206,52 @@ std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
       faces.push_back(corners);
     }
   return faces;
+}
+
+std::vector<Outline> contact_outlines(const Triangulation<3> &triangulation)
+{
+  std::map<unsigned int, std::array<unsigned int, 2>> edges; // those that belong to one face only
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() &&
+        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      for (unsigned int l = 0; l < 4; ++l)
+        if (const auto line = face->line(l);
+            !edges.insert({ face->line_index(l), { line->vertex_index(0), line->vertex_index(1) } }).second)
+          edges.erase(face->line_index(l));
+  std::multimap<unsigned int, unsigned int> neighbors;
+  for (const auto &[index, ends] : edges)
+  {
+    neighbors.emplace(ends[0], ends[1]);
+    neighbors.emplace(ends[1], ends[0]);
+  }
+  std::vector<Outline> outlines;
+  while (!neighbors.empty())
+  {
+    Outline outline;
+    unsigned int vertex = neighbors.begin()->first;
+    for (auto step = neighbors.find(vertex); step != neighbors.end(); step = neighbors.find(vertex))
+    {
+      const unsigned int next = step->second;
+      neighbors.erase(step);
+      const auto [begin, end] = neighbors.equal_range(next);
+      neighbors.erase(std::find_if(begin, end, [&](const auto &back) { return back.second == vertex; }));
+      const Point<3> &x = triangulation.get_vertices()[vertex];
+      outline.push_back({ x[0], x[1] });
+      vertex = next;
+    }
+    outlines.push_back(outline);
+  }
+  const auto length = [](const Outline &outline)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+      sum += std::hypot(outline[i][0] - outline[(i + 1) % outline.size()][0],
+                        outline[i][1] - outline[(i + 1) % outline.size()][1]);
+    return sum;
+  };
+  std::sort(outlines.begin(), outlines.end(),
+            [&](const Outline &a, const Outline &b) { return length(a) > length(b); });
+  return outlines;
 }
 
 unsigned int n_repetitions(const Triangulation<3> &triangulation)
@@ -206,6 +309,8 @@ MeshCheck check_mesh(const Triangulation<3> &triangulation)
   }
   check_contact_zone(triangulation, check);
   check.n_zones = n_contact_zones(triangulation);
+  check_rim(triangulation, check);
+  check_stem(triangulation, check);
   check_cells(triangulation, check);
   return check;
 }

@@ -25,8 +25,17 @@ struct MeshCheck
   double lowest = 0, highest = 0;            ///< z of the contact zone's vertices
   double contact_area = 0;                   ///< of its faces, edges taken as straight [m^2]
   double upward_share = 0;                   ///< share of that area that looks up, away from the table
+  double sideways_share = 0;                 ///< share that looks neither up nor down
   unsigned int n_zones = 0;                  ///< parts of the contact zone that share no edge
-  std::array<double, 2> centre = {};         ///< its centre of area in (x, y); the axis should pass there
+  std::array<double, 2> centre = {};         ///< its centre of area in (x, y)
+  std::array<double, 2> rim_centre = {};     ///< of the circle nearest to its outer border
+  double rim_deviation = 0; ///< largest distance of that border from this circle, over its radius
+  double mean_height = 0;   ///< of its faces
+
+  double stem_height = 0;                 ///< mean z of the faces of the stem cut
+  double stem_radius = 0;                 ///< of its vertices, from the axis
+  unsigned int n_loose = 0;               ///< cells that are not joined to the stem cut by faces
+  std::array<double, 3> loose_place = {}; ///< centre of one of them
 
   double least_jacobian = 1; ///< least scaled Jacobian of all cells
   double mean_jacobian = 1;
@@ -47,6 +56,12 @@ std::vector<double> scaled_jacobians(const dealii::Triangulation<3, 3> &triangul
 /// takes every vertex there to a vertex, to 1e-7 of the mesh's radius; 1 where there is no such turn. How the
 /// middle is meshed does not matter.
 unsigned int n_repetitions(const dealii::Triangulation<3, 3> &triangulation);
+
+/// Closed polyline in (x, y) [m].
+using Outline = std::vector<std::array<double, 2>>;
+
+/// Returns the borders of the contact zone, the longest first.
+std::vector<Outline> contact_outlines(const dealii::Triangulation<3, 3> &triangulation);
 
 /// Corners of a face as seen from above [m], in the order of its edge line.
 using Quadrilateral = std::array<std::array<double, 2>, 4>;

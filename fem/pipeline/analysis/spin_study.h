@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/profile_scatter.h"
 #include "fem/pipeline/analysis/study_rows.h"
 
 #include <cstddef>
@@ -91,8 +90,6 @@ struct SpinStudy
   /// Error of the curves' load, which is interpolated in the spin, over a_0; nothing where it is exact.
   std::optional<double> curve_error = {};
   ContactCounts contacts = {};
-  /// Scatter of a drawn profile's points, where somebody asked for it: profile_scatter().
-  std::optional<ProfileScatter> profile_scatter = {};
 
   const SpinRow &all() const { return rows.back(); }
   /// Whether the answer and its curves were all that was asked: Depth::answer.

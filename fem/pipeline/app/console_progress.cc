@@ -24,7 +24,7 @@ std::string size_of(const fem::FootDescription &foot)
   if (foot.mesh_report) // moment ratios are over Glass/Contact radius
     text += fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
                         foot.mesh_report->rim_radius);
-  if (foot.mesh_report && !foot.mesh_report->round_rim)
+  if (foot.mesh_report && foot.mesh_report->land_area_deficit > 0)
     text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
                         100 * foot.mesh_report->land_area_deficit);
   return text;

@@ -5,7 +5,6 @@
 #include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/report/mesh_results.h"
-#include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
@@ -36,19 +35,16 @@ struct MeshOptions
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Whether a study is asked for, its own mesh or one to compare the file with; without both it is the default
-/// study's.
+/// Whether a study is asked for: its own mesh, or one that says how to read the file and what to compare it
+/// with. Without both it is the default study's.
 bool has_study(const MeshOptions &options)
 {
-  return !options.study.study_file.empty() || options.check.empty();
+  return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
 }
 
 /// Refuses what can be refused before any mesh is made.
 void check_options(const MeshOptions &options)
 {
-  if (!has_study(options) && !options.study.overrides.empty())
-    throw BadInput("--set changes a study, but --check alone looks at a file; name the study file too, or "
-                   "leave --set away.");
   for (const std::string &file : options.writes)
   {
     const std::string extension = fs::path(file).extension();
@@ -59,9 +55,9 @@ void check_options(const MeshOptions &options)
   }
 }
 
-MeshFindings read_mesh(const std::string &file, const fem::MeshMarks &marks, Mesh &mesh)
+MeshFindings read_mesh(const std::string &file, const ContactSection &contact, Mesh &mesh)
 {
-  const fem::MeshReport report = read_mesh_file(file, marks, mesh);
+  const fem::MeshReport report = read_mesh_file(file, contact.mesh_marks, mesh, contact.memory_limit);
   return { file, finite_elements().check_mesh(mesh), report };
 }
 
@@ -115,12 +111,13 @@ void mesh(const MeshOptions &options)
   // 2. What it is like, and whether it can be used.
   const FiniteElements &elements = finite_elements();
   const auto mesh = elements.empty_mesh();
-  const MeshFindings findings =
-    file.empty() ? generate_mesh(*study, *mesh)
-                 : read_mesh(file, study ? study->contact.mesh_marks : fem::MeshMarks(), *mesh);
+  const ContactSection contact = study ? study->contact : ContactSection();
+  const MeshFindings findings = file.empty() ? generate_mesh(*study, *mesh) : read_mesh(file, contact, *mesh);
   console() << mesh_text(findings) << std::flush;
-  require_usable(findings.origin, findings.check);
-  if (study && findings.report)
+  require_usable(findings.origin, findings.check, file.empty() ? fem::MeshMarks() : contact.mesh_marks);
+  const bool has_glass = study && (!options.study.study_file.empty() || options.check.empty() ||
+                                   study->given_entries.count("Glass/Contact radius") > 0);
+  if (has_glass && findings.report)
     require_same_glass(*findings.report, file, *study);
   stopwatch.finish("mesh");
 
@@ -128,13 +125,10 @@ void mesh(const MeshOptions &options)
   for (const std::string &name : options.writes)
     write_mesh(*mesh, name);
   constexpr double azimuth = 0.02; // between two sectors of any usual mesh
-  Results results = tabulate(findings,
-                             { elements.contact_faces(*mesh), elements.scaled_jacobians(*mesh),
-                               elements.section_cells(*mesh, azimuth) },
-                             options.writes);
-  if (study && study->glass.profile.section)
-    for (nlohmann::ordered_json *part : { &results.findings.summary, &results.findings.key_figures })
-      (*part)["profile"] = profile_summary(*study);
+  const Results results = tabulate(findings,
+                                   { elements.contact_faces(*mesh), elements.scaled_jacobians(*mesh),
+                                     elements.section_cells(*mesh, azimuth) },
+                                   options.writes);
   if (folder)
     publish(options.study, study, results, *folder, stopwatch);
   else if (options.study.json && is_first_rank())

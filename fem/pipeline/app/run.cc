@@ -64,7 +64,6 @@ void run(const RunOptions &options)
   {
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.profile_scatter = profile_scatter(study, spin.all(), work.executor, work.progress);
     spin.contacts.bands = n_contacts() - n_before_bands;
   }
   work.stopwatch.finish("bands_and_fields");

@@ -91,7 +91,7 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study)
   if (study.contact.mesh_file.empty())
     finite_elements().make_foot_mesh(study.glass.profile, study.contact.resolution, *mesh);
   else
-    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, *mesh);
+    read_mesh_file(study.contact.mesh_file, study.contact.mesh_marks, *mesh, study.contact.memory_limit);
   return finite_elements().section_cells(*mesh, azimuth);
 }
 

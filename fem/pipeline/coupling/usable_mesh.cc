@@ -6,16 +6,44 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+/// "(0.0003, 0)" in m; what is rounding beside @p size is 0.
+std::string place(double x, double y, double size)
+{
+  const auto shown = [&](double value) { return std::abs(value) < 1e-6 * size ? 0. : value; };
+  return fmt::format(FMT_STRING("({:.4g}, {:.4g}) m"), shown(x), shown(y));
+}
+
+/// Refuses a file that takes more memory to read than is allowed.
+void require_readable_size(const std::string &file, double memory_limit)
+{
+  constexpr double memory_per_byte = 12; // measured, of .msh and .inp
+  std::error_code error;
+  const auto size = static_cast<double>(std::filesystem::file_size(file, error));
+  require(error || memory_per_byte * size <= memory_limit,
+          fmt::format(
+            FMT_STRING("The mesh {} has {:.2g} GB, and reading it takes about {:.2g} GB of memory, above "
+                       "{} GB; give a coarser mesh, or allow more with Contact/Memory limit = {:.0f} GB."),
+            shortened_path(file), size / 1e9, memory_per_byte * size / 1e9, to_short_text(memory_limit / 1e9),
+            std::ceil(memory_per_byte * size / 1e9)));
+}
+
+} // namespace
+
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
-                               dealii::Triangulation<3, 3> &mesh)
+                               dealii::Triangulation<3, 3> &mesh, double memory_limit)
 try
 {
   require_regular_file("The mesh " + shortened_path(file), file);
+  require_readable_size(file, memory_limit);
   return finite_elements().read_foot_mesh(file, mesh, marks);
 }
 catch (const std::invalid_argument &error)
@@ -23,53 +51,79 @@ catch (const std::invalid_argument &error)
   throw BadInput(error.what());
 }
 
-void require_usable(const std::string &origin, const fem::MeshCheck &check)
+void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshMarks &marks)
 {
   const std::string mesh = "The mesh (" + shortened_path(origin) + ")";
+  require(check.n_loose == 0,
+          fmt::format(
+            FMT_STRING("{} has {} of {} cells in pieces that no face joins to the stem cut, one at ({:.4g}, "
+                       "{:.4g}, {:.4g}) m: nothing holds them; export the foot alone, as one body."),
+            mesh, check.n_loose, check.n_cells, check.loose_place[0], check.loose_place[1],
+            check.loose_place[2]));
   require(
     check.n_inverted == 0,
     fmt::format(FMT_STRING("{} has {} cells that are flat or inside out at a corner, the worst near ({:.4g}, "
                            "{:.4g}, {:.4g}); mesh that place anew."),
                 mesh, check.n_inverted, check.worst_place[0], check.worst_place[1], check.worst_place[2]));
+  if (check.upward_share > 0 && check.mean_height > check.stem_height)
+  {
+    const std::string swap =
+      fmt::format(FMT_STRING("swap the ids (Contact/Mesh contact id = {}, Contact/Mesh stem id = {})"),
+                  marks.stem_id, marks.contact_id);
+    const std::string turn = "turn the mesh so that the glass stands upright, z upwards";
+    const bool are_swapped = check.outer_radius <= check.stem_radius; // a stem is narrower than a rim
+    throw BadInput(mesh + " has its contact zone above its stem cut, and it looks up; " +
+                   (are_swapped ? swap + ", or if they are right, " + turn : turn + ", or " + swap) + ".");
+  }
   require(
     check.n_zones == 1,
     fmt::format(FMT_STRING("{} has a contact zone of {} parts that share no edge; mark one ring of faces "
                            "round the axis."),
                 mesh, check.n_zones));
-  require(!(check.upward_share > 0),
+  const bool looks_up = check.upward_share > 0;
+  require(
+    !looks_up && !(check.sideways_share > 0),
+    fmt::format(FMT_STRING("{} has a contact zone of which {:.3g} % looks {}; mark the faces alone that look "
+                           "down, and turn the mesh so that z points upwards."),
+                mesh, 100 * (looks_up ? check.upward_share : check.sideways_share),
+                looks_up ? "up" : "sideways"));
+  const auto &[x, y] = check.rim_centre;
+  constexpr double round = 1e-3;
+  require(check.rim_deviation > round || std::hypot(x, y) <= 1e-3 * check.outer_radius,
           fmt::format(
-            FMT_STRING("{} has a contact zone of which {:.3g} % looks up; turn the mesh so that the glass "
-                       "stands upright on it, z upwards."),
-            mesh, 100 * check.upward_share));
+            FMT_STRING("{} has its rim round {}; move the mesh by {}, so that the axis of the glass is x = "
+                       "y = 0."),
+            mesh, place(x, y, check.outer_radius), place(-x, -y, check.outer_radius)));
   require(std::hypot(check.centre[0], check.centre[1]) <= 0.01 * check.outer_radius,
           fmt::format(
-            FMT_STRING("{} has its contact zone round ({:.4g}, {:.4g}) m; move it so that the axis of the "
-                       "glass is x = y = 0."),
-            mesh, check.centre[0], check.centre[1]));
+            FMT_STRING("{} has its contact zone round {}; move it so that the axis of the glass is x = y = "
+                       "0."),
+            mesh, place(check.centre[0], check.centre[1], check.outer_radius)));
 }
 
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
 {
-  const double radius = study.glass.profile.contact_radius;
-  require(
-    std::abs(report.rim_radius - 1000 * radius) > 100 * radius,
-    fmt::format(FMT_STRING("The mesh {} is in millimetres: its rim has a radius of {} and Glass/Contact "
-                           "radius = {} m; multiply its coordinates by 0.001."),
-                shortened_path(file), to_short_text(report.rim_radius), to_text(radius)));
-  require(std::abs(report.rim_radius - radius) <= 0.1 * radius,
-          fmt::format(
-            FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; give "
-                       "the radius of the mesh, and the mesh in metres."),
-            shortened_path(file), to_short_text(report.rim_radius), to_text(radius)));
+  const double radius = study.glass.profile.contact_radius, unit = study.contact.mesh_marks.unit;
+  const auto fits = [&](double rim) { return std::abs(rim - radius) <= 0.1 * radius; };
+  if (fits(report.rim_radius))
+    return;
+  std::string advice = "give the radius of the mesh, and the unit of its coordinates as Contact/Mesh unit";
+  for (const auto &[name, size] : mesh_units())
+    if (fits(report.rim_radius / unit * size))
+      advice = "set Contact/Mesh unit = " + name + ", which the coordinates seem to be in";
+  throw BadInput(fmt::format(
+    FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; {}."),
+    shortened_path(file), to_short_text(report.rim_radius), to_text(radius), advice));
 }
 
 void require_usable_mesh(const Study &study)
 {
-  const std::string &file = study.contact.mesh_file;
+  const ContactSection &contact = study.contact;
   const auto mesh = finite_elements().empty_mesh();
-  const fem::MeshReport report = read_mesh_file(file, study.contact.mesh_marks, *mesh);
-  require_usable(file, finite_elements().check_mesh(*mesh));
-  require_same_glass(report, file, study);
+  const fem::MeshReport report =
+    read_mesh_file(contact.mesh_file, contact.mesh_marks, *mesh, contact.memory_limit);
+  require_usable(contact.mesh_file, finite_elements().check_mesh(*mesh), contact.mesh_marks);
+  require_same_glass(report, contact.mesh_file, study);
 }
 
 } // namespace stemware::pipeline

@@ -9,17 +9,19 @@
 namespace stemware::pipeline
 {
 
-/// Reads a mesh file as fem::read_foot_mesh() does. Throws BadInput.
+/// Reads a mesh file as fem::read_foot_mesh() does. Throws BadInput, also for a file that would take more
+/// than @p memory_limit [byte] to read, of which nothing is read.
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshMarks &marks,
-                               dealii::Triangulation<3, 3> &mesh);
+                               dealii::Triangulation<3, 3> &mesh,
+                               double memory_limit = ContactSection().memory_limit);
 
-/// Throws BadInput with one sentence about the first thing that makes a mesh useless: cells inside out, a
-/// contact zone of several parts, that looks up or does not lie round the z axis. @p origin is where the mesh
-/// comes from.
-void require_usable(const std::string &origin, const fem::MeshCheck &check);
+/// Throws BadInput with one sentence about the first property that makes a mesh useless: pieces that nothing
+/// holds, cells inside out, swapped ids, a contact zone of several parts, that looks up or sideways, or that
+/// does not lie round the z axis. @p origin is the mesh's file.
+void require_usable(const std::string &origin, const fem::MeshCheck &check, const fem::MeshMarks &marks = {});
 
-/// A mesh in other units than the study, or of another glass, would pass unnoticed: its rim is compared with
-/// the contact radius. Throws BadInput.
+/// Compares the mesh's rim with the contact radius of the study: a mesh in another unit, or of another glass,
+/// would pass unnoticed. Throws BadInput.
 void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
 
 /// All of that for the mesh file of a study: refuses it unless a solid foot can be made of it. Reads the

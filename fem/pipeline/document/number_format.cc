@@ -56,11 +56,6 @@ std::string to_spread(double value, double spread)
   return number(value, "." + std::to_string(decimals_of(spread)) + "f");
 }
 
-std::string with_error(double value, double error)
-{
-  return to_spread(value, error) + " ± " + to_spread(error, error);
-}
-
 std::string with_band(double value, const std::optional<double> &band)
 {
   if (!band || !(*band > 0))

@@ -30,9 +30,6 @@ int decimals_of(double spread);
 /// @p value to two digits of @p spread, its error or its scatter: "-3.6489" where that is 0.0002.
 std::string to_spread(double value, double spread);
 
-/// @p value and its standard @p error, both to two digits of that: "-3.6489 ± 0.0002".
-std::string with_error(double value, double error);
-
 /// @p value and the band round it likewise, rounded up so that what is printed contains all of it; with six
 /// digits where no band is known.
 std::string with_band(double value, const std::optional<double> &band);

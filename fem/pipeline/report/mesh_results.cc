@@ -90,6 +90,7 @@ Json facts_of(const fem::MeshCheck &check, const Json &summary)
   return {
     { "mesh", summary },
     { "rim", summary.value("rim", Json()) },
+    { "cuts_land", summary.contains("rim") && summary["rim"]["land_area_deficit"] > 0 },
     { "inner_radius", check.inner_radius },
     { "outer_radius", check.outer_radius },
     { "box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +

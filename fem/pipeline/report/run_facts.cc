@@ -1,7 +1,6 @@
 #include "fem/pipeline/document/spin_rows.h"
 #include "fem/pipeline/document/table.h"
 #include "fem/pipeline/report/common_sections.h"
-#include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/report/run_results.h"
 
 #include <algorithm>
@@ -65,8 +64,7 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
   const double omega = all.fall ? all.fall->omega : all.omega_terminal().value();
   const bool is_spinning = !all.fall && is_spin(study, omega);
   const std::string held = all.fall || is_spinning ? "" : held_by_the_grip(study, all);
-  const std::optional<double> band = band_of(bands, "omega_terminal"),
-                              error = spin_error(spin.profile_scatter);
+  const std::optional<double> band = band_of(bands, "omega_terminal");
   const bool leans = study.tilts(), grips = study.motion.grip_torque > 0;
   facts.update(
     { { "falling", all.fall ? spin_facts(study, omega) : Json(nullptr) },
@@ -78,8 +76,6 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
       { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },
       { "moment_ratio_at_rest", all.at_rest.value().moment_ratio },
       { "with_band", format::with_band(omega, band) },
-      { "profile_is_wider", error && *error > band.value_or(0) },
-      { "with_error", error ? format::with_error(omega, *error) : "" },
       { "has_band", band.has_value() },
       { "lacks_band", !band && !spin.is_quick() && study.load.is_from_contact() },
       { "may_be_narrow", study.table.is_hard() && !abilities(study.contact.body).is_of_revolution },
@@ -135,6 +131,14 @@ Json thin_layer_facts(const Study &study, double half_width)
       half_width >= layer)
     return nullptr;
   return { { "width", 2 * half_width }, { "thickness", layer } };
+}
+
+/// Null unless the points that the rim follows from have a scatter, above the rounding of numbers in a file.
+Json profile_facts(const Study &study)
+{
+  constexpr double rounding = 1e-9; // m
+  const auto &circle = study.glass.rim_circle;
+  return circle && circle->rms_distance > rounding ? Json{ { "rms", circle->rms_distance } } : Json(nullptr);
 }
 
 Json narrow_contact_facts(const Study &study, const std::optional<FootReport> &foot)
@@ -200,11 +204,14 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
       { "paper", paper_facts(study, budget) },
       { "effect", spin.rows.size() > 1 ? effect_facts(study, budget.harmonics) : Json(nullptr) },
       { "largest_step", largest_step_facts(study, budget) },
-      { "scattered_profile", profile_facts(study, report.load, spin.profile_scatter, band) },
+      { "scattered_profile", profile_facts(study) },
       { "lift_off", lift_offs(study, report, spin) },
       { "thin_layer", thin_layer_facts(study, report.load.half_width()) },
       { "narrow_contact", narrow_contact_facts(study, report.foot) },
-      { "what_is_wavy", rim && table ? "Rim and table are" : (table ? "The table is" : "The rim is") },
+      { "why_it_swings", rim && table ? "Rim and table are out of flat"
+                         : table      ? "The table is out of flat"
+                         : rim        ? "The rim is out of flat"
+                                      : "The foot is not round" },
       { "several_spins", several_spins_facts(spin) },
       { "driven", driven_facts(spin.spin_up, band) },
       { "has_harmonic_torque", !spin.is_quick() && budget.rows.back().name == "harmonics" &&

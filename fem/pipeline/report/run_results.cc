@@ -4,7 +4,6 @@
 #include "fem/pipeline/report/common_sections.h"
 #include "fem/pipeline/report/head.h"
 #include "fem/pipeline/report/plots/plots.h"
-#include "fem/pipeline/report/profile_results.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 
@@ -207,6 +206,17 @@ Json waviness_summary(const PhaseStudy &phases)
                        least_contact_fraction, n_glass_phases, n_table_phases, n_spins, interpolation_error);
 }
 
+/// Summary of a drawn profile and the circle of its rim.
+Json profile_summary(const GlassSection &glass)
+{
+  const auto &circle = glass.rim_circle;
+  return { { "points", glass.n_profile_points },
+           { "contact_radius", glass.profile.contact_radius },
+           { "crown_radius", glass.profile.crown_radius },
+           { "rim_points", circle ? circle->n_points : 0 },
+           { "rms_distance", circle ? Json(circle->rms_distance) : Json(nullptr) } };
+}
+
 Json coupling_summary(const CouplingStatistics &coupling)
 {
   return { { "balanced_spins", coupling.n_balances },
@@ -240,7 +250,7 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
   if (!bands.empty() || spin.is_quick())
     findings.summary["error_bands"] = spin.is_quick() ? Json(nullptr) : band_summary(bands);
   if (study.glass.profile.section)
-    findings.summary["profile"] = profile_summary(study, report.load, spin.profile_scatter);
+    findings.summary["profile"] = profile_summary(study.glass);
   if (goal)
     findings.summary["goal"] = goal_summary(study, *goal, report.foot.value(), bands);
   findings.key_figures = { { "tau_at_rest", spin.all().at_rest.value().friction.torque },
@@ -249,8 +259,6 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
                            { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
                            { "harmonic_effect", spin.budget.harmonics.absolute },
                            { "harmonic_effect_relative", spin.budget.harmonics.relative } };
-  if (const auto error = spin_error(spin.profile_scatter))
-    findings.key_figures["omega_terminal_profile_error"] = *error;
   return findings;
 }
 
@@ -301,9 +309,6 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)
 {
   add_chain(study, spin.budget, document);
-  Json &chain = document.facts["chain"];
-  chain["scattered"] = with_scatter_row(chain["shown"], spin.profile_scatter);
-  chain["scattered_steps"] = with_scatter_row(chain["steps"], spin.profile_scatter);
   Json without = without_rows(study, spin.budget);
   document.facts["without"] = { { "rows", without } };
   leave_out_rounding(without, "difference", rounding_of_spins(study));

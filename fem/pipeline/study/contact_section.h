@@ -6,6 +6,7 @@
 #include "fem/pipeline/study/entry_facts.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -37,6 +38,12 @@ enum class FrictionCoupling
   none,   ///< friction tractions do not act back on the pressure
   elastic ///< they deform foot and substrate
 };
+
+/// Units of a mesh file's coordinates [m].
+inline std::vector<std::pair<std::string, double>> mesh_units()
+{
+  return { { "m", 1 }, { "cm", 1e-2 }, { "mm", 1e-3 }, { "um", 1e-6 }, { "in", 0.0254 } };
+}
 
 /// The number that a mesh is refined for.
 enum class Goal
@@ -98,8 +105,10 @@ struct ContactSection
                 "revolution: fast, and the way to elastic tables; solid: the foot in three-dimensional "
                 "finite elements, for any mesh");
     list.path("Mesh file", mesh_file,
-              "Mesh of the foot (.msh, .inp or .vtu, hexahedra), which then also gives its shape; empty: "
+              "Mesh of the foot (.msh or .inp, hexahedra), which then also gives its shape; empty: "
               "generated from the subsection Glass. A relative path starts at the study file");
+    list.choice("Mesh unit", mesh_marks.unit, mesh_units(), "Unit of the coordinates in the mesh file",
+                used_if(has_mesh_file));
     list.count("Mesh contact id", mesh_marks.contact_id, 1, 65000,
                "Id of the faces of the mesh file that may touch the table", used_if(has_mesh_file));
     list.count("Mesh stem id", mesh_marks.stem_id, 1, 65000,

@@ -6,7 +6,7 @@
 #include "fem/pipeline/study/entry_facts.h"
 #include "fem/pipeline/study/quantity_text.h"
 
-#include <memory>
+#include <optional>
 #include <string>
 
 namespace stemware::pipeline
@@ -20,9 +20,8 @@ struct GlassSection
   fem::GlassProfile profile;
   std::string profile_file;          ///< points of the section, for the shape profile
   unsigned int n_profile_points = 0; ///< that it has
-  /// Through the points of the land, where contact or crown radius follow from it; what the study was given
-  /// has no error there.
-  std::shared_ptr<const fem::RimCircle> rim_circle = {};
+  /// Circle through the points of the land, if contact or crown radius follow from it.
+  std::optional<fem::RimCircle> rim_circle = {};
   fem::ElasticMaterial material;
   Waviness waviness; ///< of the rim, fixed to the glass: positive where it is higher above the table
 

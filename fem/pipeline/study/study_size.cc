@@ -45,12 +45,15 @@ void add_body_of_revolution(const Study &study, StudySize &size)
 double n_vertices(const std::string &file)
 {
   constexpr double bytes_per_vertex = 80;
+  constexpr std::size_t head_size = 100000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     return 0;
-  std::ifstream stream(file);
+  std::string head(head_size, '\0'); // a line may be as long as the file
+  std::ifstream(file).read(head.data(), head_size);
+  std::istringstream stream(head);
   std::string line;
-  for (unsigned int n_lines = 0; n_lines < 1000 && std::getline(stream, line); ++n_lines)
+  while (std::getline(stream, line))
     if (line.rfind("$Nodes", 0) == 0 && std::getline(stream, line))
     {
       double first = 0, second = 0;

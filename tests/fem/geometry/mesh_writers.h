@@ -2,8 +2,11 @@
 
 #include "fem/geometry/mesh_io.h"
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_description.h>
 
+#include <functional>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -60,50 +63,6 @@ inline std::string abaqus_text(const dealii::Triangulation<3> &mesh, bool second
   for (const auto &[id, members] : surfaces)
     text << "*SURFACE, TYPE=ELEMENT, NAME=SURFACE_" << id << '\n' << members;
   return text.str();
-}
-
-/// The same for VTK: hexahedra, and quadrilaterals where a face has an id.
-inline std::string vtu_text(const dealii::Triangulation<3> &mesh, bool second_order = false)
-{
-  const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, second_order);
-  std::ostringstream points, connectivity, offsets, types, ids;
-  points << std::setprecision(17);
-  for (const dealii::Point<3> &x : nodes)
-    points << x[0] << ' ' << x[1] << ' ' << x[2] << '\n';
-  unsigned int end = 0, n_cells = 0;
-  using Order = std::vector<unsigned int>;
-  const auto add = [&](const auto &object, const Order &order, const Order &lines, int type, unsigned int id)
-  {
-    for (const unsigned int v : order)
-      connectivity << object->vertex_index(v) << ' ';
-    for (const unsigned int l : lines)
-      connectivity << mesh.n_vertices() + object->line_index(l) << ' ';
-    end += static_cast<unsigned int>(order.size() + lines.size());
-    offsets << end << ' ';
-    types << type << ' ';
-    ids << id << ' ';
-    ++n_cells;
-  };
-  for (const auto &cell : mesh.active_cell_iterators())
-    add(cell, { 0, 1, 3, 2, 4, 5, 7, 6 },
-        second_order ? Order{ 2, 1, 3, 0, 6, 5, 7, 4, 8, 9, 11, 10 } : Order(), second_order ? 25 : 12, 0);
-  for (const auto &face : mesh.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() != 0)
-      add(face, { 0, 1, 3, 2 }, second_order ? Order{ 2, 1, 3, 0 } : Order(), second_order ? 23 : 9,
-          face->boundary_id());
-  const auto array = [](const std::string &type, const std::string &name, const std::string &values)
-  {
-    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-           (name == "points" ? "3" : "1") + "\" format=\"ascii\">\n" + values + "\n</DataArray>\n";
-  };
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>\n"
-         "<Piece NumberOfPoints=\"" +
-         std::to_string(nodes.size()) + "\" NumberOfCells=\"" + std::to_string(n_cells) + "\">\n<Points>\n" +
-         array("Float64", "points", points.str()) + "</Points>\n<Cells>\n" +
-         array("Int64", "connectivity", connectivity.str()) + array("Int64", "offsets", offsets.str()) +
-         array("UInt8", "types", types.str()) + "</Cells>\n<CellData>\n" +
-         array("Int32", "boundary_id", ids.str()) +
-         "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
@@ -176,10 +135,41 @@ inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mes
   return text.str();
 }
 
+/// A mesh with the cells and boundary ids of @p mesh, which is split along faces: cells of which @p is_second
+/// is true get nodes of their own, moved by @p shift.
+inline void make_split(const dealii::Triangulation<3> &mesh,
+                       const std::function<bool(const dealii::Point<3> &centre)> &is_second,
+                       const dealii::Tensor<1, 3> &shift, dealii::Triangulation<3> &split)
+{
+  const unsigned int n = mesh.n_vertices();
+  std::vector<dealii::Point<3>> points = mesh.get_vertices();
+  for (unsigned int v = 0; v < n; ++v)
+    points.push_back(points[v] + shift);
+  std::vector<dealii::CellData<3>> cells;
+  dealii::SubCellData faces;
+  for (const auto &cell : mesh.active_cell_iterators())
+  {
+    const unsigned int first = is_second(cell->center()) ? n : 0;
+    cells.emplace_back();
+    for (const unsigned int v : cell->vertex_indices())
+      cells.back().vertices[v] = first + cell->vertex_index(v);
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && face->boundary_id() != 0)
+      {
+        faces.boundary_quads.emplace_back();
+        for (const unsigned int v : face->vertex_indices())
+          faces.boundary_quads.back().vertices[v] = first + face->vertex_index(v);
+        faces.boundary_quads.back().boundary_id = face->boundary_id();
+      }
+  }
+  dealii::GridTools::delete_unused_vertices(points, cells, faces);
+  split.create_triangulation(points, cells, faces);
+}
+
 /// The text of @p mesh in the format with this ending.
 inline std::string mesh_text(const dealii::Triangulation<3> &mesh, const std::string &extension)
 {
-  return extension == ".inp" ? abaqus_text(mesh) : extension == ".vtu" ? vtu_text(mesh) : gmsh_text(mesh);
+  return extension == ".inp" ? abaqus_text(mesh) : gmsh_text(mesh);
 }
 
 } // namespace stemware::fem_tests

@@ -157,19 +157,6 @@ void add_foot_plots(const Study &study, const FootReport &foot, Document &docume
                             { "inner", band.inner * millimetres },
                             { "outer", band.outer * millimetres } };
   add_view_from_above(foot.footprint, radius, study.motion.orbit, document);
-  if (const auto &circle = study.glass.rim_circle; circle && circle->has_scatter())
-  {
-    const std::vector<fem::RimPoint> &points = circle->points;
-    document.tables["rim_points"] = { "The points of the land",
-                                      { numbers("r", "m", points, &fem::RimPoint::radius),
-                                        numbers("height", "m", points, &fem::RimPoint::height),
-                                        numbers("distance from the circle", "m", points,
-                                                &fem::RimPoint::distance),
-                                        numbers("weight", "1", points, &fem::RimPoint::weight) } };
-    document.plots["rim_circle"] = { { "radius", circle->contact_radius * millimetres },
-                                     { "crown", circle->crown_radius * millimetres } };
-    document.plots["rim_residuals"] = { { "scatter", circle->scatter } };
-  }
 }
 
 void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double contact_radius,

@@ -65,7 +65,7 @@ std::string name_of_load(const std::string &load);
 void add_comparison_plots(const Comparison &comparison, Document &document);
 
 /// "footprint", "footprint_at_end", "section_stress", "foot_from_above", and those of add_section_plot(),
-/// "rim", "rim_circle" and "rim_residuals", as far as the report has something for them.
+/// and "rim", as far as the report has something for them.
 void add_foot_plots(const Study &study, const FootReport &foot, Document &document);
 
 /// "section": the cells of a foot and its lengths; @p contact_radius [m] that of the study, or @p of_mesh the

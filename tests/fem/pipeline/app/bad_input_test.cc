@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
     BadSetting{ "Contact/Radial cells=3", "even" }, BadSetting{ "Contact/Degree=3", "give 1 or 2", "solid" },
     BadSetting{ "Contact/Degree=5", "from 1 to 4" },
     BadSetting{ "Contact/Mesh file=nothing.msh", "nothing.msh does not exist", "solid" },
-    BadSetting{ "Contact/Mesh file=study.prm", "give a .msh, .inp or .vtu file", "solid" },
+    BadSetting{ "Contact/Mesh file=study.prm", "give a .msh or .inp file", "solid" },
     BadSetting{ "Contact/Mesh file=.", "is not a file", "solid" },
     BadSetting{ "Load/File=nothing.dat", "Load/Source = file" },
     BadSetting{ "Load/Source=file", "needs Load/File" },

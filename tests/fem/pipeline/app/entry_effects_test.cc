@@ -138,6 +138,7 @@ const std::vector<Effect> effects = {
   { "Table/Waviness", "2: 1e-6", second_harmonic },
   { "Contact/Body", "revolution", unknowns, solid },
   { "Contact/Mesh file", std::string(STEMWARE_MESHES) + "/crowned_foot.msh", second_harmonic, solid },
+  { "Contact/Mesh unit", "mm", nothing, {}, second_harmonic },
   { "Contact/Mesh contact id", "3", nothing, {}, second_harmonic },
   { "Contact/Mesh stem id", "3", nothing, {}, second_harmonic },
   { "Contact/Mesh contact height", "5e-5", "/contact/contact_nodes", crowned_mesh },

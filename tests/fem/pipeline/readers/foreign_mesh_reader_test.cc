@@ -1,6 +1,7 @@
 // Mesh files as other programs write them and as they break: the mesh, or at once the one sentence.
 #include "fem/geometry/foot_mesh.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
+#include "fem/pipeline/study/study_size.h"
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/geometry/mesh_writers.h"
 #include "tests/fem/temporary_file.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 
 namespace stemware::pipeline
 {
@@ -149,8 +151,49 @@ TEST(AbaqusMesh, OfGmshWithSurfaceElementsIsReadByItsSets)
   const std::string lines = "*ELEMENT, type=T3D2, ELSET=Line1\n99999, 1, 2\n";
   expect_the_small_foot(solid + shells + groups, ".inp");
   expect_the_small_foot(solid + lines + shells + groups + "*ELSET,ELSET=all\nPhysicalSurface1\n", ".inp");
-  // Without sets of their own the names of the blocks count; faces without an id are free.
-  expect_refused(solid + shells, ".inp", "of its faces 7 are known");
+  // Without sets of their own the names of the blocks count, but for Gmsh's elementary surfaces.
+  expect_refused(solid + shells, ".inp", "none of its faces has an id");
+  expect_refused(solid + boost::replace_first_copy(shells, "Surface7", "shells_7"), ".inp",
+                 "Contact/Mesh contact id = 7");
+  const std::string named = boost::replace_all_copy(groups, "PhysicalSurface1", "stem");
+  expect_refused(solid + shells + boost::replace_all_copy(named, "PhysicalSurface2", "foot"), ".inp",
+                 "it has the names FOOT, STEM; end the names");
+}
+
+/// Part, instance and assembly of Abaqus/CAE: a reference point of the assembly is numbered from 1 again.
+TEST(AbaqusMesh, OfCaeHasAPartInAnAssembly)
+{
+  const std::string with_sets = by_sets(written(".inp"), "*ELSET, ELSET=");
+  const std::size_t begin = with_sets.find("*SURFACE");
+  const std::string part = "*PART, NAME=Foot\n" + with_sets.substr(0, begin) + "*END PART\n",
+                    surfaces = with_sets.substr(begin);
+  const std::string assembly =
+    "*ASSEMBLY, NAME=Assembly\n*INSTANCE, NAME=Foot-1, PART=Foot\n*END INSTANCE\n"
+    "*NODE\n1, 0, 0, 0.08\n*ELEMENT, TYPE=MASS, ELSET=M\n1, 1\n*NSET, NSET=RP\n1\n";
+  expect_the_small_foot(part + assembly + surfaces + "*END ASSEMBLY\n", ".inp");
+  expect_the_small_foot(
+    part + assembly + boost::replace_all_copy(surfaces, "\n_", "\nFoot-1._") + "*END ASSEMBLY\n", ".inp");
+  expect_refused("*PART, NAME=Table\n*END PART\n" + part + assembly + surfaces, ".inp", "(TABLE, FOOT)");
+}
+
+TEST(AbaqusMesh, PointsLinesAndSpringsAreSkipped)
+{
+  std::string text = written(".inp");
+  unsigned int number = 900000;
+  for (const char *type :
+       { "MASS", "ROTARYI", "SPRINGA", "SPRING1", "DASHPOTA", "CONN3D2", "T3D2", "B31", "DCOUP3D" })
+    text += "*ELEMENT, TYPE=" + std::string(type) + ", ELSET=E_" + type + "\n" + std::to_string(++number) +
+            ", 1, 2\n";
+  expect_the_small_foot(text + "*ELSET, ELSET=axis\n900007\n", ".inp");
+  expect_refused(boost::replace_first_copy(text, "C3D8", "DC3D8"), ".inp", "of the type DC3D8");
+}
+
+TEST(AbaqusMesh, NamesOfItsSurfacesAreSaid)
+{
+  std::string text = boost::replace_first_copy(written(".inp"), "SURFACE_1", "Stem");
+  expect_refused(boost::replace_first_copy(text, "SURFACE_2", "Contact"), ".inp",
+                 "it has the names STEM, CONTACT");
+  expect_refused(text, ".inp", "no stem cut");
 }
 
 TEST(AbaqusMesh, SetsThatMakeNoSenseAreRefusedAtOnce)
@@ -218,25 +261,72 @@ TEST(GmshMesh, AFaceHasOneId)
   expect_refused(more, ".msh", "the ids 1 and 7");
 }
 
-TEST(VtuMesh, OfTwoPiecesOrDeepXmlIsRefused)
+TEST(GmshMesh, OwnIdsAreNamedWithTheEntriesThatTakeThem)
 {
-  const std::string text = written(".vtu");
-  expect_the_small_foot(text, ".vtu");
-  const std::size_t begin = text.find("<Piece"), end = text.find("</Piece>") + 8;
-  const std::string piece = text.substr(begin, end - begin);
-  expect_refused(text.substr(0, end) + piece + text.substr(end), ".vtu", "has 2 pieces");
-  expect_refused(boost::replace_first_copy(text, "ascii", "binary"), ".vtu", "is a binary .vtu");
-  // Raw bytes, as ParaView and the fields of a foot have them, may look like tags.
-  const std::string appended =
-    "<AppendedData encoding=\"raw\">_" + std::string(3000, '<') + "</AppendedData>";
-  expect_refused(boost::replace_first_copy(text, "</UnstructuredGrid>", "</UnstructuredGrid>" + appended),
-                 ".vtu", "is a binary .vtu");
-  for (const std::string open : { "<a>", "<a b=\"/>\">", "<a><!--</a>-->" })
+  Mesh mesh;
+  make_small_foot(mesh);
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() != 0)
+      face->set_boundary_id(face->boundary_id() == 2 ? 7 : 5);
+  const std::string names = "$EndMeshFormat\n$PhysicalNames\n3\n2 5 \"stem cut\"\n2 7 \"contact\"\n3 7 "
+                            "\"glass\"\n$EndPhysicalNames\n";
+  const std::string text =
+    boost::replace_first_copy(fem_tests::mesh_text(mesh, ".msh"), "$EndMeshFormat\n", names);
+  expect_refused(text, ".msh", "the ids 5 (stem cut), 7 (contact)");
+  expect_refused(text, ".msh", "set Contact/Mesh contact id = 7");
+  expect_refused(text, ".msh", "Contact/Mesh stem id = 5");
+}
+
+TEST(GmshMesh, PartitionsAndBinaryFilesAreRefusedWithTheLineThatConverts)
+{
+  Mesh mesh;
+  make_small_foot(mesh);
+  const std::string text = fem_tests::gmsh_text_of_second_order(mesh, true),
+                    line = "gmsh FILE -save -format msh22";
+  const std::string entities = "$PartitionedEntities\n2\n0\n0 0 0 0\n$EndPartitionedEntities\n$Nodes\n";
+  expect_refused(boost::replace_first_copy(text, "$Nodes\n", entities), ".msh", "is partitioned");
+  expect_refused(boost::replace_first_copy(text, "$Nodes\n", entities), ".msh", line);
+  expect_refused(boost::replace_first_copy(text, "4.1 0", "4.1 1"), ".msh", line);
+  expect_refused(boost::replace_first_copy(text, "4.1 0", "5.0 0"), ".msh", line);
+}
+
+TEST(AnyMesh, InAnotherFormatIsRefusedWithTheLineThatConverts)
+{
+  for (const char *extension : { ".vtu", ".unv", ".stl", "" })
   {
-    std::string deep;
-    for (int i = 0; i < 100000; ++i)
-      deep += open;
-    expect_refused(deep, ".vtu", "tags of XML");
+    expect_refused("any text", extension, "gmsh FILE -save -format msh22 -o x.msh");
+    expect_refused("any text", extension, "meshio convert --ascii -o gmsh22 FILE x.msh");
+  }
+}
+
+/// A file of 3 GB that takes no room on the disk. The limit of time is that of expect_refused().
+TEST(AnyMesh, OfAnySizeIsBoundedBeforeItIsRead)
+{
+  for (const char *extension : { ".msh", ".inp" })
+  {
+    const TemporaryFile file("", extension);
+    std::filesystem::resize_file(file.name, 3000000000);
+    const auto start = std::chrono::steady_clock::now();
+    const auto refusal = [&](double memory_limit) -> std::string
+    {
+      try
+      {
+        Mesh mesh;
+        read_mesh_file(file.name, {}, mesh, memory_limit);
+      }
+      catch (const BadInput &error)
+      {
+        return error.what();
+      }
+      return "";
+    };
+    EXPECT_NE(refusal(4e9).find("above 4 GB"), std::string::npos) << refusal(4e9);
+    EXPECT_NE(refusal(4e9).find("Contact/Memory limit ="), std::string::npos) << refusal(4e9);
+    Study study;
+    study.contact.body = BodyKind::solid;
+    study.contact.mesh_file = file.name;
+    EXPECT_THROW(require_affordable(study), BadInput);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
   }
 }
 

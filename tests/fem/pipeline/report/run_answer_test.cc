@@ -233,6 +233,19 @@ take an elastic disc instead (Table/Substrate = elastic).)");
   EXPECT_EQ(remark(2e-4), "");
 }
 
+TEST(Remarks, ScatterOfAProfileIsInNoBand)
+{
+  RunByHand run;
+  const auto answer = [&] { return tabulate(run.study, run.report, run.spin, run.bands).report.answer; };
+  const std::string page = "docs/cookbooks/own_profile.md";
+  EXPECT_EQ(answer().find(page), std::string::npos);
+  run.study.glass.rim_circle = fem::RimCircle{ 0.03, 0.003, 19e-6, 10 };
+  EXPECT_NE(answer().find("19 µm rms"), std::string::npos) << answer();
+  EXPECT_NE(answer().find(page), std::string::npos) << answer();
+  run.study.glass.rim_circle->rms_distance = 1e-11; // rounding
+  EXPECT_EQ(answer().find(page), std::string::npos);
+}
+
 TEST(Remarks, LiftOffAndLoadsThatPull)
 {
   LoadReport load = { ring::RingStack({ 1, 0 }, { 0, 0 }, 1) };

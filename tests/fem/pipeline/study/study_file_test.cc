@@ -80,6 +80,7 @@ TEST(StudyFile, DefaultsAreThoseThatOtherToolsRelyOn)
     { "Table/Waviness", "" },
     { "Contact/Body", "revolution" },
     { "Contact/Mesh file", "" },
+    { "Contact/Mesh unit", "m" },
     { "Contact/Mesh contact id", "2" },
     { "Contact/Mesh stem id", "1" },
     { "Contact/Mesh contact height", "0" },
