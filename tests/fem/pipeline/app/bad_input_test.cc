@@ -291,6 +291,32 @@ TEST(BadInput, UnwritableOutputIsRefused)
   EXPECT_EQ(read_text(scratch / "mine.msh"), "mine");
 }
 
+TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
+{
+  const ScratchFolder scratch;
+  scratch.write("latin\xe9.prm", "# defaults\n");
+  scratch.write("study.prm", "# Verr\xe9\n"); // a comment becomes no result
+  scratch.write("entry.prm", "subsection Glass\n  set Profile file = verr\xe9.csv\nend\n");
+  const auto before = names_in(scratch.path());
+  for (const std::vector<std::string> &arguments :
+       { std::vector<std::string>{ "run", "latin\xe9.prm" },
+         { "run", "entry.prm" },
+         { "new", "verr\xe9.prm" },
+         { "run", "study.prm", "--output", "r\xff" },
+         { "explore", "study.prm", "--output", "e\xff.html" },
+         { "run", "study.prm", "--set", "Glass/Profile file=q\xff.csv" },
+         { "sweep", "study.prm", "--vary", "Motion/Closure=paper,\xff" } })
+  {
+    std::vector<std::string> command = arguments;
+    command.insert(command.begin(), STEMWARE_PROGRAM);
+    const Ended ended = RunningProgram(command, scratch.path()).end();
+    EXPECT_EQ(ended.exit_code, 1) << ended.err;
+    EXPECT_NE(ended.err.find("not in UTF-8"), std::string::npos) << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_EQ(names_in(scratch.path()), before);
+  }
+}
+
 TEST(BadInput, ARerunLosesNoFileOfAUser)
 {
   const ScratchFolder scratch;
