@@ -179,12 +179,6 @@ bool is_own_file(const fs::path &file)
   return beginning.find(written_by_stemware) != std::string::npos;
 }
 
-[[noreturn]] void fail_to_write_file(const fs::path &file, int error)
-{
-  throw OutputFailure(fmt::format(FMT_STRING("The file {} cannot be written ({}); choose another place."),
-                                  shortened_path(file.string()), std::generic_category().message(error)));
-}
-
 } // namespace
 
 bool is_result_name(const std::string &name)
@@ -349,12 +343,15 @@ void require_writable(const fs::path &file)
     throw OutputFailure("The file " + shortened_path(file.string()) +
                         " exists without a mark of Stemware and is not overwritten; choose another name, or "
                         "remove it.");
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  std::error_code error;
-  if (!file.has_filename() || !fs::is_directory(folder, error))
-    fail_to_write_file(file, ENOENT);
-  if (::access(folder.c_str(), W_OK) != 0)
-    fail_to_write_file(file, errno);
+  // Root may write where the system cannot, so permissions are no answer.
+  const std::string probe = partial_name(file);
+  std::FILE *const stream = file.has_filename() ? std::fopen(probe.c_str(), "wxe") : nullptr;
+  if (stream == nullptr)
+    throw OutputFailure(fmt::format(FMT_STRING("The file {} cannot be written ({}); choose another place."),
+                                    shortened_path(file.string()),
+                                    std::generic_category().message(file.has_filename() ? errno : ENOENT)));
+  std::fclose(stream);
+  std::remove(probe.c_str());
 }
 
 void write_output_file(const fs::path &file, const std::string &text)
