@@ -39,7 +39,7 @@ completes() { # expected word, words of the command line; the last one is comple
   printf '%s\n' "${COMPREPLY[@]}" | grep -qxFe "$1" || { echo "${COMPREPLY[*]}" && return 1; }
 }
 expect "verbs are completed" completes sweep stemware sw
-expect "options are completed" completes --samples stemware sweep --s
+expect "options are completed" completes --rows stemware sweep --r
 expect "sections are completed" completes Motion/ stemware run --set Mo
 expect "entries are completed" completes "Motion/Friction coefficient" stemware run --set 'Motion/Friction\ c'
 expect "tables are completed" completes "cork mat" stemware new my.prm --table co

@@ -42,7 +42,7 @@ arguments_of() { # name
       --set 'Contact/Azimuthal cells=96' --set 'Contact/Radial cells=8' --set 'Contact/Foot layers=4' \
       --set Contact/Degree=2
     ;;
-  sweep) printf '%s\n' sweep "$cookbooks/bare_wood.prm" --random 'Motion/Friction coefficient=0.3+-10%' --samples "$sweep" ;;
+  sweep) printf '%s\n' sweep "$cookbooks/bare_wood.prm" --vary "Motion/Friction coefficient=0.2:0.4:$sweep" ;;
   *)
     printf 'pairs_of_programs: there is no study "%s"\n' "$1" >&2
     exit 2

@@ -103,7 +103,7 @@ Json description_of(const CLI::App &program)
   return { { "version", program_version() },
            { "man_sections", sections },
            { "verbs", verbs },
-           { "option_values", Json::array({ after_options("--set | --vary | --random", entries, true),
+           { "option_values", Json::array({ after_options("--set | --vary", entries, true),
                                             after_options("--glass", names_of(glass_presets())),
                                             after_options("--table", names_of(table_presets())),
                                             after_options("--cookbook", cookbook_names()) }) },

@@ -111,10 +111,9 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
   add_override_option(verb, options);
   if (options.verb != "slide") // has little to share
     verb
-      .add_option(options.verb == "sweep" ? "--jobs" : "--threads", options.n_threads,
-                  std::string(options.verb == "sweep" ? "Cases that each process solves at a time"
-                                                      : "Threads that share the work") +
-                    ";\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
+      .add_option(
+        "--threads", options.n_threads,
+        "Threads that share the work;\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   add_console_options(verb, options);

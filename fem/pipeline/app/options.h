@@ -18,7 +18,7 @@ void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &
 /// Declares --output alone, with that help.
 void add_output_option(CLI::App &verb, StudyOptions &options, const std::string &help);
 
-/// Declares STUDY, --output, --set, --threads (--jobs of a sweep), --quiet and --json on @p verb, to be
+/// Declares STUDY, --output, --set, --threads, --quiet and --json on @p verb, to be
 /// stored in @p options.
 void add_study_options(CLI::App &verb, StudyOptions &options);
 

@@ -5,7 +5,17 @@ namespace stemware::pipeline
 
 const std::vector<RemovedWord> &removed_words()
 {
-  static const std::vector<RemovedWord> words = {};
+  static const std::vector<RemovedWord> words = {
+    { "sweep", "--random",
+      "draw the cases in Python and give the table with --cases cases.csv (docs/sweep.md)" },
+    { "sweep", "--samples",
+      "draw the cases in Python and give the table with --cases cases.csv (docs/sweep.md)" },
+    { "sweep", "--seed",
+      "draw the cases in Python and give the table with --cases cases.csv (docs/sweep.md)" },
+    { "sweep", "--jobs", "write --threads, as for all verbs" },
+    { "sweep", "--most-cases", "a sweep has as many cases as its list, at most a million" },
+    { "sweep", "--restart", "remove the folder of the results, or choose another one with --output" },
+  };
   return words;
 }
 

@@ -1,12 +1,12 @@
+#include "fem/pipeline/analysis/sweep/case_list.h"
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
-#include "fem/pipeline/analysis/sweep/sweep_findings.h"
-#include "fem/pipeline/analysis/sweep/sweep_folder.h"
-#include "fem/pipeline/analysis/sweep/sweep_plan.h"
 #include "fem/pipeline/app/options.h"
+#include "fem/pipeline/document/sweep_file.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/sweep_results.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/support/console.h"
+#include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/ranks.h"
 #include "fem/pipeline/support/text.h"
@@ -14,13 +14,10 @@
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
-#include <memory>
 #include <ostream>
 
 namespace stemware::pipeline
 {
-
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -28,119 +25,125 @@ namespace
 /// Options of `stemware sweep`.
 struct SweepOptions : StudyOptions
 {
-  SweepRequest request;
-  bool restart = false; ///< throws away the finished cases of an earlier sweep into the same place
+  std::vector<std::string> varied; ///< --vary, see cases_of_grid()
+  std::string cases;               ///< --cases, see cases_from_file()
+  std::string rows;                ///< --rows FIRST:LAST, counted from 1; empty: all
 };
 
-/// Takes the folder of finished cases, on the first rank, which owns it: nothing on the others.
-std::shared_ptr<SweepFolder> take_folder(const SweepOptions &options, const SweepPlan &plan)
+/// Rows of a list of cases, from 0; the last one is included.
+struct RowRange
 {
-  std::shared_ptr<SweepFolder> folder;
-  on_first_rank(
-    [&]
-    { folder = std::make_shared<SweepFolder>(options.results_place(), identity_of(plan), options.restart); });
-  return folder;
+  std::size_t first = 0, last = 0;
+};
+
+RowRange rows_of(const SweepOptions &options, std::size_t n_cases)
+{
+  if (options.rows.empty())
+    return { 0, n_cases - 1 };
+  const auto colon = std::min(options.rows.find(':'), options.rows.size());
+  const auto first = parse_count(options.rows.substr(0, colon)),
+             last = colon < options.rows.size() ? parse_count(options.rows.substr(colon + 1)) : first;
+  require(first && last && 1 <= *first && *first <= *last && *last <= n_cases,
+          fmt::format(FMT_STRING("--rows {} is not a part of the {} cases; give the first and the last one, "
+                                 "--rows 1:{}."),
+                      shortened(options.rows), n_cases, n_cases));
+  return { *first - 1, *last - 1 };
 }
 
-/// Solves the cases that are not @p finished, and shows on the first rank how far all of them have come.
-void solve(const SweepPlan &plan, const FinishedCases &finished, const fs::path &folder,
-           unsigned int n_threads)
+CaseList list_of(const SweepOptions &options)
 {
-  CaseLog log(SweepFolder::log_of(folder, this_rank()));
-  LogCounter logs(folder);
-  WorkProgress progress(plan.cases.size(), finished.size());
-  const auto watch = [&]
-  {
-    if (!is_first_rank())
-      return;
-    const CaseCount &cases = logs.count();
-    progress.show(cases.n_finished, cases.n_failed);
-  };
-  solve_cases(plan, finished, n_threads, log, watch);
+  require(options.cases.empty() || options.varied.empty(),
+          "--cases and --vary do not go together; write the cases of both into one table.");
+  require(!options.cases.empty() || !options.varied.empty(),
+          "The sweep has no cases; give --cases cases.csv, or --vary \"Section/Entry=first:last:number\".");
+  return options.cases.empty() ? cases_of_grid(options.varied) : cases_from_file(options.cases);
 }
 
-/// A sweep without a single answer has failed.
-void require_one_solved(const FinishedCases &cases, const SweepFindings &findings)
+/// Names implausible values of the cases, the first one of each entry.
+void note_implausible_cases(const CaseList &list)
 {
-  const std::string trouble = from_first_rank(
-    [&] { return findings.n_failed < findings.n_cases ? "" : cases.at(*findings.first_failure).message; });
-  if (!trouble.empty())
-    throw std::runtime_error(
-      fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"), findings.n_cases, trouble));
-}
-
-/// Names values of the cases that no glass has: the first of each entry.
-void note_strange_cases(const SweepPlan &plan)
-{
-  for (std::size_t i = 0; i < plan.entries.size(); ++i)
-    for (const std::vector<std::string> &values : plan.cases)
+  for (std::size_t e = 0; e < list.entries.size(); ++e)
+    for (const std::vector<std::string> &values : list.cases)
     {
-      const auto number = plan.entries[i].unit.empty() ? std::nullopt : parse_number(values[i]);
-      const std::string note = number ? implausible_note(plan.entries[i].path, *number) : "";
-      if (note.empty())
-        continue;
-      console() << wrapped(note, "Check     ") << std::endl;
-      break;
+      const auto number = list.entries[e].unit.empty() ? std::nullopt : parse_number(values[e]);
+      const std::string note = number ? implausible_note(list.entries[e].path, *number) : "";
+      say_note("Check     ", note);
+      if (!note.empty())
+        break;
     }
 }
 
-/// Solves the cases of a sweep, from the study's file to the folder of its results, and goes on where the
-/// same sweep was interrupted. Collective over all ranks, which share the cases. Throws BadInput,
-/// OutputFailure, and std::runtime_error when not a single case could be solved.
+/// Options with the folder of the results: a part of the cases has a folder of its own by default.
+StudyOptions with_place(const SweepOptions &options, const RowRange &rows)
+{
+  StudyOptions placed = options;
+  placed.output = options.results_place().string();
+  if (options.output.empty() && !options.rows.empty())
+    placed.output += fmt::format(FMT_STRING("-rows-{}-{}"), rows.first + 1, rows.last + 1);
+  return placed;
+}
+
+/// Solves the cases of a sweep that are not finished in the folder of its results. Throws BadInput,
+/// OutputFailure, and std::runtime_error if all cases fail.
 void sweep(const SweepOptions &options)
 {
-  // 1. What is asked for; everything that can be refused is refused here.
+  // 1. Everything that can be refused is refused here.
   Stopwatch stopwatch;
-  SweepPlan plan = make_plan(options.request);
-  plan.base = begin_study(options);
-  on_first_rank([&] { require_replaceable(resolved_output(options.results_place())); });
-  const std::shared_ptr<SweepFolder> owned = take_folder(options, plan);
-  const fs::path cases = from_first_rank([&] { return owned->path().string(); });
-  FinishedCases finished;
-  on_every_rank([&] { finished = finished_cases(cases); }); // before any of them goes on
+  require(n_ranks() == 1,
+          "A sweep runs in one process and not under mpirun; split its cases into processes with "
+          "--rows 1:100, --rows 101:200 and so on.");
+  CaseList list = list_of(options);
+  const RowRange rows = rows_of(options, list.cases.size());
+  const StudyOptions placed = with_place(options, rows);
+  list.base = begin_study(options);
+  SweepFile file(placed.results_place(), list);
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = rows.first; i <= rows.last; ++i)
+    if (file.finished().count(i) == 0)
+      wanted.push_back(i);
   const unsigned int n_threads = n_threads_of(options);
-  console() << "Sweep     " << plan.cases.size() << " cases, " << n_threads * n_ranks() << " at a time\n";
-  if (!finished.empty())
-    console() << "          " << finished.size() << " of them are kept from an interrupted run" << std::endl;
-  note_strange_cases(plan);
+  const std::size_t n_rows = rows.last - rows.first + 1;
+  console() << "Sweep     " << n_rows << " cases, " << n_threads << " at a time" << std::endl;
+  if (wanted.size() < n_rows)
+    console() << "          " << n_rows - wanted.size() << " of them are finished" << std::endl;
+  note_implausible_cases(list);
   stopwatch.finish("input");
 
   // 2. The cases.
-  solve(plan, finished, cases, n_threads);
+  WorkProgress progress(n_rows, n_rows - wanted.size());
+  std::size_t n_done = n_rows - wanted.size(), n_failed = 0;
+  solve_cases(list, wanted, n_threads,
+              [&](std::size_t index, const CaseResult &result)
+              {
+                file.append(index, result);
+                n_failed += result.is_solved() ? 0 : 1;
+                progress.show(++n_done, n_failed);
+              });
+  file.sort();
   stopwatch.finish("cases");
 
-  // 3. The results, all at once.
-  ResultsFolder folder(options.results_place());
-  if (owned)
-    finished = reported(finished_cases(cases));
-  const SweepFindings found = find_out(plan, finished);
-  const Results results = is_first_rank() ? tabulate(plan, finished, found) : Results();
-  publish(options, plan.base, results, folder, stopwatch);
-  if (owned)
-    owned->remove();
-  require_one_solved(finished, found);
+  // 3. What they say together.
+  publish_in(placed.results_place(), placed, list.base, sweep_results(list, file.finished()), stopwatch);
+  for (const auto &[index, result] : file.finished())
+    if (result.is_solved())
+      return;
+  throw std::runtime_error(fmt::format(FMT_STRING("All {} cases failed, the first one because: {}"),
+                                       file.finished().size(), file.finished().begin()->second.message));
 }
 
 } // namespace
 
 void add_sweep_verb(CLI::App &program, Verb &chosen)
 {
-  const auto [verb, options] = add_study_verb(
-    program, chosen, "sweep", "Compute a study many times: entries over a range, or random samples", sweep);
-  SweepRequest &request = options->request;
-  verb->add_option("--vary", request.varied, "Values of one entry: a range or a list; at most twice")
+  const auto [verb, options] =
+    add_study_verb(program, chosen, "sweep", "Compute a study many times: a list or a grid of cases", sweep);
+  verb->add_option("--cases", options->cases, "Table of cases: a column for each entry, a row for each case")
+    ->type_name("FILE");
+  verb->add_option("--vary", options->varied, "Values of one entry: a range or a list; at most twice")
     ->type_name("\"Section/Entry=values\"")
     ->allow_extra_args(false);
-  verb->add_option("--random", request.random, "Spread of one entry; may be repeated")
-    ->type_name("\"Section/Entry=spread\"")
-    ->allow_extra_args(false);
-  verb->add_option("--samples", request.n_samples, "Number of random samples; default: 200")->type_name("N");
-  verb->add_option("--seed", request.seed, "Which random samples; default: 1")->type_name("S");
-  verb
-    ->add_option("--most-cases", request.most_cases,
-                 "Refuses a sweep of more cases, before the work; default: 10000")
-    ->type_name("N");
-  verb->add_flag("--restart", options->restart, "Throws away the cases kept from an interrupted sweep");
+  verb->add_option("--rows", options->rows, "Solves these cases only, counted from 1")
+    ->type_name("FIRST:LAST");
 }
 
 } // namespace stemware::pipeline

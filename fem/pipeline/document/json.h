@@ -48,6 +48,12 @@ nlohmann::ordered_json if_there(const std::optional<Thing> &thing, Value value)
   return thing ? nlohmann::ordered_json(std::invoke(value, *thing)) : nlohmann::ordered_json(nullptr);
 }
 
+/// Bytes of other programs' files that are no UTF-8, such as names in a mesh, become replacement characters.
+inline std::string valid_text(const nlohmann::ordered_json &json, int indent = -1)
+{
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 /// The name of a member as a key: without the members that it belongs to, and the n_ of a count.
 inline std::string key_of_member(const std::string &path)
 {

@@ -4,6 +4,7 @@
 
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
@@ -46,6 +47,14 @@ public:
     for (const auto &[table, part] : definitions["tables"]["properties"].items())
       add_properties(part, { table });
     add_properties(schema(), { "" });
+    for (const auto &[file, columns] : definitions["files"].items())
+      if (columns.is_object())
+        for (const auto &[key, column] : columns.items())
+        {
+          Json value = column;
+          value["heading"] = column["label"];
+          add(key, value, { file });
+        }
   }
 
   Json quantities = Json::object();
@@ -136,6 +145,15 @@ Quantity quantity_named(const std::string &key, const std::string &section, std:
   };
   declare(registry, "", key);
   declare(registry, section, key);
+  if (!is_declared) // one of a family: "a*" for "a12"
+  {
+    const std::size_t end = key.find_last_not_of("0123456789") + 1;
+    if (end > 0 && end < key.size())
+      declare(registry, section, key.substr(0, end) + '*');
+    for (const char *text : { "name", "heading", "label" })
+      if (words.contains(text))
+        words[text] = boost::replace_all_copy(words[text].get<std::string>(), "*", key.substr(end));
+  }
   declare(own, section, key);
   if (!is_declared)
   {
@@ -149,7 +167,7 @@ Quantity quantity_named(const std::string &key, const std::string &section, std:
   return { key,
            words.value("name", usual.name),
            words.value("unit", usual.unit),
-           words.value("heading", usual.heading),
+           words.value("heading", words.value("label", usual.heading)),
            words.value("label", usual.label),
            words.value("digits", usual.digits),
            words.value("console_digits", usual.console_digits) };

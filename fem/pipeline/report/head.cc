@@ -202,26 +202,21 @@ std::string in_words(const Study &study, const StudyEntry &entry)
 }
 
 void add_study(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
-               const std::optional<ring::RingStack> &load, const std::map<std::string, std::string> &swept)
+               const std::optional<ring::RingStack> &load)
 {
   Study copy = study;
   Json given = Json::object();
   for (const StudyEntry &entry : study_entries(copy))
-  {
-    const auto values = swept.find(entry.path());
-    given[entry.path()] = values == swept.end() ? in_words(study, entry) : values->second;
-  }
+    given[entry.path()] = in_words(study, entry);
   const std::string offset = given["Motion/Force offset"].get<std::string>();
-  const bool is_swept = swept.count("Motion/Force offset") > 0;
   const double height = study.motion.orbit.force_offset;
   document.facts.update({ { "study_name", study.name },
                           { "study_title", study.name == "default" ? "The default glass" : study.name },
                           { "given", given },
                           { "hand",
-                            { { "below", !is_swept && height < 0 ? size_of(offset) : "" },
-                              { "above", !is_swept && height > 0 ? offset : "" },
-                              { "at", !is_swept && height == 0 },
-                              { "swept", is_swept ? offset : "" } } },
+                            { { "below", height < 0 ? size_of(offset) : "" },
+                              { "above", height > 0 ? offset : "" },
+                              { "at", height == 0 } } },
                           { "table", table_facts(study) },
                           { "sketch", sketch_facts(study, load) },
                           { "orbits", orbit_facts(study, glasses) } });

@@ -4,7 +4,6 @@
 #include "fem/pipeline/study/study.h"
 #include "ring_model/load/ring_stack.h"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,11 +32,10 @@ struct TurningGlass
 };
 
 /// Adds to @p document what the templates inputs, glass, orbits and study show of @p study: study_title,
-/// given (the values of its entries in words, by their paths; @p swept instead of those that it names), hand,
+/// given (the values of its entries in words, by their paths), hand,
 /// table and sketch, in "orbits" the @p glasses on the orbit of the study, and its entries, those that are
 /// not the defaults beside all of them. @p load is that of rest.
 void add_study(const Study &study, const std::vector<TurningGlass> &glasses, Document &document,
-               const std::optional<ring::RingStack> &load = {},
-               const std::map<std::string, std::string> &swept = {});
+               const std::optional<ring::RingStack> &load = {});
 
 } // namespace stemware::pipeline

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iostream>
+#include <set>
 
 namespace stemware::pipeline
 {
@@ -46,12 +47,6 @@ void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &fol
     write_text_file(folder / "fields" / field.name, field.text);
 }
 
-/// Bytes of other programs' files that are no UTF-8, such as names in a mesh, become replacement characters.
-std::string valid_text(const Json &json, int indent = -1)
-{
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 std::string text_of(const ResultFile &file)
 {
   if (const auto *text = std::get_if<std::string>(&file.content))
@@ -60,10 +55,10 @@ std::string text_of(const ResultFile &file)
   return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
 }
 
-void write_and_publish(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
-                       Stopwatch &stopwatch, ResultsFolder &folder)
+/// Writes all files but the fields into @p place, a folder that will be @p final_place.
+void write_results(const StudyOptions &options, const std::optional<Study> &study, const Results &results,
+                   Stopwatch &stopwatch, const fs::path &place, const fs::path &final_place)
 {
-  const fs::path &place = folder.working_folder();
   for (const ResultFile &file : results.files)
     if (!std::holds_alternative<std::monostate>(file.content))
       write_text_file(place / file.name, text_of(file));
@@ -75,20 +70,37 @@ void write_and_publish(const StudyOptions &options, const std::optional<Study> &
                    { "verb", options.verb } };
   if (study)
   {
-    const Study echo = with_paths_from(folder.final_folder(), *study);
+    const Study echo = with_paths_from(final_place, *study);
     write_text_file(place / "parameters.prm", study_as_prm(echo));
     summary["parameters"] = study_as_json(echo);
   }
   summary.update(results.findings.summary);
-  std::vector<std::string> files = folder.contents();
-  files.insert(files.end(), { "summary.json", "timings.json" });
-  std::sort(files.begin(), files.end());
+  std::set<std::string> files = { "summary.json", "timings.json" };
+  for (const auto &item : fs::directory_iterator(place))
+    files.insert(item.path().filename().string());
   summary["files"] = files;
   require_finite(summary, "summary");
   write_text_file(place / "summary.json", valid_text(summary, 2) + "\n");
   stopwatch.finish("summary");
   write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
-  folder.publish();
+}
+
+/// Prints the console's text and the @p final_place of the results.
+void print(const StudyOptions &options, const Results &results, const fs::path &final_place)
+{
+  console() << console_text(results);
+  const fs::path place = options.results_place();
+  const std::string report = (place / "report.html").string();
+  console() << "Results   " << place.string() << "\nReport    " << (final_place / "report.html").string()
+            << std::endl;
+  if (!options.json)
+    return;
+  Json line = { { "verb", options.verb },
+                { "results", place.string() },
+                { "summary", (place / "summary.json").string() },
+                { "report", report } };
+  line.update(results.findings.key_figures);
+  std::cout << valid_text(line) << std::endl;
 }
 
 } // namespace
@@ -100,22 +112,21 @@ void publish(const StudyOptions &options, const std::optional<Study> &study, Res
   folder.open();
   on_every_rank([&] { write_fields(results.fields, folder.working_folder()); });
   results.fields = {}; // large texts
-  on_first_rank([&] { write_and_publish(options, study, results, stopwatch, folder); });
-  if (!is_first_rank())
-    return;
-  console() << console_text(results);
-  const fs::path place = options.results_place();
-  const std::string report = (place / "report.html").string();
-  console() << "Results   " << place.string() << "\nReport    "
-            << (folder.final_folder() / "report.html").string() << std::endl;
-  if (!options.json)
-    return;
-  Json line = { { "verb", options.verb },
-                { "results", place.string() },
-                { "summary", (place / "summary.json").string() },
-                { "report", report } };
-  line.update(results.findings.key_figures);
-  std::cout << valid_text(line) << std::endl;
+  on_first_rank(
+    [&]
+    {
+      write_results(options, study, results, stopwatch, folder.working_folder(), folder.final_folder());
+      folder.publish();
+    });
+  if (is_first_rank())
+    print(options, results, folder.final_folder());
+}
+
+void publish_in(const fs::path &folder, const StudyOptions &options, const std::optional<Study> &study,
+                const Results &results, Stopwatch &stopwatch)
+{
+  write_results(options, study, results, stopwatch, folder, fs::absolute(folder));
+  print(options, results, fs::absolute(folder));
 }
 
 } // namespace stemware::pipeline

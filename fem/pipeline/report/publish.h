@@ -22,4 +22,8 @@ namespace stemware::pipeline
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch);
 
+/// Writes the same into @p folder as it stands, on one rank: for a sweep, whose rows are in it already.
+void publish_in(const std::filesystem::path &folder, const StudyOptions &options,
+                const std::optional<Study> &study, const Results &results, Stopwatch &stopwatch);
+
 } // namespace stemware::pipeline

@@ -1,16 +1,14 @@
 #pragma once
 
-#include "fem/pipeline/analysis/sweep/sweep_findings.h"
+#include "fem/pipeline/analysis/sweep/case_list.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/report/results.h"
 
 namespace stemware::pipeline
 {
 
-/// The results of `sweep`: curves over one entry, a family of curves or maps over two, or the spread of
-/// random samples and what it comes from.
-Results tabulate(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings);
-
-/// Facts for the template "sweep_answer".
-nlohmann::ordered_json sweep_facts(const SweepPlan &plan, const SweepFindings &findings);
+/// Results of `sweep` beside sweep.csv: the ranges of spin and harmonic effect, failures, and of a grid its
+/// curves or maps. Cases that are not @p finished are left out.
+Results sweep_results(const CaseList &list, const FinishedCases &finished);
 
 } // namespace stemware::pipeline

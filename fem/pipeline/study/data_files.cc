@@ -6,8 +6,6 @@
 #include "fem/pipeline/support/text_file.h"
 
 #include <boost/algorithm/string/classification.hpp>
-#include <boost/algorithm/string/replace.hpp>
-#include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -23,29 +21,6 @@ namespace stemware::pipeline
 
 namespace
 {
-
-/// The cells of a line, parted by semicolons or tabs, or else commas, or else blanks ("r (mm), z (mm)").
-std::vector<std::string> cells_of(const std::string &line)
-{
-  std::string separators = ";\t";
-  for (const char *others : { ",", " " })
-    if (line.find_first_of(separators) == std::string::npos)
-      separators = others;
-  std::vector<std::string> cells;
-  boost::split(cells, line, boost::is_any_of(separators),
-               separators == " " ? boost::token_compress_on : boost::token_compress_off);
-  for (std::string &cell : cells)
-    boost::trim_if(cell, boost::is_any_of(" \"'"));
-  return cells;
-}
-
-/// The number of a cell, in which the comma of "4,007;3,058" is a decimal one.
-std::optional<double> number_in_cell(std::string cell)
-{
-  if (std::count(cell.begin(), cell.end(), ',') == 1 && cell.find('.') == std::string::npos)
-    boost::replace_first(cell, ",", ".");
-  return parse_number(cell);
-}
 
 /// The unit behind the column's name, "r (mm)", "r [mm]" or "r mm", in units of SI.
 std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
@@ -80,6 +55,11 @@ std::optional<double> ring_radius_in(const std::string &where, const std::string
 
 } // namespace
 
+TextTable read_table(const std::string &setting, const std::string &file, bool blanks_separate)
+{
+  return parse_table(setting, read_input_text(setting, file), blanks_separate);
+}
+
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
                                       const std::vector<FileColumn> &columns)
 {
@@ -89,36 +69,43 @@ std::vector<FileRow> read_column_file(const std::string &setting, const std::str
     names.push_back(column.names.front());
     header.push_back(fmt::format(FMT_STRING("{} ({})"), names.back(), usual_units(column.unit).front()));
   }
+  const TextTable table = read_table(setting, file, true);
   std::vector<double> units(columns.size(), 1.);
-  bool may_be_header = true;
   std::vector<FileRow> rows;
-  for (const TextLine &line : read_lines(setting, file))
+  for (const TableRow &row : table.rows)
   {
-    if (line.text.front() == '#')
-      continue;
-    const std::vector<std::string> cells = cells_of(line.text);
+    require(row.cells.size() == columns.size(),
+            fmt::format(FMT_STRING("{}, line {}: the row has {}, but there are {} columns; write {} numbers, "
+                                   "{}, in SI units or in those of a first line \"{}\"."),
+                        setting, row.line,
+                        row.cells.size() == 1 ? "1 cell" : fmt::format("{} cells", row.cells.size()),
+                        columns.size(), columns.size(), fmt::join(names, ", "), fmt::join(header, ", ")));
     std::vector<double> numbers, given_units;
-    for (std::size_t i = 0; i < cells.size() && cells.size() == columns.size(); ++i)
-      if (const auto number = number_in_cell(cells[i]))
+    std::size_t bad = columns.size();
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (const auto number = parse_number(table.with_point(row.cells[i])))
         numbers.push_back(*number * units[i]);
-      else if (const auto unit = unit_in(cells[i], columns[i]); unit && may_be_header)
-        given_units.push_back(*unit);
-    if (may_be_header && numbers.empty() && given_units.size() < columns.size() &&
-        cells.size() == columns.size())
-      throw BadInput(fmt::format(FMT_STRING("{}, line {}: the header \"{}\" does not name the columns {} "
-                                            "with units of theirs; write \"{}\", or leave the header out."),
-                                 setting, line.number, shortened(line.text), fmt::join(names, ", "),
-                                 fmt::join(header, ", ")));
-    may_be_header = false;
+      else
+      {
+        bad = std::min(bad, i);
+        if (const auto unit = unit_in(row.cells[i], columns[i]); unit && &row == &table.rows.front())
+          given_units.push_back(*unit);
+      }
     if (given_units.size() == columns.size())
       units = given_units;
-    else if (numbers.size() == columns.size())
-      rows.push_back({ numbers, line.number });
-    else
-      throw BadInput(fmt::format(FMT_STRING("{}, line {}: \"{}\" is not a row; write {} numbers, {}, in SI "
-                                            "units or in those of a first line \"{}\"."),
-                                 setting, line.number, shortened(line.text), columns.size(),
+    else if (&row == &table.rows.front() && numbers.empty())
+      throw BadInput(fmt::format(FMT_STRING("{}, line {}: the header \"{}\" does not name the columns {} "
+                                            "with units of theirs; write \"{}\", or leave the header out."),
+                                 setting, row.line, shortened(fmt::format("{}", fmt::join(row.cells, ", "))),
                                  fmt::join(names, ", "), fmt::join(header, ", ")));
+    else if (numbers.size() == columns.size())
+      rows.push_back({ numbers, row.line });
+    else
+      throw BadInput(place_in_table(setting, row, bad) +
+                     fmt::format(FMT_STRING("\"{}\" is not a number; write {} numbers, {}, in SI units or in "
+                                            "those of a first line \"{}\"."),
+                                 shortened(row.cells[bad]), columns.size(), fmt::join(names, ", "),
+                                 fmt::join(header, ", ")));
   }
   require(!rows.empty(), fmt::format(FMT_STRING("{} has no rows; write {} numbers a line, {}."), setting,
                                      columns.size(), fmt::join(names, ", ")));

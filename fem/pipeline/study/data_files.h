@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/study/table_file.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/orbit_speed_table.h"
 
@@ -23,12 +24,14 @@ struct FileRow
   unsigned int line = 0; ///< where it stands in the file, counted from 1
 };
 
-/// A file of numbers: one row a line, parted by semicolons or tabs (a comma is then a decimal one, as in
-/// "4,007;3,058"), or by commas, or by blanks. A first line such as
-/// "r (mm), z (mm)" names the columns in their order, each with its unit where that is not the one of SI;
-/// empty lines and lines that begin with # are skipped. Throws BadInput with one sentence, which begins with
-/// @p setting ("Glass/Profile file = my.csv") and names the line: also for what is no regular file
-/// (read_lines()).
+/// Reads the table in @p file as parse_table() does. Throws BadInput, which begins with @p setting
+/// ("--cases my.csv"), also for a file that cannot be read (read_input_text()).
+TextTable read_table(const std::string &setting, const std::string &file, bool blanks_separate = false);
+
+/// Reads a file of numbers: a table (read_table(), blanks may separate its cells) with a row for each
+/// measurement. A first row such as "r (mm), z (mm)" names the columns in their order, each with its unit
+/// unless that is the unit of SI. Throws BadInput with one sentence, which begins with @p setting
+/// ("Glass/Profile file = my.csv") and names line and column.
 std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
                                       const std::vector<FileColumn> &columns);
 

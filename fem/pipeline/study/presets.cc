@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
-#include "fem/pipeline/support/folders.h"
 #include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text.h"
 #include "fem/pipeline/support/text_file.h"
@@ -135,9 +134,10 @@ std::vector<std::string> cookbook_names()
 {
   std::vector<std::string> names;
   if (const fs::path folder = cookbook_folder(); !folder.empty())
-    for (const std::string &name : names_in(folder))
-      if (fs::path(name).extension() == ".prm")
-        names.push_back(fs::path(name).stem());
+    for (const auto &item : fs::directory_iterator(folder))
+      if (item.path().extension() == ".prm")
+        names.push_back(item.path().stem());
+  std::sort(names.begin(), names.end());
   return names;
 }
 

@@ -55,20 +55,23 @@ std::string without_byte_order_mark(const std::string &origin, std::string text)
   return text;
 }
 
+std::string read_input_text(const std::string &setting, const fs::path &file)
+{
+  constexpr std::uintmax_t max_bytes = 16000000;
+  require_regular_file(setting, file);
+  require(static_cast<bool>(std::ifstream(file)), setting + " cannot be read; check its permissions.");
+  require(fs::file_size(file) <= max_bytes,
+          setting + " is larger than 16 MB; leave out rows, or name the right file.");
+  return without_byte_order_mark(setting, read_text_file(file));
+}
+
 std::vector<TextLine> read_lines(const std::string &setting, const fs::path &file)
 {
-  constexpr std::uintmax_t most_bytes = 16000000;
-  require_regular_file(setting, file);
-  std::ifstream stream(file);
-  require(static_cast<bool>(stream), setting + " cannot be read; check its permissions.");
-  require(fs::file_size(file) <= most_bytes,
-          setting + " is larger than 16 MB; leave out rows, or name the right file.");
+  std::istringstream stream(read_input_text(setting, file));
   std::vector<TextLine> lines;
   std::string text;
   for (unsigned int number = 1; std::getline(stream, text); ++number)
   {
-    if (number == 1)
-      text = without_byte_order_mark(setting, text);
     boost::trim(text);
     if (!text.empty())
       lines.push_back({ text, number });

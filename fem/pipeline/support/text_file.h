@@ -22,6 +22,10 @@ void require_regular_file(const std::string &setting, const std::filesystem::pat
 /// sentence, which begins with @p origin, where that says UTF-16.
 std::string without_byte_order_mark(const std::string &origin, std::string text);
 
+/// Reads the text of a file of at most 16 MB, without a byte order mark. Throws BadInput with one sentence,
+/// which begins with @p setting, for anything that is no such file.
+std::string read_input_text(const std::string &setting, const std::filesystem::path &file);
+
 /// A line of a text file.
 struct TextLine
 {
@@ -29,8 +33,7 @@ struct TextLine
   unsigned int number = 0; ///< counted from 1
 };
 
-/// The lines that are not empty of a file of at most 16 MB, without a byte order mark. Throws BadInput with
-/// one sentence, which begins with @p setting, for what is no such file.
+/// Returns the lines of read_input_text() that are not empty.
 std::vector<TextLine> read_lines(const std::string &setting, const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

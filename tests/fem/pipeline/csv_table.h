@@ -24,6 +24,8 @@ inline std::vector<std::vector<std::string>> parse_csv(const std::string &text)
       rows.back().back() += text[i];
     else if (text[i] == ',')
       rows.back().emplace_back();
+    else if (text[i] == '\n')
+      rows.push_back({ "" });
     else if (text.compare(i, 2, "\r\n") == 0 && ++i)
       rows.push_back({ "" });
     else

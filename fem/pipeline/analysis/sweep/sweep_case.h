@@ -12,55 +12,41 @@
 namespace stemware::pipeline
 {
 
-struct FoundCase;
-struct SweepPlan;
-class CaseLog;
+struct CaseList;
 
-/// A number that is found for every case of a sweep.
-struct SweepQuantity
-{
-  std::string name;
-  std::string unit; ///< "1" for pure numbers
-  std::function<std::optional<double>(const FoundCase &)> value;
-};
-
-/// All of them, in the order of the table.
-const std::vector<SweepQuantity> &sweep_quantities();
-
-/// Position of the quantity of that name; throws std::logic_error where there is none.
-std::size_t quantity_index(const std::string &name);
-
-/// The quantity that has a value for each case in which the glass stands at rest and falls over on the way.
-inline constexpr char spin_of_fall[] = "spin at which it falls over";
+/// Keys of the numbers that each case of a sweep has, in the order of sweep.csv; summary.schema.json declares
+/// them.
+const std::vector<std::string> &sweep_keys();
 
 /// Result of one case of a sweep.
 struct CaseResult
 {
-  std::string outcome;                       ///< of the contact; empty where there was none
-  std::string message;                       ///< why the case failed, one sentence; empty where it did not
-  std::vector<std::optional<double>> values; ///< of sweep_quantities(); empty where the case failed
+  std::string outcome;                       ///< of the contact; empty if there was none
+  std::string message;                       ///< why the case failed, one sentence; empty if it did not
+  std::map<std::string, double> values = {}; ///< by key, those that the case has
 
   bool is_solved() const { return message.empty(); }
-  std::optional<double> value(std::size_t quantity) const; ///< its number in sweep_quantities()
-  bool falls_over() const;                                 ///< an answer: there is no terminal spin
+  std::optional<double> value(const std::string &key) const;
+  /// True if the glass stands at rest and falls over on the way: an answer, without a terminal spin.
+  bool falls_over() const { return values.count("omega_fall") > 0; }
+  /// "ok", "tips" or "failed".
+  std::string status() const { return !is_solved() ? "failed" : falls_over() ? "tips" : "ok"; }
 };
 
-/// The result of a study on @p foot, its own, that nobody has asked: equal studies have equal results,
-/// whatever was solved before or beside them. A glass that falls over on the way is an answer. Throws as
-/// find_load() and spin_row().
+/// Solves a study on @p foot, its own, as far as the answer of `run` goes: all harmonics and the first alone.
+/// Equal studies have equal results, whatever was solved before or beside them. Throws as find_load() and
+/// spin_row().
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        const Executor &executor);
 
-/// Finished cases by their number, from 0.
+/// Results of cases by their number, from 0.
 using FinishedCases = std::map<std::size_t, CaseResult>;
 
-/// Solves the cases that are not @p finished, at most @p n_threads at a time, and logs each as soon as it is
-/// finished, whatever becomes of it: trouble with a case ends up in its result's message. Collective: the
-/// ranks share the cases, but those of a solid body they solve together, one after another, logged by the
-/// first one. Meanwhile @p watch is called by one thread at a time, a few times a second. Throws
-/// OutputFailure when the log does, and what perhaps one of several ranks alone has met in a case that they
-/// solve together.
-void solve_cases(const SweepPlan &plan, const FinishedCases &finished, unsigned int n_threads, CaseLog &log,
-                 const std::function<void()> &watch);
+/// Solves the cases @p wanted, @p n_threads at a time; those of a solid body one after another, each with all
+/// threads. @p finish receives each result as soon as it is there, in any order, from one thread at a time;
+/// exceptions of @p finish end the work. A case that fails is a result with a message. No result depends on
+/// other cases. Throws std::bad_alloc and OutputFailure of a case: they say nothing about the case.
+void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,
+                 const std::function<void(std::size_t, const CaseResult &)> &finish);
 
 } // namespace stemware::pipeline

@@ -12,7 +12,4 @@ set ylabel y_label
 # With the room of the style for long titles short ones would overlap.
 longest(i) = i < 1 ? 0 : larger(strlen(curve[i]), longest(i - 1))
 if (longest(n_curve) < 6) set key width 1
-if (has_legend) unset key # a drawing is that of all pictures
-n_lines = n_curve - n_points
-plot for [i=1:n_lines] data index i - 1 using 1:2 with @style lt i title curve[i], \
-     for [i=n_lines + 1:n_curve] data index i - 1 using 1:2 with points lt i title i > n_curve ? "" : curve[i]
+plot for [i=1:n_curve] data index i - 1 using 1:2 with @style lt i title curve[i]

@@ -1,5 +1,4 @@
-# {{caption}}. White lines: where the scale has its numbers.{{#falls_over}} Where a case has no terminal spin, the glass
-# falls over on the way.{{/falls_over}}
+# {{caption}}.{{#falls_over}} Where a case has no terminal spin, the glass falls over on the way.{{/falls_over}}
 #@data sweep_{{plot}}
 #@one_way
 height = 380
@@ -19,20 +18,20 @@ eval find_extent("$3"); margin = low < high ? 0 : larger(1e-6 * abs(low), 1e-300
 colour_low = low - margin; colour_high = high + margin
 if (x_logarithmic) set logscale x
 if (y_logarithmic) set logscale y
-# Contour lines first: the table of their points would heed the formats of the axes.
-step = tic_step(colour_high - colour_low, 4) # as the scale has it
-set contour base; unset surface; set cntrparam levels incremental step * ceil(colour_low / step), step, colour_high
-set table $contours
-splot data using 1:2:3 notitle
-unset table
 set xlabel x_label; set xrange [x_low:x_high]
 set ylabel y_label; set yrange [y_low:y_high]
 if (x_logarithmic) eval set_logarithmic("x"); eval set_fine_tics("x", x_low, x_high)
 if (y_logarithmic) eval set_logarithmic("y"); eval set_fine_tics("y", y_low, y_high)
+# Tics of a linear axis: at its values if they are few.
+if (!x_logarithmic && n_x_at <= 6) set xtics (); set for [i=1:n_x_at] xtics add (sprintf("%.4g", x_at[i]) x_at[i])
+if (!x_logarithmic && n_x_at > 6) eval set_few_tics("x", x_low, x_high)
+if (!y_logarithmic && n_y_at <= 6) set ytics (); set for [i=1:n_y_at] ytics add (sprintf("%.4g", y_at[i]) y_at[i])
+if (!y_logarithmic && n_y_at > 6) eval set_few_tics("y", y_low, y_high)
 low = colour_low; high = colour_high
+# Both signs: zero is white.
+if (low < 0 && high > 0) high = larger(-low, high); low = -high; set palette defined (-1 "#2166ac", 0 "#f7f7f7", 1 "#b2182b")
 eval set_colours
 unset grid; unset key; set border 15; set tics out
 set style fill solid noborder
 i(row) = int(row) % n_x_at; j(row) = int(row) / n_x_at
-plot data using 1:2:(x_bound(i($0))):(x_bound(i($0) + 1)):(y_bound(j($0))):(y_bound(j($0) + 1)):3 with boxxyerror lc palette, \
-     $contours using 1:2 with lines lc rgb "#ffffff" lw 1.2 dt 1
+plot data using 1:2:(x_bound(i($0))):(x_bound(i($0) + 1)):(y_bound(j($0))):(y_bound(j($0) + 1)):3 with boxxyerror lc palette

@@ -5,7 +5,8 @@
 #include "fem/geometry/section_view.h"
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/analysis/sweep/sweep_findings.h"
+#include "fem/pipeline/analysis/sweep/case_list.h"
+#include "fem/pipeline/analysis/sweep/sweep_case.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/document/document.h"
 #include "fem/pipeline/study/data_files.h"
@@ -77,11 +78,9 @@ void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double cont
 void add_mesh_plots(const std::vector<fem::Quadrilateral> &faces, const std::vector<double> &jacobians,
                     Document &document);
 
-/// The fact "pictures", each with "name", "source" and "words", and what they show. Of a grid: curves over
-/// one entry of numbers, one family of curves for each word or each of a few values of the other, whose names
-/// are the fact "legend", or maps over both; nothing where both entries are words. Of random samples: how the
-/// terminal spin and the harmonic effect are distributed, and which entries they depend on.
-void add_sweep_plots(const SweepPlan &plan, const FinishedCases &cases, const SweepFindings &findings,
-                     Document &document);
+/// Adds the fact "pictures", each with "name", "source" and "words", and their data, for a grid: curves over
+/// an entry of numbers, one for each value of the other entry, or maps over two entries of four values or
+/// more. No pictures for a list from a file and for words alone.
+void add_sweep_plots(const CaseList &list, const FinishedCases &finished, Document &document);
 
 } // namespace stemware::pipeline

@@ -42,9 +42,9 @@ const std::vector<Opened> &opened()
     { "converge", { "converge", "study.prm", "--levels", "2", "--set", resting } },
     { "sweep",
       { "sweep", "study.prm", "--set", resting, "--vary", "Motion/Friction coefficient=0.2:0.4:5" } },
-    { "sweep_of_samples",
-      { "sweep", "study.prm", "--set", resting, "--samples", "12", "--random",
-        "Motion/Friction coefficient=0.3+-5%", "--random", "Motion/Orbit speed=0.35+-5%" } },
+    { "sweep_of_maps",
+      { "sweep", "study.prm", "--set", "Load/Source=first harmonic", "--vary",
+        "Motion/Force offset=-0.105:-0.085:5", "--vary", "Motion/Orbit speed=0.3:0.4:5" } },
     { "mesh", { "mesh", "study.prm" }, false },
     { "slide", { "slide" } },
   };

@@ -2,7 +2,7 @@
 // sentences; no crash, no foreign exception, no hang. The mutations come from a fixed seed, so that a finding
 // can be had again; under the preset `sanitize` the readers run with the address sanitizer.
 #include "fem/geometry/foot_mesh.h"
-#include "fem/pipeline/analysis/sweep/sweep_folder.h"
+#include "fem/pipeline/analysis/sweep/case_list.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
@@ -187,9 +187,7 @@ void read_mesh(const fs::path &file)
   read_mesh_file(file.string(), {}, mesh);
 }
 
-const std::string case_lines =
-  "{\"case\":3,\"outcome\":\"contact\",\"message\":\"100 Newton steps\",\"values\":[]}\n"
-  "{\"case\":4,\"outcome\":\"contact\",\"message\":\"tipping\",\"values\":[]}\n";
+const std::string case_table = "Motion/Mass (g);Motion/Closure\r\n302,5;\"full\"\r\n0,29 kg;paper\r\n";
 
 /// Made once.
 std::vector<FuzzedReader> made_readers()
@@ -215,7 +213,7 @@ std::vector<FuzzedReader> made_readers()
       [](const fs::path &file) { read_load_file(file.string()); } },
     { "msh", ".msh", { small_mesh(".msh"), small_gmsh_4() }, read_mesh },
     { "inp", ".inp", { small_mesh(".inp"), small_mesh(".inp") + "*ELSET, ELSET=A\n1, 2\n" }, read_mesh },
-    { "cases", ".jsonl", { case_lines }, [](const fs::path &file) { recover_cases(file); } }
+    { "cases", ".csv", { case_table }, [](const fs::path &file) { cases_from_file(file.string()); } }
   };
 }
 

@@ -84,9 +84,10 @@ TEST(TextReader, TakesSemicolonsWithDecimalCommas)
     EXPECT_DOUBLE_EQ(rows(text)[1].values[0], -5e-3);
     EXPECT_DOUBLE_EQ(rows(text)[1].values[1], 15e-3);
   }
-  expect_sentence_of([&] { rows("4,007,3,058\n"); }, "is not a row");
-  expect_sentence_of([&] { rows("1,000,5;2\n"); }, "is not a row"); // thousands
-  expect_sentence_of([&] { rows("x,y\n1,2\n"); }, "the header \"x,y\" does not name the columns r, z");
+  expect_sentence_of([&] { rows("4,007,3,058\n"); }, "the row has 4 cells");
+  expect_sentence_of([&] { rows("1,000,5;2\n"); },
+                     "line 1, column 1: \"1,000,5\" is not a number"); // thousands
+  expect_sentence_of([&] { rows("x,y\n1,2\n"); }, "the header \"x, y\" does not name the columns r, z");
 }
 
 TEST(TextReader, SaysWhereJsonIsBroken)

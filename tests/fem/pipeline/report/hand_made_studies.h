@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/sweep/sweep_findings.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/report/mesh_results.h"
 #include "fem/pipeline/report/run_results.h"
@@ -221,46 +220,6 @@ struct RefinementByHand
 
   pipeline::RefinementResult result;
 };
-
-inline pipeline::SweepPlan grid_by_hand()
-{
-  pipeline::SweepRequest request;
-  request.varied = { "Load/Moment ratio=1,1.5", "Motion/Closure=paper,full" };
-  return pipeline::make_plan(request);
-}
-
-inline pipeline::SweepPlan sample_by_hand()
-{
-  pipeline::SweepRequest request;
-  request.random = { "Motion/Mass=0.2..0.4", "Table/Foundation modulus=1e10*/2" };
-  request.n_samples = 8;
-  return pipeline::make_plan(request);
-}
-
-/// All cases, with all values different; the third has failed.
-inline pipeline::FinishedCases cases_by_hand(const pipeline::SweepPlan &plan)
-{
-  Numbers next;
-  pipeline::FinishedCases cases;
-  for (std::size_t i = 0; i < plan.cases.size(); ++i)
-  {
-    pipeline::CaseResult &result = cases[i];
-    if (i == 2)
-    {
-      result.message = "No contact, \"tipping\".";
-      continue;
-    }
-    result.outcome = "converged";
-    for (const pipeline::SweepQuantity &quantity : pipeline::sweep_quantities())
-      if (quantity.name.find("falls over") == std::string::npos)
-        result.values.push_back(next());
-      else
-        result.values.push_back(std::nullopt);
-    result.values[pipeline::quantity_index("closure effect")].reset();
-    result.values[pipeline::quantity_index("held by the grip")] = i == 1 ? 1 : 0;
-  }
-  return cases;
-}
 
 inline pipeline::MeshFindings mesh_by_hand()
 {

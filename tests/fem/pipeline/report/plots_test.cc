@@ -384,27 +384,21 @@ TEST(Plots, Phases)
   EXPECT_NE(plot.caption.find("mark of the table"), std::string::npos);
 }
 
-/// What a grid of two entries shows: the terminal spin @p spin of each case, nan where it has failed.
+/// Pictures of a grid with the terminal spin @p spin of each case, NaN for a case that has failed.
 std::vector<Plot> plots_of_grid(const std::vector<std::string> &varied,
                                 const std::function<double(double, double)> &spin)
 {
-  SweepRequest request;
-  request.varied = varied;
-  const SweepPlan plan = make_plan(request);
+  const CaseList list = cases_of_grid(varied);
   FinishedCases cases;
-  for (std::size_t i = 0; i < plan.cases.size(); ++i)
+  for (std::size_t i = 0; i < list.cases.size(); ++i)
   {
-    CaseResult &result = cases[i];
-    result.values.assign(sweep_quantities().size(), 0.5); // the same everywhere: not worth a picture
-    result.values[quantity_index(spin_of_fall)] = std::nullopt;
-    const double value = spin(std::stod(plan.cases[i][0]), std::stod(plan.cases[i].back()));
-    if (std::isnan(value))
-      result.message = "It tips.";
-    else
-      result.values[quantity_index("terminal spin")] = value;
+    const double value = spin(std::stod(list.cases[i][0]), std::stod(list.cases[i].back()));
+    cases[i] = { "", std::isnan(value) ? "It tips." : "" };
+    if (!std::isnan(value))
+      cases[i].values = { { "omega_terminal", value }, { "moment_ratio", 0.5 } };
   }
   Document document;
-  add_sweep_plots(plan, cases, find_out(plan, cases), document);
+  add_sweep_plots(list, cases, document);
   std::vector<Plot> plots;
   for (const auto &drawn : document.facts["pictures"])
     plots.push_back(picture(document, drawn["name"], drawn["source"]));
@@ -430,8 +424,14 @@ TEST(Plots, Map)
   EXPECT_NEAR(bounds[1][0], 0.25, 1e-9);
   EXPECT_NEAR(bounds[2][0], std::sqrt(columns[1][0] * columns[1][8]), 1e-9);
   EXPECT_EQ(std::count_if(columns[2].begin(), columns[2].end(), [](double x) { return std::isnan(x); }), 1);
-  // Differences of the size of rounding are no colours and no contours to choose.
+  // Differences of the size of rounding are colours too; zero lies in the middle of a scale with both signs.
   EXPECT_EQ(draw(plots_of_grid(varied, [](double x, double) { return 1 + 1e-8 * x; }), scratch), "");
+  plots = plots_of_grid(varied, [](double x, double) { return x - 0.25; });
+  plots[0].script += "set print \"figures/scale.dat\"\nprint GPVAL_CB_MIN, GPVAL_CB_MAX\n";
+  EXPECT_EQ(draw(plots, scratch), "");
+  const auto scale = test::read_columns(scratch / "figures/scale.dat");
+  EXPECT_NEAR(scale[0][0], -0.65, 1e-9);
+  EXPECT_NEAR(scale[1][0], 0.65, 1e-9);
 }
 
 TEST(Plots, CurvesWithLogarithmicAxis)
@@ -443,6 +443,22 @@ TEST(Plots, CurvesWithLogarithmicAxis)
   EXPECT_EQ(draw(plots, scratch), "");
   EXPECT_NE(plots[0].script.find("is_logarithmic = 1\n"), std::string::npos);
   EXPECT_NE(words_of(plots[0], scratch).find("all harmonics"), std::string::npos);
+}
+
+TEST(Plots, NoLineIsDrawnOverAJump)
+{
+  const std::vector<Plot> plots =
+    plots_of_grid({ "Motion/Orbit speed=0.1:0.8:8" }, [](double x, double) { return x > 0.45 ? x : x - 5; });
+  const std::string &data = plots.at(0).data;
+  const std::string first = data.substr(0, data.find("\n\n\n"));
+  std::istringstream lines(first);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);)
+    if (line[0] != '#')
+      rows.push_back(line);
+  ASSERT_EQ(rows.size(), 9u);
+  EXPECT_NE(rows[4].find("0.45"), std::string::npos); // between 0.4 and 0.5
+  EXPECT_NE(rows[4].find("nan"), std::string::npos);
 }
 
 } // namespace

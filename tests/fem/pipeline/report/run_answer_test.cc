@@ -69,15 +69,15 @@ TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
     study.motion.orbit.orbit_speed = speed;
     fem::ComplianceCache cache;
     const CaseResult solved = test::solve_case(study, cache);
-    const auto value = [&](const std::string &name) { return solved.values[quantity_index(name)].value(); };
-    const HarmonicEffect effect = { value("absolute harmonic effect"), value("harmonic effect") / 100 };
+    const auto value = [&](const std::string &key) { return solved.value(key).value(); };
+    const HarmonicEffect effect = { value("harmonic_effect"), value("harmonic_effect_relative") };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));
     usual = effect.relative;
     const std::string sentence =
       said("harmonic_effect", { { "effect", effect_facts(study, effect) }, { "one_way", false } });
     EXPECT_NE(sentence.find("% slower ("), std::string::npos) << sentence;
     EXPECT_TRUE(is_spin(study, *effect.absolute)); // the table shows it too
-    EXPECT_TRUE(is_spin(study, value("terminal spin")));
+    EXPECT_TRUE(is_spin(study, value("omega_terminal")));
   }
   // Below rounding there is no per cent, and the sentence says how little.
   const HarmonicEffect none = harmonic_effect(-1e-11, -1e-11 - 1e-19, spin_scale(study));

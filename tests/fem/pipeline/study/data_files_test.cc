@@ -70,7 +70,7 @@ TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
     { "0, 1\n" + header, "line 2" },
     { header + "0, 1, 2\n", "line 2" },
     { header + "\n0\n", "line 3" },
-    { header + "0, 1\n1, two\n", "line 3: \"1, two\" is not a row" },
+    { header + "0, 1\n1, two\n", "line 3, column 2: \"two\" is not a number" },
     { header + "0, nan\n", "line 2" },
     { header + "0, 1e999\n", "line 2" },
     { header + "0,,1\n", "line 2" },

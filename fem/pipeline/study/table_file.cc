@@ -1,0 +1,181 @@
+#include "fem/pipeline/study/table_file.h"
+
+#include "fem/pipeline/support/failures.h"
+
+#include <boost/algorithm/string/trim.hpp>
+
+#include <algorithm>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+/// Returns the separator of the row that begins at @p begin; a line end if it has one cell only.
+char separator_of(const std::string &text, std::size_t begin, bool blanks_separate)
+{
+  std::string row;
+  bool is_quoted = false;
+  for (std::size_t i = begin; i < text.size() && (is_quoted || text[i] != '\n'); ++i)
+    if (text[i] == '"')
+      is_quoted = !is_quoted;
+    else if (!is_quoted)
+      row += text[i];
+  boost::trim(row);
+  for (const char candidate : { ';', '\t', ',' })
+    if (row.find(candidate) != std::string::npos)
+      return candidate;
+  return blanks_separate ? ' ' : '\n';
+}
+
+/// Reader of one row after the other.
+class TableReader
+{
+public:
+  TableReader(const std::string &origin, const std::string &text, bool blanks_separate)
+      : origin(origin)
+      , text(text)
+      , blanks_separate(blanks_separate)
+  {
+  }
+
+  TextTable read()
+  {
+    while (skip_to_row())
+    {
+      if (table.rows.empty())
+      {
+        separator = separator_of(text, place, blanks_separate);
+        table.has_decimal_commas = separator != ',';
+      }
+      read_row();
+    }
+    return table;
+  }
+
+private:
+  bool at_end() const { return place == text.size(); }
+
+  /// Advances by one character.
+  char next()
+  {
+    line += text[place] == '\n' ? 1 : 0;
+    return text[place++];
+  }
+
+  /// Skips empty lines and comments; false at the end of the text.
+  bool skip_to_row()
+  {
+    const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
+    while (!at_end())
+    {
+      const std::size_t first = static_cast<std::size_t>(
+        std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(place), text.end(), is_blank) -
+        text.begin());
+      if (first < text.size() && text[first] != '\n' && text[first] != '#')
+        return true;
+      while (!at_end() && next() != '\n')
+        ;
+    }
+    return false;
+  }
+
+  void read_row()
+  {
+    TableRow row = { {}, line };
+    bool is_last = false;
+    while (!is_last)
+      row.cells.push_back(read_cell(is_last));
+    if (separator == ' ') // any number of blanks separates two cells
+      row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
+    table.rows.push_back(row);
+  }
+
+  /// Reads a cell and the separator or line end behind it.
+  std::string read_cell(bool &is_last)
+  {
+    std::string cell, quoted;
+    bool has_quotes = false;
+    while (!at_end())
+    {
+      const char letter = next();
+      is_last = letter == '\n';
+      if (is_last || letter == separator || (separator == ' ' && letter == '\t'))
+        return finished(cell, quoted, has_quotes);
+      if (letter == '"' && boost::trim_copy(cell).empty() && !has_quotes)
+      {
+        has_quotes = true;
+        quoted = read_quoted();
+      }
+      else
+        cell += letter;
+    }
+    is_last = true;
+    return finished(cell, quoted, has_quotes);
+  }
+
+  static std::string finished(const std::string &cell, const std::string &quoted, bool has_quotes)
+  {
+    return has_quotes ? boost::trim_copy(quoted + cell) : boost::trim_copy(cell);
+  }
+
+  /// Reads up to the closing quote.
+  std::string read_quoted()
+  {
+    const unsigned int first_line = line;
+    std::string quoted;
+    while (!at_end())
+    {
+      const char letter = next();
+      if (letter != '"')
+        quoted += letter;
+      else if (!at_end() && text[place] == '"')
+        quoted += next();
+      else
+        return quoted;
+    }
+    throw BadInput(origin + ", line " + std::to_string(first_line) +
+                   ": a quote is not closed; write a quote within a cell twice, or remove it.");
+  }
+
+  const std::string &origin, &text;
+  const bool blanks_separate;
+  char separator = '\n';
+  std::size_t place = 0;
+  unsigned int line = 1;
+  TextTable table;
+};
+
+} // namespace
+
+std::string TextTable::with_point(std::string cell) const
+{
+  const auto comma = cell.find(',');
+  if (has_decimal_commas && comma != std::string::npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
+      cell.find('.') == cell.npos)
+    cell[comma] = '.';
+  return cell;
+}
+
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate)
+{
+  return TableReader(origin, text, blanks_separate).read();
+}
+
+ColumnHeading parse_heading(const std::string &cell)
+{
+  const bool is_round = !cell.empty() && cell.back() == ')', is_square = !cell.empty() && cell.back() == ']';
+  const auto begin = is_round ? cell.rfind('(') : is_square ? cell.rfind('[') : cell.npos;
+  if (begin == cell.npos)
+    return { cell, "" };
+  return { boost::trim_copy(cell.substr(0, begin)),
+           boost::trim_copy(cell.substr(begin + 1, cell.size() - begin - 2)) };
+}
+
+std::string place_in_table(const std::string &setting, const TableRow &row, std::size_t column)
+{
+  return setting + ", line " + std::to_string(row.line) + ", column " + std::to_string(column + 1) + ": ";
+}
+
+} // namespace stemware::pipeline

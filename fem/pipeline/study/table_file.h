@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stemware::pipeline
+{
+
+/// Row of a text table.
+struct TableRow
+{
+  std::vector<std::string> cells; ///< without blanks at their ends
+  unsigned int line = 0;          ///< line of the file in which the row begins, counted from 1
+};
+
+/// Table as spreadsheets, phones and instruments write it, as text.
+struct TextTable
+{
+  std::vector<TableRow> rows;      ///< a heading, if there is one, comes first
+  bool has_decimal_commas = false; ///< true unless commas separate the cells
+
+  /// Returns @p cell with a decimal point in the place of a decimal comma: "4.007 mm" for "4,007 mm".
+  std::string with_point(std::string cell) const;
+};
+
+/// Reads a table from @p text: cells separated by semicolons, tabs or commas, whichever of them the first row
+/// has, in this order, outside quotes. A first row without any of them has one cell, or, if
+/// @p blanks_separate, cells separated by blanks. Cells in double quotes may hold separators, line ends and
+/// doubled quotes (RFC 4180). Empty lines and lines that begin with # are skipped. Throws BadInput, which
+/// begins with @p origin and names the line, for a quote that is not closed.
+TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false);
+
+/// Heading of a column.
+struct ColumnHeading
+{
+  std::string name;
+  std::string unit; ///< text in the last round or square brackets; empty if there are none
+};
+
+/// Parts "Motion/Mass (g)" into the name and the unit.
+ColumnHeading parse_heading(const std::string &cell);
+
+/// "setting, line 3, column 2: ", with the column counted from 0 as argument and from 1 in the text.
+std::string place_in_table(const std::string &setting, const TableRow &row, std::size_t column);
+
+} // namespace stemware::pipeline

@@ -1,0 +1,74 @@
+// Text tables as spreadsheets, phones and instruments write them.
+#include "fem/pipeline/study/table_file.h"
+#include "fem/pipeline/support/failures.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+using Cells = std::vector<std::string>;
+
+TEST(TableFile, SeparatorsAreThoseOfTheFirstRow)
+{
+  for (const std::string text :
+       { "a,b c\n1,2.5\n", "a;b c\r\n1;2,5\r\n", "a\tb c\n1\t2,5", "# by hand\n\n a , b c \n1 ,2.5\n" })
+  {
+    SCOPED_TRACE(text);
+    const TextTable table = parse_table("cases.csv", text);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.rows[0].cells, (Cells{ "a", "b c" }));
+    EXPECT_EQ(table.rows[1].cells[0], "1");
+    EXPECT_EQ(table.with_point(table.rows[1].cells[1]), "2.5");
+  }
+  EXPECT_EQ(parse_table("", "t  v\n1 \t 2\n", true).rows[1].cells, (Cells{ "1", "2" }));
+  EXPECT_EQ(parse_table("", "Motion/Force offset\n-0,05\n").rows[0].cells, Cells{ "Motion/Force offset" });
+}
+
+TEST(TableFile, QuotesFollowRfc4180)
+{
+  const TextTable table =
+    parse_table("", "name,\"a, \"\"quoted\"\" heading\"\n\"two\nlines\",\" x \"\n\"1,000\",;\n");
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0].cells[1], "a, \"quoted\" heading");
+  EXPECT_EQ(table.rows[1].cells, (Cells{ "two\nlines", "x" }));
+  EXPECT_EQ(table.rows[1].line, 2u);
+  EXPECT_EQ(table.rows[2].line, 4u);
+  EXPECT_EQ(table.with_point(table.rows[2].cells[0]),
+            "1,000"); // commas separate: this one is no decimal comma
+  try
+  {
+    parse_table("cases.csv", "a,b\n1,\"2\n");
+    FAIL() << "an open quote was taken";
+  }
+  catch (const BadInput &refusal)
+  {
+    EXPECT_NE(std::string(refusal.what()).find("cases.csv, line 2: "), std::string::npos) << refusal.what();
+  }
+}
+
+TEST(TableFile, EmptyCellsCountAndDecimalCommasStandAlone)
+{
+  const TextTable table = parse_table("", "a;b;c\n;1,5;\n1.000,5;2,000,3;2\n");
+  EXPECT_EQ(table.rows[1].cells, (Cells{ "", "1,5", "" }));
+  EXPECT_EQ(table.with_point("1,5 mm"), "1.5 mm");
+  EXPECT_EQ(table.with_point("1.000,5"), "1.000,5");
+  EXPECT_EQ(table.with_point("2,000,3"), "2,000,3");
+}
+
+TEST(TableFile, HeadingsHaveUnits)
+{
+  for (const auto &[cell, name, unit] :
+       { std::tuple("Motion/Mass (g)", "Motion/Mass", "g"),
+         std::tuple("Motion/Orbit speed [cm/s]", "Motion/Orbit speed", "cm/s"),
+         std::tuple("Motion/Closure", "Motion/Closure", ""), std::tuple("", "", "") })
+  {
+    EXPECT_EQ(parse_heading(cell).name, name);
+    EXPECT_EQ(parse_heading(cell).unit, unit);
+  }
+}
+
+} // namespace
+} // namespace stemware::pipeline
