@@ -83,7 +83,7 @@ reduced() {
   if [[ $command == *"stemware run"*"Contact/Body=solid"* ]] || grep -qs "Body *= *solid" "$of_the_page"; then
     [[ $command == *"Load/Coupling="* ]] || command+=' --set "Load/Coupling=one-way"'
   fi
-  if [[ $command == *"Table/Waviness="* || ($command == *"stemware slide"* && $command != *"--body"*) ]]; then
+  if [[ $command == *"Table/Waviness="* ]]; then
     command+=' --set "Contact/Harmonics=6" --set "Contact/Azimuth lines=64"'
   fi
   if [[ $command == *"Contact/Body=solid"* && $command != *"Mesh file"* ]]; then

@@ -15,7 +15,7 @@ only the ratios of one run tell.
   --rounds N     how often each runs (default: 3)
   --sweep N      a sweep of N cases on bare hardwood too (default: none)
 
-Studies: mat wood rough cork disc wavy slide solid (default: all but solid, which takes minutes)
+Studies: mat wood rough cork disc wavy solid (default: all but solid, which takes minutes)
 HELP
 }
 
@@ -36,7 +36,6 @@ arguments_of() { # name
       --set 'Table/Disc Poisson ratio=0.22' --set 'Table/Disc radius=0.15' --set 'Table/Disc thickness=0.05'
     ;;
   wavy) printf '%s\n' run "$cookbooks/three_point_waviness.prm" ;;
-  slide) printf '%s\n' slide ;;
   solid)
     printf '%s\n' run "$cookbooks/lift_off.prm" --set Contact/Body=solid --set Glass/Shape=step \
       --set 'Contact/Azimuthal cells=96' --set 'Contact/Radial cells=8' --set 'Contact/Foot layers=4' \
@@ -65,7 +64,7 @@ done
 declare -A programs=([old]=$(readlink -f "$1") [new]=$(readlink -f "$2"))
 shift 2
 studies=("$@")
-((${#studies[@]})) || studies=(mat wood rough cork disc wavy slide)
+((${#studies[@]})) || studies=(mat wood rough cork disc wavy)
 ((sweep == 0)) || studies+=(sweep)
 
 folder=$(mktemp -d)

@@ -49,13 +49,11 @@ struct Fall
 };
 
 /// The answer to the one question of the project: what spin does this load give, with these of its harmonics?
-/// Rows of run, truncate, compare, sweep and converge. What does not exist is missing, and `standing` says
+/// Rows of run, truncate, sweep and converge. What does not exist is missing, and `standing` says
 /// why.
 struct SpinRow
 {
-  ring::Closure closure = ring::Closure::full; ///< the moment balance
-  std::string load;                            ///< "first harmonic", "rigid flat rim", "elastic foot", ...
-  unsigned int harmonics = 0;                  ///< that act on the ring
+  unsigned int harmonics = 0; ///< that act on the ring
   bool all_harmonics = false;
 
   std::optional<RingState> at_rest;
@@ -66,8 +64,7 @@ struct SpinRow
   std::optional<RingState> at_terminal;
   std::optional<Fall>
     fall; ///< nothing unless the glass stands at rest and tips on its way to a terminal spin
-  std::optional<double> contact_fraction; ///< share of the rim that carries load at the terminal spin
-  std::optional<double> band = {};        ///< half-width of the error band of the terminal spin [rad/s]
+  std::optional<double> band = {};  ///< half-width of the error band of the terminal spin [rad/s]
   std::vector<double> torques = {}; ///< tau_z at the spins asked for [N m]; NaN where there is no balance
   Standing standing = Standing::no_balance;
   std::string reason = {}; ///< why something is missing; empty where nothing is
@@ -77,8 +74,7 @@ struct SpinRow
     relative_change = {}; ///< of the terminal spin to that of all harmonics; nothing if that is 0
   std::optional<double>
     bound = {}; ///< a priori, on the change of tau_z at the terminal spin of all harmonics [N m]
-  std::optional<double> difference_to_paper = {}; ///< of the terminal spin to the paper's, relative to that
-  std::vector<double> spin_up = {};               ///< omega(t) from rest [rad/s]; empty where there is none
+  std::vector<double> spin_up = {}; ///< omega(t) from rest [rad/s]; empty where there is none
   std::optional<double>
     largest_deviation = {};                   ///< of omega(t) from that of all harmonics, over all t [rad/s]
   std::optional<double> final_deviation = {}; ///< of omega(t) from that of all harmonics, at the end [rad/s]

@@ -73,14 +73,8 @@ bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Moti
 SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                    const std::optional<ring::KnownZero> &near)
 {
-  if (!variant.rigid_ring)
-    return find_load(variant.study, foot, silent_progress(), variant.n_harmonics,
-                     near ? std::optional(near->omega) : std::nullopt);
-  const ring::Motion &motion = variant.study.motion.orbit;
-  const ring::Closure closure = variant.study.motion.closure;
-  const ring::RingStack at_rest =
-    variant.rigid_ring->rings(motion.normal_force(), ring::required_moment_at_rest(closure, motion));
-  return balance(variant.rigid_ring, motion, closure, report_of(at_rest), variant.n_harmonics);
+  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics,
+                   near ? std::optional(near->omega) : std::nullopt);
 }
 
 /// The load of @p answer interpolated in the spin from @p lower to @p upper, or to where its glass falls

@@ -68,17 +68,6 @@ void require_standing_glass(const Study &study)
   }
 }
 
-/// The entries that have no effect, where the verb asks nothing but the study: the cases of a sweep have
-/// studies of their own, a slide names its own.
-std::string unused_note(Study study, const std::string &verb)
-{
-  if (verb == "sweep" || verb == "slide")
-    return "";
-  if (verb == "compare") // asks for every moment balance
-    study.motion.closure = ring::Closure::full;
-  return idle_note(idle_entries(study));
-}
-
 } // namespace
 
 void say_note(const std::string &label, const std::string &note)
@@ -109,13 +98,12 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                     "Folder of the results; default: results/<name of the study>" +
                       std::string(options.verb == "run" ? "" : "-" + options.verb));
   add_override_option(verb, options);
-  if (options.verb != "slide") // has little to share
-    verb
-      .add_option(
-        "--threads", options.n_threads,
-        "Threads that share the work;\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
+  verb
+    .add_option(
+      "--threads", options.n_threads,
+      "Threads that share the work;\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
+    ->type_name("N")
+    ->check(CLI::Range(1, 1024).description(""));
   add_console_options(verb, options);
 }
 
@@ -168,10 +156,10 @@ Study begin_study(const StudyOptions &options)
             << std::endl;
   for (const std::string &note : implausible_notes(study)) // a slip of a unit is behind most of them
     say_note("Check     ", note);
-  if (options.verb != "slide") // no hand leads it
-    require_standing_glass(study);
+  require_standing_glass(study);
   say_note("Profile   ", profile_note(study));
-  say_note("Unused    ", unused_note(study, options.verb));
+  if (options.verb != "sweep") // its cases have studies of their own
+    say_note("Unused    ", idle_note(idle_entries(study)));
   if (const std::string trouble = missing_plotter(); !trouble.empty() && is_first_rank())
     std::cerr << "stemware: " << trouble << std::endl;
   load_modules_of(study);

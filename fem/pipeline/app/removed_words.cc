@@ -15,6 +15,10 @@ const std::vector<RemovedWord> &removed_words()
     { "sweep", "--jobs", "write --threads, as for all verbs" },
     { "sweep", "--most-cases", "a sweep has as many cases as its list, at most a million" },
     { "sweep", "--restart", "remove the folder of the results, or choose another one with --output" },
+    { "", "compare",
+      "the budget of `stemware run` has the steps from the paper's model to the study's, and "
+      "`stemware sweep --vary \"Motion/Closure=paper,hand,full\"` the moment balances" },
+    { "", "slide", "the ring model's library has free sliding (docs/cookbooks/slide.md)" },
   };
   return words;
 }

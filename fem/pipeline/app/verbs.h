@@ -29,9 +29,7 @@ CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, con
   VERB(run)      /* a study from its file to its results */                                                  \
   VERB(new)      /* a study file of a glass on a table to start from */                                      \
   VERB(truncate) /* a study with fewer and fewer harmonics of its load */                                    \
-  VERB(compare)  /* closures, loads and truncations side by side */                                          \
   VERB(sweep)    /* a study many times, with other values each time */                                       \
-  VERB(slide)    /* a glass, a ring or a disc that is pushed and let go */                                   \
   VERB(explore)  /* a page that solves a study again at every move of a slider */                            \
   VERB(mesh)     /* a foot mesh, written or looked at */                                                     \
   VERB(converge) /* a study on ever finer levels; observed orders and error bands */                         \

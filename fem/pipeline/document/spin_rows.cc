@@ -50,9 +50,7 @@ Json spin_rows(const std::vector<SpinRow> &rows)
     Json torques = Json::array();
     for (const double torque : row.torques)
       torques.push_back(if_finite(torque)); // NaN: no balance
-    list.push_back({ { "closure", ring::to_string(row.closure) },
-                     { "load", row.load },
-                     { "harmonics", row.harmonics },
+    list.push_back({ { "harmonics", row.harmonics },
                      { "all_harmonics", row.all_harmonics },
                      { "amplitude", row.amplitude() },
                      { "tau_at_rest", if_there(rest, torque_of) },
@@ -66,7 +64,6 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "force_at_terminal", if_there(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
-                     { "difference_to_paper", row.difference_to_paper },
                      { "spin_up_deviation", row.largest_deviation },
                      { "spin_up_deviation_at_end", row.final_deviation },
                      { "bound", row.bound },
@@ -82,7 +79,6 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "ring_radius_at_terminal",
                        if_there(end, [](const RingState &state) { return state.load.radius(); }) },
                      { "load_at_terminal", if_there(end, load_of) },
-                     { "contact_fraction_at_terminal", row.contact_fraction },
                      { "state", to_string(row.standing) },
                      { "message", if_said(row.reason) } });
   }

@@ -13,7 +13,7 @@
 namespace stemware::pipeline
 {
 
-/// All numbers of the rows of run, truncate and compare, of which each shows some, by the keys of
+/// All numbers of the rows of run and truncate, of which each shows some, by the keys of
 /// summary.schema.json.
 nlohmann::ordered_json spin_rows(const std::vector<SpinRow> &rows);
 

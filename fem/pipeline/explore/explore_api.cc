@@ -130,7 +130,6 @@ Json row_json(const SpinRow &row, double contact_radius)
                   { "time_constant", row.time_constant() },
                   { "harmonics", row.harmonics },
                   { "standing", to_string(row.standing) },
-                  { "contact_fraction", row.contact_fraction },
                   { "reason", row.reason } };
   if (row.at_rest)
     object.add("at_rest", state_json(*row.at_rest, contact_radius));

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
-#include "ring_model/unilateral_foundation.h"
 
 #include <memory>
 #include <string>
@@ -20,9 +19,6 @@ struct Variant
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< on the foot of the study, not on one of its own
   std::string reason = {};                  ///< why it is not solved; empty where it is
-  /// Rigid ring in closed form, whose load in balance stands in the place of the study's; nothing: the
-  /// study's.
-  std::shared_ptr<const ring::UnilateralFoundation> rigid_ring = nullptr;
   bool on_other_rings = false; ///< of the same foot: they are placed anew
 };
 

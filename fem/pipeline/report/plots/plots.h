@@ -3,7 +3,6 @@
 #include "fem/contact/azimuthal_density.h"
 #include "fem/geometry/mesh_quality.h"
 #include "fem/geometry/section_view.h"
-#include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/sweep/case_list.h"
 #include "fem/pipeline/analysis/sweep/sweep_case.h"
@@ -58,12 +57,6 @@ void add_spin_up_plot(const std::vector<double> &time, const std::vector<SpinCur
 
 /// "deviation" of the spin-ups of rows with fewer harmonics from the last one's.
 void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document);
-
-/// A load of `compare` by the name that it is shown with, which says what is one-way.
-std::string name_of_load(const std::string &load);
-
-/// "terminal_spins" and "harmonic_effects": a line for each load, a column for each moment balance.
-void add_comparison_plots(const Comparison &comparison, Document &document);
 
 /// "footprint", "footprint_at_end", "section_stress", "foot_from_above", and those of add_section_plot(),
 /// and "rim", as far as the report has something for them.

@@ -54,36 +54,6 @@ struct Harmonic
   bool is_resolved;
 };
 
-/// A line for each load, the first on top, a column for each moment balance that has a value.
-void add_plot_by_load(const Comparison &comparison, const std::string &name, const std::string &caption,
-                      const Quantity &what,
-                      const std::function<std::optional<double>(const SpinRow &)> &value, Document &document)
-{
-  std::vector<std::string> loads, closures;
-  for (const SpinRow &row : comparison.rows)
-    if (std::find(loads.begin(), loads.end(), row.load) == loads.end())
-      loads.push_back(row.load);
-  Table table = { what.name, { { { "row" }, {} } } };
-  for (const std::string &load : loads)
-    table.columns.front().cells.push_back(name_of_load(load));
-  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
-  {
-    const auto in_closure = [&](const std::string &load)
-    {
-      const SpinRow *row = comparison.find(closure, load);
-      return row ? value(*row) : std::nullopt;
-    };
-    if (std::none_of(loads.begin(), loads.end(), in_closure))
-      continue;
-    closures.push_back(ring::to_string(closure));
-    table.columns.push_back(numbers("closure " + closures.back(), what.unit, loads, in_closure));
-  }
-  document.tables[name] = table;
-  document.plots[name] = { { "caption", caption },
-                           { "x_label", heading_with_unit(what) },
-                           { "curve", closures } };
-}
-
 } // namespace
 
 void add_load_plots(const ring::RingStack &load, const std::vector<fem::AzimuthLoad> &pointwise,
@@ -140,11 +110,6 @@ void add_slip_plot(const ring::Motion &motion, double radius, const std::vector<
   }
   document.texts["slip"] = data_tables(blocks);
   document.plots["slip"] = { { "title", titles } };
-}
-
-std::string name_of_load(const std::string &load)
-{
-  return load == compared_load::foot_at_rest ? load + " (one-way)" : load;
 }
 
 void add_torque_plot(const TorqueCurve &curve, const std::vector<SpinRow> &rows, Document &document)
@@ -206,20 +171,6 @@ void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document)
   document.plots["deviation"] = { { "n_all", rows.back().harmonics },
                                   { "harmonics", harmonics },
                                   { "rounding", 1e-10 * std::abs(rows.back().omega_terminal().value()) } };
-}
-
-void add_comparison_plots(const Comparison &comparison, Document &document)
-{
-  add_plot_by_load(comparison, "terminal_spins",
-                   "Terminal spin by load, all its harmonics kept, and by moment balance (colours).",
-                   quantity_named("omega_terminal"), &SpinRow::omega_terminal, document);
-  add_plot_by_load(
-    comparison, "harmonic_effects",
-    "What the harmonics of each load beyond the first do to that terminal spin; less than zero is faster "
-    "where the glass "
-    "spins clockwise.",
-    quantity_named("harmonic_effect"),
-    [&](const SpinRow &row) { return comparison.harmonic_effect(row.closure, row.load).absolute; }, document);
 }
 
 } // namespace stemware::pipeline

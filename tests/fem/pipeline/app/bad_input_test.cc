@@ -327,7 +327,7 @@ TEST(BadInput, ARerunLosesNoFileOfAUser)
   ASSERT_EQ(run().exit_code, 0); // nothing has changed
   scratch.write("results/figures/my_note.txt", "mine");
   const auto before = all_files(scratch / "results");
-  for (const char *verb : { "run", "truncate", "compare" })
+  for (const char *verb : { "run", "truncate" })
     expect_refused(scratch, { verb, file, "--output", "results" }, 3,
                    "holds figures/my_note.txt, which Stemware never writes; move it away");
   EXPECT_EQ(all_files(scratch / "results"), before);

@@ -38,7 +38,6 @@ const std::vector<Opened> &opened()
   static const std::vector<Opened> reports = {
     { "run", { "run", "study.prm" } },
     { "truncate", { "truncate", "study.prm" } },
-    { "compare", { "compare", "study.prm" } },
     { "converge", { "converge", "study.prm", "--levels", "2", "--set", resting } },
     { "sweep",
       { "sweep", "study.prm", "--set", resting, "--vary", "Motion/Friction coefficient=0.2:0.4:5" } },
@@ -46,7 +45,6 @@ const std::vector<Opened> &opened()
       { "sweep", "study.prm", "--set", "Load/Source=first harmonic", "--vary",
         "Motion/Force offset=-0.105:-0.085:5", "--vary", "Motion/Orbit speed=0.3:0.4:5" } },
     { "mesh", { "mesh", "study.prm" }, false },
-    { "slide", { "slide" } },
   };
   return reports;
 }

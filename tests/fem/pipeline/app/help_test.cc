@@ -94,11 +94,9 @@ TEST(DefaultStudy, IsWhatRunsWithoutAStudy)
             read_text(scratch / "results/empty/summary.json"));
 
   EXPECT_EQ(stemware(scratch, { "truncate", "--set", source }).exit_code, 0);
-  EXPECT_EQ(stemware(scratch, { "compare", "--set", source }).exit_code, 0);
   EXPECT_EQ(stemware(scratch, { "sweep", "--set", source, "--vary", "Motion/Mass=0.2,0.3" }).exit_code, 0);
-  EXPECT_EQ(
-    names_in(scratch / "results"),
-    (std::vector<std::string>{ "default", "default-compare", "default-sweep", "default-truncate", "empty" }));
+  EXPECT_EQ(names_in(scratch / "results"),
+            (std::vector<std::string>{ "default", "default-sweep", "default-truncate", "empty" }));
 }
 
 TEST(Container, WithoutSshOrAnyOtherProgramAContactIsSolved)

@@ -88,7 +88,7 @@ TEST(StudyOptions, TextFitsTheConsoleWithoutEscapeCodes)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_EQ(bad_lines(ended.out + ended.err), "");
   const std::string study = scratch.write("default.prm", plain_study());
-  for (const char *verb : { "truncate", "compare", "converge" })
+  for (const char *verb : { "truncate", "converge" })
   {
     const Ended other = stemware(scratch, { verb, study });
     EXPECT_EQ(other.exit_code, 0) << other.err;

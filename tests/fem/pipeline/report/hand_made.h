@@ -68,19 +68,18 @@ inline pipeline::RingState hand_made_state(Numbers &next)
 inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
 {
   pipeline::SpinRow row;
-  row.load = "elastic foot";
   row.harmonics = harmonics;
   row.at_rest = hand_made_state(next);
   const double omega = -next(), slope = -next();
   row.terminal = ring::TerminalSpin{ omega, slope, next(), true };
   row.at_terminal = hand_made_state(next);
-  row.contact_fraction = next() / 10;
+  next();
   row.band = next() / 1000;
   row.torques = { next(), next() };
   row.standing = pipeline::Standing::lift_off;
   row.relative_change = next() / 100;
   row.bound = next() / 1e6;
-  row.difference_to_paper = next() / 100;
+  next();
   row.spin_up = { 0, -next() };
   row.largest_deviation = next() / 1000;
   row.final_deviation = next() / 1000;
@@ -91,7 +90,6 @@ inline pipeline::SpinRow hand_made_row(Numbers &next, unsigned int harmonics)
 inline pipeline::SpinRow missing_row(unsigned int harmonics)
 {
   pipeline::SpinRow row;
-  row.load = "elastic foot";
   row.harmonics = harmonics;
   row.torques = { std::nan(""), std::nan("") };
   row.standing = pipeline::Standing::no_balance;

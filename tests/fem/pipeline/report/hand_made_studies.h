@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/comparison.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/report/mesh_results.h"
@@ -163,32 +162,6 @@ struct TruncationByHand
   pipeline::LoadReport load = hand_made_load_report(next);
   pipeline::TruncationStudy truncations;
 };
-
-/// First harmonic and elastic foot (2 harmonics) under every moment balance; no row for closure hand.
-inline pipeline::Comparison comparison_by_hand()
-{
-  Numbers next;
-  pipeline::Comparison comparison;
-  for (const ring::Closure closure : { ring::Closure::paper, ring::Closure::hand, ring::Closure::full })
-  {
-    pipeline::SpinRow first = hand_made_row(next, 1), one = hand_made_row(next, 1),
-                      all = hand_made_row(next, 2);
-    if (closure == ring::Closure::hand)
-      one = all = missing_row(1);
-    all.harmonics = 2;
-    first.load = "first harmonic";
-    first.all_harmonics = all.all_harmonics = true;
-    first.standing = pipeline::Standing::formal;
-    for (pipeline::SpinRow row : { first, one, all })
-    {
-      row.closure = closure;
-      comparison.rows.push_back(row);
-    }
-  }
-  comparison.rows.front().difference_to_paper = 0;
-  comparison.budget = hand_made_budget(next).rows;
-  return comparison;
-}
 
 struct RefinementByHand
 {
