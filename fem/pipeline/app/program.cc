@@ -32,8 +32,7 @@ std::vector<std::string> verbs_of(const CLI::App &program)
 {
   std::vector<std::string> names;
   for (const CLI::App *verb : program.get_subcommands([](const CLI::App *) { return true; }))
-    if (!verb->get_group().empty()) // `describe` is hidden
-      names.push_back(verb->get_name());
+    names.push_back(verb->get_name());
   return names;
 }
 

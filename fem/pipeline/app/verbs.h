@@ -23,8 +23,7 @@ std::string help_of(const std::string &name);
 CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
                    const Verb &work);
 
-/// The verbs in the order of --help; `describe` is for those who install the program. Each has a function
-/// add_NAME_verb(), which adds its options and work.
+/// The verbs in the order of --help. Each has a function add_NAME_verb(), which adds its options and work.
 #define STEMWARE_VERBS(VERB)                                                                                 \
   VERB(run)      /* a study from its file to its results */                                                  \
   VERB(new)      /* a study file of a glass on a table to start from */                                      \
@@ -34,8 +33,7 @@ CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, con
   VERB(mesh)     /* a foot mesh, written or looked at */                                                     \
   VERB(converge) /* a study on ever finer levels; observed orders and error bands */                         \
   VERB(defaults) /* a commented study file of all defaults, or of one section, on standard output */         \
-  VERB(help)     /* the text of --help, of the program or of a verb */                                       \
-  VERB(describe) /* manual page and completions of shells */
+  VERB(help)     /* the text of --help, of the program or of a verb */
 
 #define STEMWARE_VERB(name) void add_##name##_verb(CLI::App &program, Verb &chosen);
 STEMWARE_VERBS(STEMWARE_VERB)
