@@ -1,11 +1,9 @@
 #include "fem/geometry/mesh_io.h"
-#include "fem/geometry/section_view.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/coupling/finite_elements.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/report/mesh_results.h"
-#include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/console.h"
@@ -30,7 +28,7 @@ namespace
 /// Options of `stemware mesh`.
 struct MeshOptions
 {
-  StudyOptions study;              ///< output may be empty: no folder
+  StudyOptions study;
   std::string check;               ///< a mesh file to look at; empty: the study's own mesh
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
@@ -82,20 +80,19 @@ void write_mesh(const Mesh &mesh, const std::string &file)
   console() << "Written   " << file << std::endl;
 }
 
-/// The findings on one line of standard output, for programs, where there is no folder of results.
-void print_json(const Findings &findings)
+/// The findings on one line of standard output, for programs.
+void print_json(const MeshFindings &findings, const MeshOptions &options)
 {
-  nlohmann::ordered_json line = { { "verb", "mesh" } };
-  line.update(findings.key_figures);
+  nlohmann::ordered_json line = { { "verb", "mesh" }, { "written", options.writes } };
+  line.update(mesh_summary(findings));
   std::cout << line.dump() << std::endl;
 }
 
-/// Looks at a foot mesh, of a study or of a file, says what it finds, and writes it; with --output also a
-/// folder with a report. Throws BadInput for a mesh that cannot be used, OutputFailure.
+/// Looks at a foot mesh, of a study or of a file, prints the findings, and writes the mesh. Throws BadInput
+/// for a mesh that cannot be used, OutputFailure.
 void mesh(const MeshOptions &options)
 {
-  // 1. Which mesh, and where the results go.
-  Stopwatch stopwatch;
+  // 1. Which mesh?
   direct_console(options.study.quiet, options.study.json);
   check_options(options);
   std::optional<Study> study;
@@ -103,14 +100,9 @@ void mesh(const MeshOptions &options)
     study = read_study(options.study.study_file, options.study.overrides);
   say_note("Profile   ", study ? profile_note(*study) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
-  std::optional<ResultsFolder> folder;
-  if (!options.study.output.empty())
-    folder.emplace(options.study.results_place());
-  stopwatch.finish("input");
 
   // 2. What it is like, and whether it can be used.
-  const FiniteElements &elements = finite_elements();
-  const auto mesh = elements.empty_mesh();
+  const auto mesh = finite_elements().empty_mesh();
   const ContactSection contact = study ? study->contact : ContactSection();
   const MeshFindings findings = file.empty() ? generate_mesh(*study, *mesh) : read_mesh(file, contact, *mesh);
   console() << mesh_text(findings) << std::flush;
@@ -119,20 +111,12 @@ void mesh(const MeshOptions &options)
                                    study->given_entries.count("Glass/Contact radius") > 0);
   if (has_glass && findings.report)
     require_same_glass(*findings.report, file, *study);
-  stopwatch.finish("mesh");
 
-  // 3. The mesh in files, and the report.
+  // 3. The mesh in files.
   for (const std::string &name : options.writes)
     write_mesh(*mesh, name);
-  constexpr double azimuth = 0.02; // between two sectors of any usual mesh
-  const Results results = tabulate(findings,
-                                   { elements.contact_faces(*mesh), elements.scaled_jacobians(*mesh),
-                                     elements.section_cells(*mesh, azimuth) },
-                                   options.writes);
-  if (folder)
-    publish(options.study, study, results, *folder, stopwatch);
-  else if (options.study.json && is_first_rank())
-    print_json(results.findings);
+  if (options.study.json && is_first_rank())
+    print_json(findings, options);
 }
 
 } // namespace
@@ -148,7 +132,6 @@ void add_mesh_verb(CLI::App &program, Verb &chosen)
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
     ->type_name("FILE.msh|FILE.vtu")
     ->allow_extra_args(false);
-  add_output_option(*verb, options->study, "Folder for report.html and summary.json; default: none");
   options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);

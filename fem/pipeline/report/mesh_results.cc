@@ -1,20 +1,15 @@
 #include "fem/pipeline/report/mesh_results.h"
 
-#include "fem/pipeline/report/document.h"
-#include "fem/pipeline/report/filled_text.h"
-#include "fem/pipeline/report/plots/plots.h"
 #include "fem/pipeline/support/numbers.h"
 #include "fem/pipeline/support/text.h"
 
-#include <sstream>
+#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
 {
@@ -55,10 +50,24 @@ std::string mesh_range(const std::string &name, double least, double most)
          (least == most ? "" : fmt::format(FMT_STRING(" to {:.6g}"), 1e3 * most));
 }
 
-Json mesh_summary(const MeshFindings &findings)
+/// "round, middle radius 30 mm: the cells of the land follow the circles"
+std::string rim_text(const fem::MeshReport &report)
+{
+  return fmt::format(FMT_STRING("{}round, middle radius {:.6g} mm"), report.round_rim ? "" : "not ",
+                     1e3 * report.rim_radius) +
+         (report.round_rim ? ": the cells of the land follow the circles" : "") +
+         (report.land_area_deficit > 0
+            ? fmt::format(FMT_STRING(": straight edges cut off about {:.2g} % of the land"),
+                          1e2 * report.land_area_deficit)
+            : "");
+}
+
+} // namespace
+
+nlohmann::ordered_json mesh_summary(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
-  Json json = {
+  nlohmann::ordered_json json = {
     { "mesh", findings.origin },
     { "cells", check.n_cells },
     { "vertices", check.n_vertices },
@@ -84,54 +93,36 @@ Json mesh_summary(const MeshFindings &findings)
   return json;
 }
 
-/// The facts of the template mesh_lines, with the @p summary of the mesh.
-Json facts_of(const fem::MeshCheck &check, const Json &summary)
-{
-  return {
-    { "mesh", summary },
-    { "rim", summary.value("rim", Json()) },
-    { "cuts_land", summary.contains("rim") && summary["rim"]["land_area_deficit"] > 0 },
-    { "inner_radius", check.inner_radius },
-    { "outer_radius", check.outer_radius },
-    { "box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
-               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
-               mesh_range("z", check.lower[2], check.upper[2]) },
-    { "radii", mesh_range("r", check.inner_radius, check.outer_radius) },
-    { "heights", mesh_range("z", check.lowest, check.highest) },
-    { "worst",
-      { { "x", check.worst_place[0] }, { "y", check.worst_place[1] }, { "z", check.worst_place[2] } } }
-  };
-}
-
-} // namespace
-
-Results tabulate(const MeshFindings &findings, const MeshPictures &pictures,
-                 const std::vector<std::string> &written)
-{
-  const fem::MeshCheck &check = findings.check;
-  const Json summary = mesh_summary(findings);
-  Document document;
-  document.findings.summary = { { "mesh", summary } };
-  document.findings.key_figures = { { "written", written } };
-  document.findings.key_figures.update(summary);
-  document.facts = facts_of(check, summary);
-  document.facts["has_section"] = !pictures.section.empty();
-  if (!pictures.section.empty())
-    add_section_plot(pictures.section, (check.inner_radius + check.outer_radius) / 2, 0, true, document);
-  add_mesh_plots(pictures.contact_faces, pictures.scaled_jacobians, document);
-  return shown(document, "mesh");
-}
-
 std::string mesh_text(const MeshFindings &findings)
 {
-  const std::string row = "@row ", bar = " | ";
-  std::istringstream lines(filled_text("mesh_lines.txt", facts_of(findings.check, mesh_summary(findings))));
+  const fem::MeshCheck &check = findings.check;
+  const auto &[x, y, z] = check.worst_place;
+  std::vector<std::pair<std::string, std::string>> lines = {
+    { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
+                          check.n_vertices) },
+    { "Box", mesh_range("x", check.lower[0], check.upper[0]) + ", " +
+               mesh_range("y", check.lower[1], check.upper[1]) + ", " +
+               mesh_range("z", check.lower[2], check.upper[2]) + " (mm)" },
+    { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
+                           n_faces(check, fem::FootBoundary::stem_cut),
+                           n_faces(check, fem::FootBoundary::contact_zone),
+                           n_faces(check, fem::FootBoundary::free), n_other_faces(check)) },
+    { "Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
+                   mesh_range("z", check.lowest, check.highest) +
+                   fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area) }
+  };
+  if (findings.report)
+    lines.emplace_back("Rim", rim_text(*findings.report));
+  lines.emplace_back(
+    "Quality",
+    fmt::format(
+      FMT_STRING("scaled Jacobian at least {:.3g}, near ({:.4g}, {:.4g}, {:.4g}) mm, {:.3g} on average"),
+      check.least_jacobian, 1e3 * x, 1e3 * y, 1e3 * z, check.mean_jacobian));
+  for (const std::string &remark : mesh_remarks(findings))
+    lines.emplace_back("Remark", remark);
   std::string text;
-  for (std::string line; std::getline(lines, line);)
-    if (const auto end = line.find(bar); end != std::string::npos)
-      text += wrapped(line.substr(end + bar.size()),
-                      fmt::format(FMT_STRING("{:<10}"), line.substr(row.size(), end - row.size()))) +
-              '\n';
+  for (const auto &[label, line] : lines)
+    text += wrapped(line, fmt::format(FMT_STRING("{:<10}"), label)) + '\n';
   return text;
 }
 

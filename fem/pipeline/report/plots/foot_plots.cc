@@ -134,6 +134,21 @@ void add_view_from_above(const fem::PressureMap &footprint, double radius, const
                   { "side", motion.orbit_sense == ring::OrbitSense::counterclockwise ? 1 : -1 } });
 }
 
+/// "section": the cells of a foot and its lengths; @p crown_radius [m] 0: flat, or not known. There must be a
+/// cell.
+void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double contact_radius,
+                      double crown_radius, Document &document)
+{
+  const fem::SectionLengths lengths = fem::lengths_of(cells, contact_radius);
+  document.texts["section"] =
+    grouped_data("Section of the foot, its cells", { "r (mm)", "z (mm)" }, outlines(cells));
+  document.plots["section"] = {
+    { "radius", contact_radius * millimetres },       { "edge", lengths.outer_radius * millimetres },
+    { "top", lengths.height * millimetres },          { "stem", lengths.stem_radius * millimetres },
+    { "thickness", lengths.thickness * millimetres }, { "crown", crown_radius * millimetres }
+  };
+}
+
 } // namespace
 
 void add_foot_plots(const Study &study, const FootReport &foot, Document &document)
@@ -150,43 +165,13 @@ void add_foot_plots(const Study &study, const FootReport &foot, Document &docume
   if (foot.section.empty())
     return;
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
-  add_section_plot(foot.section, radius, crown, false, document);
+  add_section_plot(foot.section, radius, crown, document);
   const fem::ContactWidth band = fem::loaded_band(foot.footprint);
   document.plots["rim"] = { { "radius", radius * millimetres },
                             { "crown", crown > 0 ? Json(crown * millimetres) : Json(nullptr) },
                             { "inner", band.inner * millimetres },
                             { "outer", band.outer * millimetres } };
   add_view_from_above(foot.footprint, radius, study.motion.orbit, document);
-}
-
-void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double contact_radius,
-                      double crown_radius, bool of_mesh, Document &document)
-{
-  const fem::SectionLengths lengths = fem::lengths_of(cells, contact_radius);
-  document.texts["section"] =
-    grouped_data("Section of the foot, its cells", { "r (mm)", "z (mm)" }, outlines(cells));
-  document.plots["section"] = { { "radius", contact_radius * millimetres },
-                                { "edge", lengths.outer_radius * millimetres },
-                                { "top", lengths.height * millimetres },
-                                { "stem", lengths.stem_radius * millimetres },
-                                { "thickness", lengths.thickness * millimetres },
-                                { "crown", crown_radius * millimetres },
-                                { "of_mesh", of_mesh } };
-}
-
-void add_mesh_plots(const std::vector<fem::Quadrilateral> &faces, const std::vector<double> &jacobians,
-                    Document &document)
-{
-  constexpr int n_bins = 20;
-  std::vector<double> bins, counts(n_bins, 0);
-  for (int b = 0; b < n_bins; ++b)
-    bins.push_back((b + 0.5) / n_bins);
-  for (const double jacobian : jacobians)
-    ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(jacobian * n_bins), 0, n_bins - 1))];
-  document.texts["contact_zone"] =
-    grouped_data("The faces of the contact zone", { "x (mm)", "y (mm)" }, outlines(faces));
-  document.tables["quality"] = { "Scaled Jacobians of the cells",
-                                 { numbers("middle of the bin", "1", bins), numbers("cells", "1", counts) } };
 }
 
 } // namespace stemware::pipeline

@@ -58,18 +58,9 @@ void add_spin_up_plot(const std::vector<double> &time, const std::vector<SpinCur
 /// "deviation" of the spin-ups of rows with fewer harmonics from the last one's.
 void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document);
 
-/// "footprint", "footprint_at_end", "section_stress", "foot_from_above", and those of add_section_plot(),
-/// and "rim", as far as the report has something for them.
+/// "footprint", "footprint_at_end", "section_stress", "foot_from_above", "section" and "rim", as far as the
+/// report has something for them.
 void add_foot_plots(const Study &study, const FootReport &foot, Document &document);
-
-/// "section": the cells of a foot and its lengths; @p contact_radius [m] that of the study, or @p of_mesh the
-/// middle of a contact zone; @p crown_radius [m] 0: flat, or not known. There must be a cell.
-void add_section_plot(const std::vector<fem::SectionPolygon> &cells, double contact_radius,
-                      double crown_radius, bool of_mesh, Document &document);
-
-/// "contact_zone" and "quality": faces, and how many cells have which scaled Jacobian.
-void add_mesh_plots(const std::vector<fem::Quadrilateral> &faces, const std::vector<double> &jacobians,
-                    Document &document);
 
 /// Adds the fact "pictures", each with "name", "source" and "words", and their data, for a grid: curves over
 /// an entry of numbers, one for each value of the other entry, or maps over two entries of four values or

@@ -1,4 +1,4 @@
-# Section of the foot with its cells, whose edges are drawn straight.{{#of_mesh}} R is the middle radius of the contact zone.{{/of_mesh}}
+# Section of the foot with its cells, whose edges are drawn straight.
 #@data section
 line = 0.075 * edge # between two lines of lengths
 height = 540 * (top + 3.9 * line) / (1.4 * edge)

@@ -122,32 +122,6 @@ TEST(MeshVerb, ComparesAFileWithTheStudy)
   EXPECT_NEAR(nlohmann::json::parse(scaled.out)["rim"]["radius"].get<double>(), 0.03, 1e-9);
 }
 
-TEST(MeshVerb, LeavesAReportWhereItIsTold)
-{
-  const ScratchFolder scratch;
-  const Ended checked = stemware(
-    scratch, { "mesh", "--check", meshes + "/oval_foot.msh", "--output", "oval", "--json", "--quiet" });
-  ASSERT_EQ(checked.exit_code, 0) << checked.err;
-  const nlohmann::json line = nlohmann::json::parse(checked.out);
-  EXPECT_EQ(line["report"], "oval/report.html");
-  const nlohmann::json summary = read_summary(scratch / "oval");
-  EXPECT_EQ(summary["mesh"]["cells"], line["cells"]);
-  EXPECT_FALSE(summary.contains("parameters"));
-  const std::string page = read_text(scratch / "oval/report.html");
-  EXPECT_NE(page.find("428 hexahedra"), std::string::npos);
-  for (const char *figure : { "contact_zone", "quality" })
-    EXPECT_NE(page.find(std::string("<figure id=\"") + figure), std::string::npos) << figure;
-
-  // Of a study: with its parameters. What cannot be used leaves nothing.
-  const std::string study = scratch.write("study.prm", plain_study());
-  ASSERT_EQ(stemware(scratch, { "mesh", study, "--output", "own" }).exit_code, 0);
-  EXPECT_TRUE(read_summary(scratch / "own").contains("parameters"));
-  const std::string upside_down =
-    scratch.write("bad.msh", moved(read_text(meshes + "/flat_foot.msh"), [](Vertex &x) { x[2] = -x[2]; }));
-  EXPECT_EQ(stemware(scratch, { "mesh", "--check", upside_down, "--output", "bad" }).exit_code, 1);
-  EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "bad.msh", "oval", "own", "study.prm" }));
-}
-
 TEST(MeshVerb, WithoutAStudyItIsTheDefaultStudysMesh)
 {
   const ScratchFolder scratch;
@@ -171,7 +145,6 @@ TEST(MeshVerb, RefusesWhatItCannotDo)
     EXPECT_EQ(ended.exit_code, exit_code);
     EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
   };
-  refused({ "mesh", "--output", "" }, 1, "the name of the folder is empty");
   refused({ "mesh", study, "--write", "foot.stl" }, 1, "ends in neither .msh nor .vtu");
   refused({ "mesh", study, "--write", "no/such/folder/foot.msh" }, 3, "cannot be written");
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "study.prm" });
