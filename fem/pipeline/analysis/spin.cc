@@ -37,13 +37,6 @@ double averaging_window(const PhasePeriods &periods, const ring::Motion &motion,
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-/// The load between rest and @p terminal, and a little beyond.
-SharedLoad on_the_way_to(double terminal, const BalancedLoad &load)
-{
-  const double margin = 0.02 * std::abs(terminal);
-  return load.interpolated(std::min(0., terminal - margin), std::max(0., terminal + margin));
-}
-
 /// Where the load of rest would take the glass: a first guess. Nothing if it takes the glass nowhere.
 std::optional<double> expected_spin(const BalancedLoad &load, const ring::Motion &motion)
 {
@@ -68,7 +61,6 @@ std::string fall_sentence(const Fall &fall)
 void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &row)
 {
   row.harmonics = load.n_harmonics();
-  row.all_harmonics = row.harmonics == load.report().rings.n_harmonics();
   row.at_rest = ring_state(load, question, 0);
   LongRunSpin found;
   try
@@ -86,17 +78,12 @@ void solve_row(const BalancedLoad &load, const SpinQuestion &question, SpinRow &
     row.reason = fall_sentence(*row.fall);
     return;
   }
-  const double omega = found.spin.omega;
   row.terminal = found.spin;
   row.ripple = found.ripple;
   row.spin_uncertainty = found.uncertainty;
   row.zero_of_mean_torque = found.zero_of_mean_torque;
   row.at_terminal = ring_state(load, question, found.asked);
   row.standing = row.at_terminal->minimum < 0 ? Standing::formal : Standing::full_contact;
-  if (!question.times.empty())
-    for (const ring::YawSample &sample :
-         spin_up(*on_the_way_to(omega, load), question.motion, question.times, question.grip_torque))
-      row.spin_up.push_back(sample.omega);
 }
 
 } // namespace

@@ -18,7 +18,6 @@ struct SpinQuestion
   double grip_torque = 0; ///< of the fingers, against the spin [N m]
   /// Nominal radius R of moment ratios [m]; nothing: that of the load's one ring.
   std::optional<double> contact_radius = {};
-  std::vector<double> times = {}; ///< of SpinRow::spin_up [s], from 0 on; empty: no spin-up
   double expected =
     0; ///< where the terminal spin is believed to be [rad/s]; 0: where that of the load of rest is
   /// The terminal spin of a load much like this one, where it is known.

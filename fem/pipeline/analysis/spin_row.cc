@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/spin_row.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -30,26 +29,9 @@ std::optional<double> SpinRow::time_constant() const
                                                             : std::nullopt;
 }
 
-double SpinRow::amplitude() const
+bool SpinRow::pulls() const
 {
-  if (!at_rest)
-    return 0;
-  const ring::RingStack &load = at_rest->load;
-  const unsigned int highest = std::min(harmonics, load.n_harmonics());
-  return std::hypot(load.a(highest), load.b(highest)) / load.a(0);
-}
-
-double SpinRow::least_load() const
-{
-  double least = at_rest ? at_rest->minimum : 0;
-  if (at_terminal)
-    least = std::min(least, at_terminal->minimum);
-  return least;
-}
-
-double SpinRow::pulling_share() const
-{
-  return std::max(at_rest ? at_rest->pulling_share : 0, at_terminal ? at_terminal->pulling_share : 0);
+  return (at_rest && at_rest->minimum < 0) || (at_terminal && at_terminal->minimum < 0);
 }
 
 } // namespace stemware::pipeline

@@ -54,7 +54,6 @@ struct Fall
 struct SpinRow
 {
   unsigned int harmonics = 0; ///< that act on the ring
-  bool all_harmonics = false;
 
   std::optional<RingState> at_rest;
   std::optional<ring::TerminalSpin> terminal;
@@ -74,22 +73,14 @@ struct SpinRow
     relative_change = {}; ///< of the terminal spin to that of all harmonics; nothing if that is 0
   std::optional<double>
     bound = {}; ///< a priori, on the change of tau_z at the terminal spin of all harmonics [N m]
-  std::vector<double> spin_up = {}; ///< omega(t) from rest [rad/s]; empty where there is none
-  std::optional<double>
-    largest_deviation = {};                   ///< of omega(t) from that of all harmonics, over all t [rad/s]
-  std::optional<double> final_deviation = {}; ///< of omega(t) from that of all harmonics, at the end [rad/s]
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// The terminal spin, or that of the fall [rad/s]; nothing where the row has neither.
   std::optional<double> last_spin() const;
   /// I_z / |d tau_z / d omega| at the terminal spin [s]; nothing where there is none, or the slope is 0.
   std::optional<double> time_constant() const;
-  /// sqrt(a_n^2 + b_n^2) / a_0 of the highest harmonic kept, at rest; 0 where there is no load at rest.
-  double amplitude() const;
-  /// The worse of rest and terminal spin: least lambda [N/rad], and what the table would pull with over N.
-  double least_load() const;
-  double pulling_share() const;
-  bool pulls() const { return least_load() < 0; }
+  /// Whether the load is negative somewhere, at rest or at the terminal spin.
+  bool pulls() const;
 };
 
 } // namespace stemware::pipeline

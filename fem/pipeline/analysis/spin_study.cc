@@ -164,7 +164,6 @@ std::optional<Variant> variant_on_one_ring(const Study &study)
 SpinRow related_to_all(SpinRow one_ring, const SpinRow &all)
 {
   one_ring.harmonics = all.harmonics;
-  one_ring.all_harmonics = true;
   if (one_ring.terminal && all.relative_change)
     one_ring.relative_change = one_ring.terminal->omega / all.terminal->omega - 1;
   return one_ring;

@@ -27,9 +27,8 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// Fills in what relates @p row to the row of all harmonics: change of the terminal spin, deviations of the
-/// spin-up, and the a-priori bound with the pressure @p whole behind the row at the terminal spin of all
-/// harmonics.
+/// Relates @p row to the row of all harmonics: change of the terminal spin, and the a-priori bound with the
+/// pressure @p whole behind the row at the terminal spin of all harmonics.
 void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQuestion &question,
                    SpinRow &row)
 {
@@ -41,13 +40,6 @@ void relate_to_all(const SpinRow &all, const ring::RingStack &whole, const SpinQ
   if (row.terminal && std::abs(omega) > 1e-9 * scale)
     row.relative_change = (row.terminal->omega - omega) / omega + 0.; // no -0
   row.bound = ring::truncation_bound(motion, whole, row.harmonics, omega);
-  if (row.spin_up.empty() || all.spin_up.empty())
-    return;
-  double largest = 0;
-  for (std::size_t i = 0; i < row.spin_up.size(); ++i)
-    largest = std::max(largest, std::abs(row.spin_up[i] - all.spin_up[i]));
-  row.largest_deviation = largest;
-  row.final_deviation = std::abs(row.spin_up.back() - all.spin_up.back());
 }
 
 /// Bound and least load of the worst phase instead of those of the mean load. @p whole has all harmonics.
@@ -183,7 +175,6 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     const Variant &variant = variants[rows.size()];
     LoadedRow &added =
       rows.emplace_back(solved.answer ? *solved.answer : LoadedRow{ failed_row(solved.failure) });
-    added.row.closure = variant.study.motion.closure;
     if (variant.n_harmonics != all_harmonics)
       added.row.harmonics = variant.n_harmonics;
   }
@@ -233,9 +224,7 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     SpinRow &row = rows[i].row;
-    row.closure = study.motion.closure;
     row.harmonics = orders[i];
-    row.all_harmonics = i + 1 == rows.size();
     if (whole.row.terminal)
       relate_to_all(whole.row, whole.row.at_terminal->load, question, row);
     if (whole.row.terminal && load.phases() && row.at_rest)

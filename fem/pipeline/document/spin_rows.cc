@@ -23,14 +23,6 @@ Json force_of(const RingState &state)
   return { state.friction.force_x, state.friction.force_y };
 }
 
-Json load_of(const RingState &state)
-{
-  Json summary = series_summary(state.load);
-  summary["ring_radius"] = state.load.radius();
-  summary["moment_ratio"] = state.moment_ratio;
-  return summary;
-}
-
 /// "formal", or why something is missing; empty for what stands as it is.
 std::string state_of(const BudgetRow &row)
 {
@@ -47,15 +39,9 @@ Json spin_rows(const std::vector<SpinRow> &rows)
   for (const SpinRow &row : rows)
   {
     const auto &rest = row.at_rest, &end = row.at_terminal;
-    Json torques = Json::array();
-    for (const double torque : row.torques)
-      torques.push_back(if_finite(torque)); // NaN: no balance
     list.push_back({ { "harmonics", row.harmonics },
-                     { "all_harmonics", row.all_harmonics },
-                     { "amplitude", row.amplitude() },
                      { "tau_at_rest", if_there(rest, torque_of) },
                      { "lean_torque_at_rest", if_there(rest, &RingState::lean_torque) },
-                     { "torque", torques },
                      { "omega_terminal", row.omega_terminal() },
                      { "omega_terminal_band", row.band },
                      { "tau_at_terminal", if_there(end, torque_of) },
@@ -64,22 +50,10 @@ Json spin_rows(const std::vector<SpinRow> &rows)
                      { "force_at_terminal", if_there(end, force_of) },
                      { "time_constant", row.time_constant() },
                      { "relative_change", row.relative_change },
-                     { "spin_up_deviation", row.largest_deviation },
-                     { "spin_up_deviation_at_end", row.final_deviation },
                      { "bound", row.bound },
-                     { "pulls", row.pulls() },
-                     { "pulls_with", row.pulls() ? Json(row.pulling_share()) : Json(nullptr) },
-                     { "least_load", row.least_load() },
                      { "load_minimum", if_there(rest, &RingState::minimum) },
-                     { "load_minimum_at_terminal", if_there(end, &RingState::minimum) },
                      { "pulling_share", if_there(rest, &RingState::pulling_share) },
-                     { "pulling_share_at_terminal", if_there(end, &RingState::pulling_share) },
-                     { "moment_ratio_at_rest", if_there(rest, &RingState::moment_ratio) },
                      { "moment_ratio_at_terminal", if_there(end, &RingState::moment_ratio) },
-                     { "ring_radius_at_terminal",
-                       if_there(end, [](const RingState &state) { return state.load.radius(); }) },
-                     { "load_at_terminal", if_there(end, load_of) },
-                     { "state", to_string(row.standing) },
                      { "message", if_said(row.reason) } });
   }
   return list;
@@ -90,10 +64,8 @@ Json shown_spin_rows(const std::vector<SpinRow> &rows)
   constexpr double small_change = 1e-11;
   Json shown = spin_rows(rows);
   const auto &rest = rows.back().at_rest;
-  leave_out_rounding(shown, "tau_at_rest torque", rest ? 1e-12 * std::abs(torque_of(*rest)) : 0);
+  leave_out_rounding(shown, "tau_at_rest", rest ? 1e-12 * std::abs(torque_of(*rest)) : 0);
   leave_out_rounding(shown, "relative_change", small_change);
-  leave_out_rounding(shown, "spin_up_deviation spin_up_deviation_at_end",
-                     small_change * std::abs(rows.back().omega_terminal().value_or(0)));
   return shown;
 }
 

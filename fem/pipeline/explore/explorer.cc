@@ -165,7 +165,6 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
       answer.first_n = row_of(first_n->first, first_n->second);
     }
     answer.all = row_of(all->first, all->second);
-    answer.all.all_harmonics = true;
     answer.contact = all->first.contact;
     path.append(all->first);
     return true;
@@ -198,7 +197,6 @@ void Explorer::solve_anew(const ElasticFoot *last, unsigned int n_harmonics, Liv
     answer.first_n->harmonics = n_harmonics;
     rows.push_back({ *answer.first_n, cut });
   }
-  answer.all.all_harmonics = true;
   rows.push_back({ answer.all, load });
   answer.contact = load->contact(answer.all.last_spin().value_or(0));
   path.append(zero && answer.contact ? std::optional(LiveBalance{ *zero, *answer.contact }) : std::nullopt);

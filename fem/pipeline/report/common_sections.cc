@@ -217,6 +217,30 @@ void add_load(const Study &study, const LoadReport &load, const std::vector<Band
   document.texts["harmonics"] = load_file_text(load.rings);
 }
 
+void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
+                     Document &document)
+{
+  const auto changes_by = [](double change)
+  {
+    return [=](const SpinRow &row) { return row.relative_change && std::abs(*row.relative_change) > change; };
+  };
+  std::vector<SpinRow> shown;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(shown),
+               [&](const SpinRow &row) {
+                 return row.harmonics == rows.back().harmonics || !row.relative_change ||
+                        changes_by(1e-9)(row);
+               });
+  if (one_ring)
+    shown.push_back(*one_ring);
+  Json table = shown_spin_rows(shown);
+  if (one_ring)
+    table.back()["harmonics"] = std::to_string(one_ring->harmonics) + ", on one ring";
+  document.findings.summary["truncation"] = declared(spin_rows(rows), "truncation");
+  document.facts["shown_truncations"] = table;
+  document.facts["has_truncation_curve"] = std::count_if(rows.begin(), rows.end(), changes_by(1e-12)) > 2;
+  document.plots["truncation"] = { { "rounding", 1e-12 } };
+}
+
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document)
 {
   std::vector<BandedQuantity> listed;

@@ -49,6 +49,12 @@ void add_load(const Study &study, const LoadReport &load, const ErrorBands &band
 /// harmonics as one, and "waterfall", "effects" and "harmonic_torque".
 void add_chain(const Study &study, const Budget &budget, Document &document);
 
+/// Adds the answer by the number of harmonics for the template "truncations": "truncation" of summary.json,
+/// its picture, and as "shown_truncations" the rows that change something, below them all harmonics on @p
+/// one_ring.
+void add_truncations(const std::vector<SpinRow> &rows, const std::optional<SpinRow> &one_ring,
+                     Document &document);
+
 /// Adds the tables for the template "error_bands".
 void add_bands(const std::vector<BandedQuantity> &bands, Document &document);
 

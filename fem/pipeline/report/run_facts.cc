@@ -38,14 +38,6 @@ Json largest_step_facts(const Study &study, const Budget &budget)
            { "formal", row->standing == Standing::formal } };
 }
 
-/// How many truncations change the terminal spin.
-long n_changes(const SpinStudy &spin)
-{
-  return std::count_if(spin.rows.begin(), spin.rows.end(),
-                       [](const SpinRow &row)
-                       { return row.relative_change && std::abs(*row.relative_change) > 1e-12; });
-}
-
 /// The paper's answer, to stand beside the study's; null where the study is the paper's model.
 Json paper_facts(const Study &study, const Budget &budget)
 {
@@ -217,7 +209,6 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
       { "has_harmonic_torque", !spin.is_quick() && budget.rows.back().name == "harmonics" &&
                                  !budget.omega.empty() && !spin.all().fall },
       { "has_truncations", report.load.rings.n_harmonics() > 1 && spin.spins_up() },
-      { "has_truncation_curve", n_changes(spin) > 2 },
       { "has_footprint_at_end", report.foot && report.foot->footprint_at_end && spin.all().terminal },
       { "has_stresses", report.foot && !report.foot->stressed_section.empty() },
       { "has_section", report.foot && !report.foot->section.empty() },

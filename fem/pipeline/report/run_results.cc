@@ -21,25 +21,6 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-/// The truncations that change something, for people, with all harmonics on one ring as a further row.
-Json shown_truncations(const SpinStudy &spin)
-{
-  constexpr double nothing = 1e-9;
-  std::vector<SpinRow> rows;
-  std::copy_if(spin.rows.begin(), spin.rows.end(), std::back_inserter(rows),
-               [&](const SpinRow &row)
-               {
-                 return row.harmonics == spin.rows.back().harmonics || !row.relative_change ||
-                        std::abs(*row.relative_change) >= nothing;
-               });
-  if (spin.one_ring)
-    rows.push_back(*spin.one_ring);
-  Json shown = shown_spin_rows(rows);
-  if (spin.one_ring)
-    shown.back()["harmonics"] = std::to_string(spin.one_ring->harmonics) + ", on one ring";
-  return shown;
-}
-
 /// The torques on the glass and the friction of the table at rest, then at the terminal spin or where the
 /// glass falls over, for people.
 Json friction_rows(const Study &study, const SpinRow &all)
@@ -241,8 +222,6 @@ Findings findings_of(const Study &study, const ContactReport &report, const Spin
     { "budget", spin.is_quick() ? Json(nullptr) : budget_summary(study, spin.budget.rows) },
     { "without", spin.is_quick() ? Json(nullptr) : declared(without_rows(study, spin.budget), "without") },
     { "harmonic_effect", harmonic_effect_summary(spin.budget.harmonics) },
-    { "truncation", picked(spin_rows(spin.rows), "harmonics tau_at_rest omega_terminal "
-                                                 "relative_change bound load_minimum") },
     { "one_ring", spin.one_ring
                     ? picked(spin_rows({ *spin.one_ring })[0], "tau_at_rest omega_terminal relative_change")
                     : Json(nullptr) }
@@ -293,7 +272,6 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
   add_spin_up(study, spin, document);
   document.plots["phases"] = { { "marked",
                                  spin.phases && spin.phases->n_glass_phases > 1 ? "glass" : "table" } };
-  document.plots["truncation"] = { { "bound_scale", nullptr }, { "rounding", 1e-12 } };
   auto &tables = document.tables;
   tables["torque"] = torque_table(spin.torque);
   tables["spin_up"] = spin_up_table(spin.spin_up);
@@ -303,7 +281,7 @@ void add_spin(const Study &study, const ContactReport &report, const SpinStudy &
     tables["phases"] = phase_table(*spin.phases);
   document.facts["friction"] = friction_rows(study, spin.all());
   document.facts["terminal_spins"] = shown_terminal_spins(spin);
-  document.facts["shown_truncations"] = shown_truncations(spin);
+  add_truncations(spin.rows, spin.one_ring, document);
 }
 
 void add_budget(const Study &study, const SpinStudy &spin, Document &document)

@@ -55,9 +55,6 @@ void add_spin_up_plot(const std::vector<double> &time, const std::vector<SpinCur
                       const SpinRow &all, const std::vector<MeasuredSpin> &measured,
                       const std::string &opening, Document &document);
 
-/// "deviation" of the spin-ups of rows with fewer harmonics from the last one's.
-void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document);
-
 /// "footprint", "footprint_at_end", "section_stress", "foot_from_above", "section" and "rim", as far as the
 /// report has something for them.
 void add_foot_plots(const Study &study, const FootReport &foot, Document &document);

@@ -162,15 +162,4 @@ void add_spin_up_plot(const std::vector<double> &time, const std::vector<SpinCur
                                                          time_constant < time.back() } };
 }
 
-void add_deviation_plot(const std::vector<SpinRow> &rows, Document &document)
-{
-  Json harmonics = Json::array();
-  for (const SpinRow &row : rows)
-    if (!row.spin_up.empty())
-      harmonics.push_back(row.harmonics);
-  document.plots["deviation"] = { { "n_all", rows.back().harmonics },
-                                  { "harmonics", harmonics },
-                                  { "rounding", 1e-10 * std::abs(rows.back().omega_terminal().value()) } };
-}
-
 } // namespace stemware::pipeline
