@@ -280,17 +280,6 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
                      const Executor &executor, Progress &progress, Depth depth)
 {
   SpinStudy result;
-  std::size_t n_counted = 0;
-  const auto newly_solved = [&]
-  {
-    const std::size_t before = n_counted;
-    n_counted = foot ? foot->n_contacts() : 0;
-    return n_counted - before;
-  };
-  const auto solved_for_load = [&load]
-  { return load.statistics() ? load.statistics()->n_contact_solutions : 0; };
-  const std::size_t for_load = solved_for_load();
-  result.contacts.answer = newly_solved();
   const std::optional<Variant> one_ring = variant_on_one_ring(study);
   RowsBeside models = { [&](const SpinRow &all)
                         {
@@ -302,8 +291,6 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   std::vector<LoadedRow> solved =
     rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth,
                       depth == Depth::full ? &models : nullptr);
-  const std::size_t of_answer = solved_for_load() - for_load;
-  result.contacts.answer += of_answer;
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
@@ -313,7 +300,6 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     result.one_ring = related_to_all(models.answers.back().row, result.all());
     models.answers.pop_back();
   }
-  result.contacts.budget = newly_solved() - of_answer;
 
   const std::vector<double> shown = shown_spins(study, solved);
   const auto interpolate = [&](unsigned int n_most)
@@ -330,17 +316,14 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
       interpolate(1);
   };
   executor.for_each(2, curves_and_scan, is_collective(study));
-  result.contacts.curves = newly_solved();
   if (depth == Depth::full)
     result.budget = find_budget(study, solved, models.answers, executor);
   else
     result.budget.harmonics =
       harmonic_effect(result.rows.front().omega_terminal(), result.all().omega_terminal(), spin_scale(study));
-  result.contacts.budget += newly_solved();
   result.torque = torque_curve(study, solved, 1);
   result.spin_up = spin_up_curves(study, solved.front().load, *solved.back().load, result.all());
   result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time);
-  result.contacts.curves += newly_solved();
   return result;
 }
 

@@ -89,7 +89,6 @@ struct SpinStudy
   std::optional<PhaseStudy> phases; ///< nothing where rim and table are flat
   /// Error of the curves' load, which is interpolated in the spin, over a_0; nothing where it is exact.
   std::optional<double> curve_error = {};
-  ContactCounts contacts = {};
 
   const SpinRow &all() const { return rows.back(); }
   /// Whether the answer and its curves were all that was asked: Depth::answer.

@@ -41,14 +41,10 @@ void run(const RunOptions &options)
   SpinStudy spin = study_spin(study, foot, *load, work.executor, work.progress, depth);
   const double last_spin = spin.all().last_spin().value();
   work.stopwatch.finish("ring");
-  const auto n_contacts = [&foot] { return foot ? foot->n_contacts() : 0; };
-  const std::size_t n_for_spin = n_contacts();
   ContactReport report = describe(study, foot, *load, last_spin);
-  spin.contacts.answer += n_contacts() - n_for_spin;
   work.stopwatch.finish("report_of_contact");
 
   // 3. Fields, and meanwhile what the discretisation leaves open.
-  const std::size_t n_before_bands = n_contacts();
   ErrorBands bands;
   const std::shared_ptr<const ElasticFoot> of_fields = foot ? foot->twin() : nullptr;
   const auto find = [&](std::size_t i)
@@ -64,14 +60,10 @@ void run(const RunOptions &options)
   {
     take_reported_numbers(report.load, spin.budget, bands);
     add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-    spin.contacts.bands = n_contacts() - n_before_bands;
   }
   work.stopwatch.finish("bands_and_fields");
   if (report.coupling)
-  {
     report.coupling->interpolation_error = spin.curve_error;
-    report.coupling->contacts = spin.contacts;
-  }
 
   // 4. The answer, and the results, all at once.
   // Only the first rank knows where the foot presses; each has the fields of its own cells.

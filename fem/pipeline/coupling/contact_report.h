@@ -51,22 +51,12 @@ struct FootReport
   std::vector<fem::SectionPolygon> section = {}; ///< of the foot with its cells; on the first rank
 };
 
-/// Contacts solved, by what they were for.
-struct ContactCounts
-{
-  std::size_t answer = 0; ///< rest and terminal spin, all harmonics
-  std::size_t curves = 0; ///< torque over spin, spin-up, all terminal spins
-  std::size_t budget = 0; ///< fewer harmonics, other models, one ring
-  std::size_t bands = 0;
-};
-
 /// How a load in balance with friction at every spin has been found.
 struct CouplingStatistics
 {
   std::size_t n_balances = 0;          ///< spins at which contact, friction and moments are in balance
   std::size_t n_contact_solutions = 0; ///< that those took
   std::optional<double> interpolation_error = {}; ///< of loads interpolated in the spin, over a_0
-  ContactCounts contacts = {};
 };
 
 /// Everything about the contact that a study reports, at rest and at the end of the spin-up: the terminal

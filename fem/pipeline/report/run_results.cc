@@ -202,7 +202,6 @@ Json coupling_summary(const CouplingStatistics &coupling)
 {
   return { { "balanced_spins", coupling.n_balances },
            { "contact_solutions", coupling.n_contact_solutions },
-           { "contacts", STEMWARE_JSON(coupling.contacts, answer, curves, budget, bands) },
            { "response_error", nullptr }, // none is interpolated in the moment ratio
            { "interpolation_error", coupling.interpolation_error } };
 }

@@ -146,24 +146,6 @@ TEST(RevolutionRun, WhereTheSpinDoesNotMatterOneContactSolutionIsEnough)
   EXPECT_GT(turning["coupling"]["balanced_spins"].get<int>(), 10);
 }
 
-TEST(RevolutionRun, CountsItsContactsByWhatTheyAreFor)
-{
-  const std::vector<std::string> settings = { "Load/Coupling=two-way", "Contact/Friction coupling=elastic",
-                                              "Contact/Harmonics=4", "Contact/Azimuth lines=32" };
-  const auto full = GlassRun(settings, false).summary()["coupling"], quick = run(settings)["coupling"];
-  const auto count = [](const nlohmann::json &coupling, const char *purpose)
-  { return coupling["contacts"][purpose].get<int>(); };
-  for (const char *purpose : { "answer", "curves" })
-    EXPECT_EQ(count(full, purpose), count(quick, purpose)) << purpose;
-  EXPECT_GT(count(full, "answer"), 1);
-  EXPECT_GT(count(full, "budget"), count(quick, "budget"));
-  EXPECT_GT(count(full, "bands"), 0);
-  EXPECT_EQ(count(quick, "bands"), 0);
-  // The load of all harmonics asks for its answer and a part of the curves.
-  EXPECT_GE(full["contact_solutions"].get<int>(), count(full, "answer"));
-  EXPECT_LE(full["contact_solutions"].get<int>(), count(full, "answer") + count(full, "curves"));
-}
-
 TEST(RevolutionRun, HardTablesTakeFrictionIntoAccount)
 {
   const GlassRun hard({ "Table/Interface=hard", "Table/Substrate=elastic",
