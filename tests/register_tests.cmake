@@ -2,17 +2,17 @@
 # its tests. Given: target, program, labels, timeout, tests_dir, costs (a file), list (a file to keep the program's tests in).
 #
 # A test program takes a third of a second to load deal.II, so its tests share a process: those of a suite, or of the suites of
-# a folder. What is named in the file of costs, a suite or a test, has an entry of its own; CTest begins with the longest.
+# a folder. What is named in the file of costs, a suite or a test, has an entry of its own; CTest begins with the first one.
 # With STEMWARE_EACH_TEST in the environment each test is an entry: a failure of one is then alone, and ctest -R takes its
 # name.
 cmake_policy(VERSION 3.25)
 
-# An entry runs the tests of a filter, with the mark "long", "ranks" or none. Those of at most ten seconds are quick.
+# An entry runs the tests of a filter, with the mark "long", "ranks" or none. Those without a cost are quick.
 function(add_entry entry filter cost mark)
   set(marks "${labels}")
   if(mark STREQUAL "long")
     list(APPEND marks long)
-  elseif(NOT cost GREATER 10)
+  elseif(cost EQUAL 0)
     list(APPEND marks quick)
   endif()
   set(processors 1)
@@ -41,16 +41,18 @@ function(register_tests)
     endif()
   endif()
 
-  # Costs in seconds: cost_NAME, and mark_NAME: "long" for those that run only when asked for, "ranks" for those that start
-  # a program on two ranks. A rank waits for the other at every step: a third process on two cores makes them ten times slower.
+  # cost_NAME, higher for what is to begin earlier, and mark_NAME: "long" for those that run only when asked for, "ranks" for
+  # those that start a program on two ranks. A rank waits for the other at every step: a third process on two cores makes
+  # them ten times slower.
   file(STRINGS "${costs}" lines REGEX "^[^#]")
+  list(LENGTH lines cost)
   foreach(line IN LISTS lines)
-    if(line MATCHES "^([^ ]+) +([0-9]+) ?(long|ranks)?$")
-      set("cost_${CMAKE_MATCH_1}" "${CMAKE_MATCH_2}")
-      set("mark_${CMAKE_MATCH_1}" "${CMAKE_MATCH_3}")
-    else()
-      message(FATAL_ERROR "${costs} has a line that is not \"NAME SECONDS\", with \"long\" or \"ranks\" behind it: ${line}")
+    if(NOT line MATCHES "^([^ ]+)( (long|ranks))?$")
+      message(FATAL_ERROR "${costs} has a line that is not a name, with \"long\" or \"ranks\" behind it: ${line}")
     endif()
+    set("cost_${CMAKE_MATCH_1}" "${cost}")
+    set("mark_${CMAKE_MATCH_1}" "${CMAKE_MATCH_3}")
+    math(EXPR cost "${cost} - 1")
   endforeach()
 
   # The list has one key a line; a file follows the test that stands in it, a test follows its suite.

@@ -280,9 +280,9 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   if (truth == "converge")
   {
     const std::vector<double> spins = spins_of_interest(own.omega);
+    std::vector<RefinementAxis> axes = refinement_axes(study, 3);
     const ErrorBands wider =
-      refine(quantities_of_load(study, *own.load, spins, own.omega), spins, refinement_axes(study, 3), cache)
-        .quantities;
+      refine(quantities_of_load(study, *own.load, spins, own.omega), spins, axes, cache);
     tallies.converge.add(spin_of(wider), error);
   }
   std::fflush(stdout);

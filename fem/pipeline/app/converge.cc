@@ -1,4 +1,3 @@
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/app/options.h"
@@ -9,51 +8,33 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-
 namespace stemware::pipeline
 {
 
 namespace
 {
 
-/// Options of `stemware converge`.
 struct ConvergeOptions : StudyOptions
 {
   unsigned int n_levels = 3;
-  std::vector<double> spins; ///< at which the torque is followed [rad/s]; empty: spins_of_interest()
 };
 
 /// Solves a study on finer and coarser levels of each of its numerical parameters and writes observed orders,
 /// limits and error bands. Collective over all ranks. Throws as run().
 void converge(const ConvergeOptions &options)
 {
-  // 1. What is asked for, and which levels that makes.
   std::vector<RefinementAxis> axes;
   StudyWork work(options, true, [&](const Study &given) { axes = refinement_axes(given, options.n_levels); });
-
-  // 2. The study itself, then all other levels.
-  const Study study = mesh_for_goal(work.given, work.executor, work.progress).study;
-  if (study.contact.goal != Goal::none)
-  {
-    // Meshes of other cells have other cells to halve.
-    axes = refinement_axes(study, options.n_levels);
-    axes.erase(std::remove_if(axes.begin(), axes.end(),
-                              [](const RefinementAxis &axis) { return axis.role == AxisRole::space; }),
-               axes.end());
-    axes.insert(axes.begin(), goal_axis(study, work.executor));
-  }
+  const Study &study = work.given;
   const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
   const SharedLoad load = find_load(study, foot);
-  const double omega_terminal = terminal_spin(*load, study.motion.orbit).spin.omega;
-  const std::vector<double> spins = options.spins.empty() ? spins_of_interest(omega_terminal) : options.spins;
-  const auto own = quantities_of_load(study, *load, spins, omega_terminal, foot.get());
+  const double omega = terminal_spin(*load, study.motion.orbit).spin.omega;
+  const std::vector<double> spins = spins_of_interest(omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
   work.stopwatch.finish("study");
-  const RefinementResult result = refine(own, spins, axes, work.executor, work.progress);
+  const ErrorBands bands = refine(own, spins, axes, work.executor, work.progress);
   work.stopwatch.finish("levels");
-
-  // 3. Orders, limits and bands.
-  publish(options, study, tabulate(study, result), work.folder, work.stopwatch);
+  publish(options, study, tabulate(study, axes, bands), work.folder, work.stopwatch);
 }
 
 } // namespace
@@ -67,7 +48,6 @@ void add_converge_verb(CLI::App &program, Verb &chosen)
                  "Levels of each parameter; default 3, which an observed order needs")
     ->check(CLI::Range(2, 5))
     ->type_name("N");
-  add_spin_option(*verb, options->spins, "half and one and a half times the terminal spin");
 }
 
 } // namespace stemware::pipeline

@@ -27,15 +27,6 @@ namespace stemware::pipeline
 namespace
 {
 
-/// A spin that is a number.
-std::string why_no_spin(const std::string &text)
-{
-  double omega = 0;
-  return CLI::detail::lexical_cast(text, omega) && std::abs(omega) <= 1e6
-           ? ""
-           : "\"" + shortened(text) + "\" is not a spin; give a number between -1e6 and 1e6, in rad/s";
-}
-
 /// An empty name is a mistake (a variable that is not set), not the wish for the default study.
 std::string why_no_study(const std::string &text)
 {
@@ -105,16 +96,6 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
     ->type_name("N")
     ->check(CLI::Range(1, 1024).description(""));
   add_console_options(verb, options);
-}
-
-void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty)
-{
-  verb
-    .add_option("--at", omega,
-                "Spin at which the torque is wanted (rad/s), may be repeated;\ndefault: " + when_empty)
-    ->type_name("OMEGA")
-    ->check(why_no_spin)
-    ->allow_extra_args(false);
 }
 
 unsigned int n_threads_of(const StudyOptions &options)

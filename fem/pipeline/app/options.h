@@ -35,10 +35,6 @@ add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const s
   return { verb, options };
 }
 
-/// Declares --at, spins [rad/s] at which the torque is wanted, to be stored in @p omega; @p when_empty says
-/// which ones a study chooses itself.
-void add_spin_option(CLI::App &verb, std::vector<double> &omega, const std::string &when_empty);
-
 /// How many threads share the work: those of that option, else of the variable OMP_NUM_THREADS, else one for
 /// each core, one under mpirun.
 unsigned int n_threads_of(const StudyOptions &options);

@@ -42,8 +42,6 @@ struct FiniteElements
   decltype(&fem::move_to_crown) move_to_crown;
   decltype(&fem::read_foot_mesh) read_foot_mesh;
   decltype(&fem::check_mesh) check_mesh;
-  decltype(&fem::contact_faces) contact_faces;
-  decltype(&fem::scaled_jacobians) scaled_jacobians;
   std::vector<fem::SectionPolygon> (*section_cells)(const Mesh &, double azimuth);
   decltype(&fem::write_msh) write_msh;
   decltype(&fem::write_mesh_vtu) write_mesh_vtu;

@@ -124,12 +124,9 @@ Json state_json(const RingState &state, double contact_radius)
 
 Json row_json(const SpinRow &row, double contact_radius)
 {
-  Json object = { { "omega", row.omega_terminal() },
-                  { "last_spin", row.last_spin() },
-                  { "falls", row.fall.has_value() },
-                  { "time_constant", row.time_constant() },
-                  { "harmonics", row.harmonics },
-                  { "standing", to_string(row.standing) },
+  Json object = { { "omega", row.omega_terminal() }, { "last_spin", row.last_spin() },
+                  { "falls", row.fall.has_value() }, { "time_constant", row.time_constant() },
+                  { "harmonics", row.harmonics },    { "standing", to_string(row.standing) },
                   { "reason", row.reason } };
   if (row.at_rest)
     object.add("at_rest", state_json(*row.at_rest, contact_radius));

@@ -70,13 +70,11 @@ void set_thread_limit(unsigned int n_threads)
 } // namespace
 
 extern "C" const FiniteElements stemware_finite_elements;
-const FiniteElements stemware_finite_elements = { make_revolution_foot, meridian_cells,
-                                                  compliances,          empty_mesh,
-                                                  fem::make_foot_mesh,  fem::move_to_crown,
-                                                  fem::read_foot_mesh,  fem::check_mesh,
-                                                  fem::contact_faces,   fem::scaled_jacobians,
-                                                  fem::section_cells,   fem::write_msh,
-                                                  fem::write_mesh_vtu,  packed,
-                                                  sentence_of,          set_thread_limit };
+const FiniteElements stemware_finite_elements = {
+  make_revolution_foot, meridian_cells,     compliances,         empty_mesh,
+  fem::make_foot_mesh,  fem::move_to_crown, fem::read_foot_mesh, fem::check_mesh,
+  fem::section_cells,   fem::write_msh,     fem::write_mesh_vtu, packed,
+  sentence_of,          set_thread_limit
+};
 
 } // namespace stemware::pipeline

@@ -2,12 +2,11 @@
 
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 #include "fem/pipeline/report/results.h"
-#include "fem/pipeline/study/study.h"
 
 namespace stemware::pipeline
 {
 
-/// The results of `converge`: values, orders and limits along each axis, and the error bands.
-Results tabulate(const Study &study, const RefinementResult &result);
+/// The results of `converge`: solved @p axes and the @p bands that they make together.
+Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, const ErrorBands &bands);
 
 } // namespace stemware::pipeline

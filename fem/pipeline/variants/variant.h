@@ -19,7 +19,7 @@ struct Variant
   unsigned int n_harmonics = all_harmonics; ///< whose friction acts
   bool on_same_foot = false;                ///< on the foot of the study, not on one of its own
   std::string reason = {};                  ///< why it is not solved; empty where it is
-  bool on_other_rings = false; ///< of the same foot: they are placed anew
+  bool on_other_rings = false;              ///< of the same foot: they are placed anew
 };
 
 } // namespace stemware::pipeline

@@ -168,28 +168,4 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
   }
 }
 
-RefinementAxis goal_axis(const Study &study, const Executor &executor)
-{
-  RefinementAxis axis;
-  axis.key = "goal_mesh";
-  axis.name = "mesh for the goal";
-  axis.size = "meshes for the goal";
-  axis.is_graded = true;
-  const std::size_t n_own = study.contact.halved.size();
-  for (std::size_t n = n_own - std::min<std::size_t>(n_own, 2); n <= n_own; ++n)
-  {
-    axis.levels.push_back({ { axis.key, axis.name, study }, static_cast<unsigned int>(n + 1) });
-    axis.levels.back().study.contact.halved.resize(n);
-  }
-  axis.own = axis.levels.size() - 1;
-  for (unsigned int further = 0; further < 2; ++further)
-  {
-    RefinementLevel next = axis.levels.back();
-    ++next.size;
-    next.study.contact.halved.push_back(error_of(next.study, executor).error.mark(marked_share));
-    axis.levels.push_back(std::move(next));
-  }
-  return axis;
-}
-
 } // namespace stemware::pipeline

@@ -3,7 +3,6 @@
 #include "fem/contact/contact_goal.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/variants/refinement_axis.h"
 #include "fem/pipeline/variants/solve.h"
 
 #include <optional>
@@ -58,9 +57,5 @@ struct MeshForGoal
 /// cannot be had, and as find_load() and terminal_spin(). Collective where the body is.
 MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
                           Progress &progress = silent_progress());
-
-/// The last three meshes for the goal of @p study, of which its own is the last, and two further ones: what
-/// stands in the place of the axis of meshes. Throws as mesh_for_goal().
-RefinementAxis goal_axis(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -1,7 +1,8 @@
 #include "fem/pipeline/analysis/refinement/quantities_of_interest.h"
 
+#include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/support/numbers.h"
-#include "fem/pipeline/variants/refinement_axis.h"
+#include "ring_model/no_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,10 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const SpinNumbers &spin)
 {
-  std::vector<QuantityOfInterest> quantities = load_quantities(at_rest, n_contact_azimuths(study));
+  const ContactSection &contact = study.contact;
+  std::vector<QuantityOfInterest> quantities =
+    load_quantities(at_rest, abilities(contact.body).is_of_revolution ? contact.azimuth_lines
+                                                                      : contact.resolution.azimuthal_cells);
   const double torque_noise =
     relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force * spin.radius;
   quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
@@ -47,6 +51,27 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
                          spin.slope_noise * relative_noise * spin.time_constant });
   return quantities;
+}
+
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  SpinQuestion question = { motion };
+  question.expected = near.value_or(0);
+  question.with_slope = true;
+  question.with_minima = false;
+  std::string reason;
+  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
+  const SpinRow row = spin_row(load, question);
+  if (!row.terminal)
+    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
+  constexpr double noise_of_differences = 10; // the slope is one by finite differences
+  return quantities_of_interest(study, load.report(),
+                                { row.at_rest->friction.torque, spins, torques, row.terminal->omega,
+                                  row.terminal->time_constant, load.report().rings.radius(),
+                                  load.spin_scale(motion), noise_of_differences });
 }
 
 bool BandedQuantity::is_zero() const

@@ -20,8 +20,6 @@ struct QuantityOfInterest
   std::string unit; ///< "1" for pure numbers
   double value = 0;
   double rounding = 0; ///< differences of this size are those of solver tolerances, not of a discretisation
-  /// Correction of the value for the mesh, to be added, by goal_error(); nothing where it was not estimated.
-  std::optional<double> mesh_correction = {};
 };
 
 /// A quantity of the study with its error band.
@@ -64,6 +62,12 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned
 /// terminal spin, time constant. Always the same ones in the same order for equally many spins.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const SpinNumbers &spin);
+
+/// Quantities of a study whose load is known, with the torque at @p spins [rad/s]. @p near is a spin close to
+/// the terminal one, from which it is searched. Throws as @p load and ring::terminal_spin().
+std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
+                                                   const std::vector<double> &spins,
+                                                   const std::optional<double> &near);
 
 /// The spins at which the torque is followed unless somebody chooses others: half and one and a half times
 /// the terminal spin @p omega_terminal.

@@ -1,13 +1,12 @@
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
 
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
 #include "fem/pipeline/analysis/spin.h"
 #include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -16,233 +15,149 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr double safety = 1.25;          ///< of three levels that show an order
-constexpr double two_level_safety = 1.5; ///< of two levels, taken as first order
-constexpr double wide_safety = 3.;       ///< of anything else
-constexpr double least_order = 0.5;      ///< plausible orders
-constexpr double greatest_order = 8.;
-constexpr double trusted_order = 1.; ///< no higher order narrows a band
-
-/// Largest minus least of the last three values.
-double range_of_last(const std::vector<double> &values)
+/// A parameter of a study with the sizes that are allowed.
+struct Parameter
 {
-  const auto first = values.end() - std::min<std::ptrdiff_t>(3, std::distance(values.begin(), values.end()));
-  const auto [least, largest] = std::minmax_element(first, values.end());
-  return *largest - *least;
-}
-
-/// p of the last three values, if they have a plausible one.
-std::optional<double> observed_order(const std::vector<double> &values, double rounding)
-{
-  if (values.size() < 3)
-    return std::nullopt;
-  const double *const last = &values.back();
-  const double coarse_step = *(last - 1) - *(last - 2);
-  const double fine_step = *last - *(last - 1);
-  if (std::abs(fine_step) <= rounding || coarse_step * fine_step <= 0)
-    return std::nullopt;
-  const double order = std::log2(coarse_step / fine_step);
-  return least_order <= order && order <= greatest_order ? std::optional(order) : std::nullopt;
-}
-
-void judge_algebraic(const std::vector<double> &values, double rounding, RefinementSequence &sequence)
-{
-  const double fine_step = values.size() > 1 ? values.back() - values[values.size() - 2] : 0;
-  sequence.order = observed_order(values, rounding);
-  if (!sequence.order)
-  {
-    const double factor = values.size() == 2 ? two_level_safety : wide_safety;
-    sequence.uncertainty = factor * range_of_last(values);
-    return;
-  }
-  sequence.limit += fine_step / (std::exp2(*sequence.order) - 1);
-  sequence.uncertainty =
-    safety * std::abs(fine_step) / (std::exp2(std::min(*sequence.order, trusted_order)) - 1);
-}
-
-void judge_spectral(const std::vector<double> &values, RefinementSequence &sequence)
-{
-  const auto step = [&](std::size_t from_end)
-  {
-    return values.size() > from_end
-             ? std::abs(values[values.size() - from_end] - values[values.size() - from_end - 1])
-             : 0;
-  };
-  sequence.uncertainty = safety * std::max(step(1), step(2) / 4);
-}
-
-using Quantities = std::vector<QuantityOfInterest>;
-
-/// A level that has to be solved: not the study itself.
-struct OpenLevel : RefinementLevel
-{
-  std::size_t axis, place; ///< which axis, and which level of it
+  RefinementAxis axis;
+  unsigned int &value;
+  unsigned int min, max;
+  unsigned int step = 0; ///< sizes are multiples of it and double; 0: they are counted on
 };
 
-/// Throws what the level has thrown, with the level named in front.
-void require_solved(const OpenLevel &level, const Solved<Quantities> &solved)
+std::vector<Parameter> parameters_of(ContactSection &contact)
 {
-  const std::string where =
-    "Level " + std::to_string(level.size) + " of the refinement in " + level.name + ": ";
-  try
-  {
-    solved.value();
-  }
-  catch (const BadInput &failure)
-  {
-    throw BadInput(where + failure.what());
-  }
-  catch (const std::runtime_error &failure) // a contact or a balance that does not exist
-  {
-    throw ring::NoBalance(where + failure.what());
-  }
-}
-
-AxisResult judge(const RefinementAxis &axis, const std::vector<Quantities> &levels)
-{
-  AxisResult result = { axis, {} };
-  for (std::size_t f = 0; f < levels[axis.own].size(); ++f)
-  {
-    QuantitySequence &sequence = result.quantities.emplace_back();
-    double rounding = 0;
-    bool has_correction = false;
-    for (const Quantities &level : levels)
-    {
-      sequence.values.push_back(level[f].value);
-      sequence.corrections.push_back(level[f].mesh_correction);
-      rounding = std::max(rounding, level[f].rounding);
-      has_correction |= level[f].mesh_correction.has_value();
-    }
-    sequence.judged = judge_refinement(sequence.values, axis.decay, rounding);
-    if (axis.role != AxisRole::space || !has_correction)
-      sequence.corrections.clear();
-  }
-  return result;
-}
-
-BandedQuantity combine(const QuantityOfInterest &quantity, std::size_t f, const std::vector<AxisResult> &axes)
-{
-  BandedQuantity banded = { quantity, quantity.rounding, quantity.value };
-  double space = 0, order = 0;
-  for (const AxisResult &result : axes)
-  {
-    const RefinementSequence &judged = result.quantities[f].judged;
-    const double band = judged.bands[result.axis.own];
-    const bool has_finer = result.axis.own + 1 < result.axis.levels.size();
-    if (result.axis.role == AxisRole::space)
-      space += band;
-    else if (result.axis.role == AxisRole::azimuth)
-      banded.band += band;
-    else if (has_finer)
-      order = band;
-    if (result.axis.role != AxisRole::order && has_finer)
-      banded.richardson += judged.limit - quantity.value;
-  }
-  banded.band += std::max(space, order);
-  return banded;
+  fem::FootResolution &cells = contact.resolution;
+  const bool is_of_revolution = abilities(contact.body).is_of_revolution;
+  const RefinementAxis of_degree = { "degree", "degree of the elements", "degree", AxisKind::degree },
+                       of_harmonics = { "harmonics", "elastic harmonics", "harmonics", AxisKind::azimuth },
+                       of_lines = { "azimuth_lines", "azimuth lines", "lines", AxisKind::azimuth };
+  const Parameter degree = { of_degree, contact.degree, 1, is_of_revolution ? 4u : 2u };
+  if (is_of_revolution)
+    return {
+      { { "meridional_mesh", "meridional mesh", "halvings of every cell" }, contact.refinements, 0, 6 },
+      degree,
+      { of_harmonics, contact.harmonics, 1, (contact.azimuth_lines - 1) / 2, 1 },
+      { of_lines, contact.azimuth_lines, std::max(16u, 2 * contact.harmonics + 1), 1000000, 1 }
+    };
+  if (!contact.mesh_file.empty())
+    return { degree };
+  return { { { "azimuthal_cells", "cells round the rim", "cells" }, cells.azimuthal_cells, 8, 2000, 4 },
+           { { "radial_cells", "cells across the land", "cells" }, cells.radial_cells, 2, 200, 2 },
+           { { "foot_layers", "cells through the foot", "cells" }, cells.foot_layers, 1, 100, 1 },
+           degree };
 }
 
 } // namespace
 
-RefinementSequence judge_refinement(const std::vector<double> &values, Decay decay, double rounding)
+std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
 {
-  if (values.empty())
-    throw std::invalid_argument("A refinement study needs at least one value.");
-  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+  require(study.load.is_from_contact(), "This study's load does not come from a contact, so it has no "
+                                        "discretisation to refine; set Load/Source = contact.");
+  require(!study.has_waviness(), "A refinement study takes a rim and a table that are flat; leave the "
+                                 "waviness of Glass and Table empty.");
+  require(study.contact.goal == Goal::none, "Contact/Goal makes a mesh of its own, which has no coarser and "
+                                            "finer levels; set Contact/Goal = none.");
+  std::vector<RefinementAxis> axes;
+  for (auto &[axis, value, min, max, step] : parameters_of(study.contact))
+  {
+    const unsigned int own = value, n = axis.kind == AxisKind::degree ? max : n_levels;
+    const auto add = [&, &axis = axis, &value = value](unsigned int size)
+    {
+      value = size;
+      check_study(study);
+      axis.sizes.push_back(size);
+      axis.levels.push_back({ axis.key, std::to_string(size), study });
+    };
+    if (step > 0 ? own % (2 * step) == 0 && own / 2 >= min : own > min)
+      add(step > 0 ? own / 2 : own - 1);
+    axis.own = axis.levels.size();
+    for (unsigned int size = own; axis.levels.size() < n && (size == own || size <= max);
+         size = step > 0 ? 2 * size : size + 1)
+      add(size);
+    value = own;
+    if (axis.levels.size() > 1)
+      axes.push_back(axis);
+  }
+  return axes;
+}
+
+RefinementSequence judge_refinement(const std::vector<double> &values, AxisKind kind, double rounding)
+{
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (values.empty() || !std::all_of(values.begin(), values.end(), is_finite))
     throw std::invalid_argument("A refinement study needs finite values.");
-  RefinementSequence sequence;
-  sequence.limit = values.back();
-  if (decay == Decay::algebraic)
-    judge_algebraic(values, rounding, sequence);
+  const std::size_t n = values.size();
+  const double fine_step = n > 1 ? values[n - 1] - values[n - 2] : 0,
+               coarse_step = n > 2 ? values[n - 2] - values[n - 3] : 0;
+  const bool has_order = std::abs(fine_step) > rounding && coarse_step * fine_step > 0;
+  const double order = has_order ? std::log2(coarse_step / fine_step) : 0;
+  RefinementSequence sequence = { values, std::nullopt, values.back(), {} };
+  double band = rounding;
+  if (kind != AxisKind::cells)
+    band += 1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4); // one small step may be chance
+  else if (0.5 <= order && order <= 8)
+  {
+    sequence.order = order;
+    sequence.limit += fine_step / (std::exp2(order) - 1);
+    band += 1.25 * std::abs(fine_step) / (std::exp2(std::min(order, 1.)) - 1);
+  }
   else
-    judge_spectral(values, sequence);
-  sequence.uncertainty += rounding;
+  {
+    const auto last_three = values.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(n, 3));
+    const auto [least, largest] = std::minmax_element(last_three, values.end());
+    band += (n == 2 ? 1.5 : 3.) * (*largest - *least); // two levels: taken as first order
+  }
   for (const double value : values)
-    sequence.bands.push_back(std::abs(value - values.back()) + sequence.uncertainty);
+    sequence.bands.push_back(std::abs(value - values.back()) + band);
   return sequence;
 }
 
-std::optional<double> QuantitySequence::error(std::size_t l) const
-{
-  if (l + 2 >= values.size())
-    return std::nullopt;
-  return values[l + 2] + (corrections.empty() ? 0 : corrections[l + 2].value_or(0)) - values[l];
-}
-
-std::optional<double> QuantitySequence::effectivity(std::size_t l, double rounding) const
-{
-  const std::optional<double> against = error(l);
-  if (!against || std::abs(*against) <= rounding || corrections.empty() || !corrections[l])
-    return std::nullopt;
-  return *corrections[l] / *against;
-}
-
-RefinementResult refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
-                        const std::vector<RefinementAxis> &axes, const Executor &executor, Progress &progress)
+ErrorBands refine(const std::vector<QuantityOfInterest> &own, const std::vector<double> &spins,
+                  std::vector<RefinementAxis> &axes, const Executor &executor, Progress &progress)
 {
   const double near = quantity_of(own, "omega_terminal").value;
-  const auto quantities_at = [&](const OpenLevel &level, const std::shared_ptr<ElasticFoot> &foot)
+  std::vector<Variant> open; // levels that are not the study itself
+  for (const RefinementAxis &axis : axes)
+    for (std::size_t l = 0; l < axis.levels.size(); ++l)
+      if (l != axis.own)
+        open.push_back(axis.levels[l]);
+  const auto quantities_at = [&](const Variant &level, const std::shared_ptr<ElasticFoot> &foot)
+  { return quantities_of_load(level.study, *find_load(level.study, foot), spins, near); };
+  const auto solved = solve(open, nullptr, quantities_at, executor, counted(progress, "levels", open.size()));
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (solved[i].failure)
+      throw ring::NoBalance("Level " + open[i].name + " of the refinement in " + open[i].key + ": " +
+                            failed_row(solved[i].failure).reason);
+
+  ErrorBands bands;
+  for (std::size_t q = 0; q < own.size(); ++q)
   {
-    // What is estimated is compared with two further levels; the finest are the most costly.
-    const RefinementAxis &axis = axes[level.axis];
-    const bool has_two_further = level.place + 2 < axis.levels.size();
-    const bool is_estimated = axis.role == AxisRole::space && (axis.is_graded || has_two_further);
-    return quantities_of_load(level.study, *find_load(level.study, foot), spins, near,
-                              is_estimated ? foot.get() : nullptr);
-  };
-  std::vector<std::vector<Quantities>> quantities; // of every level of every axis
-  std::vector<OpenLevel> open;
-  for (std::size_t a = 0; a < axes.size(); ++a)
-  {
-    quantities.emplace_back(axes[a].levels.size(), own);
-    for (std::size_t l = 0; l < axes[a].levels.size(); ++l)
-      if (l != axes[a].own)
-        open.push_back({ axes[a].levels[l], a, l });
+    BandedQuantity &banded = bands.emplace_back(BandedQuantity{ own[q], own[q].rounding, own[q].value });
+    double cells = 0, degree = 0;
+    auto level = solved.begin();
+    for (RefinementAxis &axis : axes)
+    {
+      std::vector<double> values;
+      double rounding = own[q].rounding;
+      for (std::size_t l = 0; l < axis.levels.size(); ++l)
+      {
+        const QuantityOfInterest &quantity = l == axis.own ? own[q] : (*level++->answer)[q];
+        values.push_back(quantity.value);
+        rounding = std::max(rounding, quantity.rounding);
+      }
+      const RefinementSequence &judged =
+        axis.quantities.emplace_back(judge_refinement(values, axis.kind, rounding));
+      const bool has_finer = axis.own + 1 < axis.levels.size();
+      if (axis.kind == AxisKind::degree)
+        degree = has_finer ? judged.bands[axis.own] : 0;
+      else
+        (axis.kind == AxisKind::cells ? cells : banded.band) += judged.bands[axis.own];
+      if (axis.kind != AxisKind::degree && has_finer)
+        banded.richardson += judged.limit - own[q].value;
+    }
+    banded.band += std::max(cells, degree);
   }
-  const auto done =
-    [&, tell = counted(progress, "levels", open.size())](std::size_t i, const auto &solved) mutable
-  {
-    require_solved(open[i], solved);
-    quantities[open[i].axis][open[i].place] = *solved.answer;
-    tell(i, solved);
-  };
-  solve(open, nullptr, quantities_at, executor, done);
-
-  RefinementResult result;
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    result.axes.push_back(judge(axes[a], quantities[a]));
-  for (std::size_t f = 0; f < own.size(); ++f)
-    result.quantities.push_back(combine(own[f], f, result.axes));
-  return result;
-}
-
-std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const BalancedLoad &load,
-                                                   const std::vector<double> &spins,
-                                                   const std::optional<double> &near, const ElasticFoot *foot)
-{
-  const ring::Motion &motion = study.motion.orbit;
-  SpinQuestion question = { motion };
-  question.expected = near.value_or(0);
-  question.with_slope = true;
-  question.with_minima = false;
-  std::string reason;
-  const std::vector<double> torques = friction_torques(load, motion, spins, reason);
-  const SpinRow row = spin_row(load, question);
-  if (!row.terminal)
-    throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
-  constexpr double noise_of_differences = 10; // the slope is one by finite differences
-  std::vector<QuantityOfInterest> quantities = quantities_of_interest(
-    study, load.report(),
-    { row.at_rest->friction.torque, spins, torques, row.terminal->omega, row.terminal->time_constant,
-      load.report().rings.radius(), load.spin_scale(motion), noise_of_differences });
-  if (!foot)
-    return quantities;
-  for (QuantityOfInterest &quantity : quantities)
-    for (const Goal goal : { Goal::terminal_spin, Goal::a2 })
-      if (quantity.key == key_of(goal))
-        if (const auto found = goal_error(study, *foot, load, row.terminal->omega, goal))
-          quantity.mesh_correction = found->error.correction;
-  return quantities;
+  return bands;
 }
 
 } // namespace stemware::pipeline

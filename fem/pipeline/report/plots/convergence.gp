@@ -1,16 +1,20 @@
-# Relative distance from the limit; bars reach up to the error band.{{#has_triangle}} The triangle has the slope of the first
-# quantity's observed order.{{/has_triangle}}
-#@data plot_of_{{axis}}
+# Distance of the terminal spin from its limit on each axis, relative, by level; 0 is the study's own level. Levels that agree
+# with the limit to the tolerance of the solver are not drawn.
 load "figures/style.gnuplot"
+eval from_csv
 
-# A block for each curve: 1: size, 2: error, 3: half-width of its band; then the triangle. A bar that points downwards is a
-# band that was too narrow.
-set xlabel x_label
-if (is_logarithmic) eval set_logarithmic("x")
+data = "converge.csv" # 1: axis, 2: level
+distance(i) = abs(column(spin_column) - limit[i])
+error(i) = strcol(1) eq axis[i] && distance(i) > rounding ? distance(i) / abs(limit[i]) : NaN
+set xlabel "level, finer to the right"
 set ylabel "relative error"
 eval set_logarithmic("y")
-set xtics () format "%g"; set for [i=1:n_size] xtics add (sprintf("%g", size[i]) size[i])
+set xtics 1
 set autoscale xfix; set offsets graph 0.05, graph 0.05
-plot for [i=1:n_curve] data index i - 1 using 1:2:2:3 with yerrorbars lt i dt 1 lw 1 ps 0 notitle, \
-     for [i=1:n_curve] data index i - 1 using 1:2 with linespoints lt i title curve[i], \
-     for [i=1:n_triangle] data index n_curve using 1:2 with lines lt 8 title n_triangle > 0 ? triangle[i] : ""
+any(x) = x > 0 ? x : 0
+eval find_count("any(error(1)) + any(error(n_curve)) + any(error(n_curve > 1 ? 2 : 1)) > 0")
+if (n_found > 0) {
+  plot for [i=1:n_curve] data using (error(i) > 0 ? $2 : NaN):(error(i)) with linespoints lt i title curve[i]
+} else {
+  eval plot_nothing
+}

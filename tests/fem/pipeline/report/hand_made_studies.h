@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/truncation.h"
 #include "fem/pipeline/report/mesh_results.h"
 #include "fem/pipeline/report/run_results.h"
 #include "tests/fem/pipeline/report/hand_made.h"
@@ -141,57 +140,24 @@ inline pipeline::Results made_run()
   return tabulate(by_hand.study, by_hand.report, by_hand.spin, by_hand.bands);
 }
 
-struct TruncationByHand
-{
-  TruncationByHand()
-  {
-    truncations.omega = { -1.5, -3 };
-    truncations.time = { 0, next() };
-    truncations.paper = { 0, next() };
-    truncations.torque_slope = -next();
-    truncations.rows = { hand_made_row(next, 1), missing_row(2), hand_made_row(next, 3) };
-    truncations.rows[0].at_rest->minimum = truncations.rows[0].at_terminal->minimum = 0.25;
-    truncations.torque = hand_made_torque_curve(next);
-    truncations.harmonics = { -next() / 100, next() / 1000 };
-    truncations.budget = hand_made_budget(next).rows;
-    truncations.budget.back().band = truncations.all().band;
-  }
-
-  Numbers next;
-  pipeline::Study study;
-  pipeline::LoadReport load = hand_made_load_report(next);
-  pipeline::TruncationStudy truncations;
-};
-
 struct RefinementByHand
 {
   RefinementByHand()
   {
     Numbers next;
-    for (const char *key : { "a2", "a3", "b3", "a4", "b4" })
-      result.quantities.push_back(zero_band(key));
-    result.quantities.push_back(hand_made_band(next, "b2", "b_2/a_0", "1"));
-    result.quantities.push_back(hand_made_band(next, "omega_terminal", "terminal spin", "rad/s"));
-    result.quantities.push_back(hand_made_band(next, "time_constant", "time constant", "s"));
-    pipeline::AxisResult axis;
-    axis.axis.key = "meridional_mesh";
-    axis.axis.name = "meridional mesh";
-    axis.axis.size = "halvings of every cell";
-    axis.axis.levels = { { {}, 0 }, { {}, 1 } };
-    axis.axis.own = 1;
-    for (std::size_t i = 0; i < result.quantities.size(); ++i)
-    {
-      pipeline::QuantitySequence sequence = { { next(), next() }, {} };
-      if (i % 2 == 0)
-        sequence.judged.order = next();
-      sequence.judged.limit = next();
-      sequence.judged.bands = { next() / 1000, next() / 1000 };
-      axis.quantities.push_back(sequence);
-    }
-    result.axes.push_back(axis);
+    bands.push_back(hand_made_band(next, "b2", "b_2/a_0", "1"));
+    bands.push_back(hand_made_band(next, "omega_terminal", "terminal spin", "rad/s"));
+    pipeline::RefinementAxis axis = { "meridional_mesh", "meridional mesh", "halvings of every cell" };
+    axis.sizes = { 0, 1 };
+    axis.levels.resize(2);
+    axis.own = 1;
+    for (std::size_t i = 0; i < bands.size(); ++i)
+      axis.quantities.push_back({ { next(), next() }, next(), next(), { next() / 1000, next() / 1000 } });
+    axes.push_back(axis);
   }
 
-  pipeline::RefinementResult result;
+  std::vector<pipeline::RefinementAxis> axes;
+  pipeline::ErrorBands bands;
 };
 
 inline pipeline::MeshFindings mesh_by_hand()

@@ -274,7 +274,7 @@ Table truncations_of(const std::vector<double> &changes)
 Plot truncation_plot()
 {
   Document document;
-  document.plots["truncation"] = { { "bound_scale", nullptr }, { "rounding", 1e-12 } };
+  document.plots["truncation"] = { { "rounding", 1e-12 } };
   document.facts["columns"]["truncation"] = { { "relative_change", 2 }, { "bound", 3 } };
   return picture(document, "truncation");
 }

@@ -31,13 +31,6 @@ change of spin: +1.71 % | +2.08 %
 bound on Δτz (N m): 1.72e-06 | 2.09e-06
 least λ at rest (N/rad): -1.5 | -1.87
 )");
-  EXPECT_EQ(json_lines(results.findings.summary["truncation"]), R"(harmonics: 1 | 2
-tau_at_rest: 1.4601234567 | 1.8301234567
-omega_terminal: -1.5201234567 | -1.8901234567
-relative_change: 0.017101234567000002 | 0.020801234567
-bound: 1.7201234567000001e-06 | 2.0901234567000004e-06
-load_minimum: -1.5001234567 | -1.8701234567
-)");
 }
 
 TEST(RunByHand, Friction)
@@ -124,31 +117,6 @@ table moved by q0 (m) | 1.27012
 table tilted by q1 (rad) | 1.28012
 table tilted by q2 (rad) | 1.29012
 )");
-  EXPECT_EQ(results.findings.summary["contact"].dump(1), R"({
- "body": "solid",
- "friction_coupling": "none",
- "outcome": "narrow contact",
- "mesh": {
-  "cells": 101,
-  "round_rim": false,
-  "rim_radius": 1.2201234567,
-  "land_area_deficit": 1.2301234567
- },
- "unknowns": 102,
- "contact_nodes": 103,
- "loaded_nodes": 104,
- "nodes_across": 105,
- "iterations": 106,
- "linear_iterations": 107,
- "force_residual": 1.2401234567e-10,
- "moment_residual": 1.2501234566999998e-11,
- "equilibrium_residual": 1.2601234566999998e-12,
- "table_motion": [
-  1.2701234567,
-  1.2801234567,
-  1.2901234567
- ]
-})");
   EXPECT_EQ(file_lines(results, "contact_history.csv"), R"(step (1): 1 | 2
 loaded places (1): 201 | 204
 changed places (1): 202 | 205
@@ -161,61 +129,9 @@ iterations of the linear solver (1): 203 | 206
                                                  "1.3601234567,0.25,1.3701234567\r\n");
 }
 
-TEST(RunByHand, LoadAndItsHarmonics)
+TEST(RunByHand, HarmonicsOfTheLoad)
 {
   const Results results = made_run();
-  EXPECT_EQ(results.findings.summary["load"].dump(1), R"({
- "radii": [
-  1.0101234567,
-  1.0701234567
- ],
- "rings": [
-  {
-   "a": [
-    1.0201234567,
-    1.0301234567,
-    1.0501234567
-   ],
-   "b": [
-    0.0,
-    1.0401234567,
-    1.0601234567
-   ]
-  },
-  {
-   "a": [
-    1.0801234567,
-    1.0901234567,
-    1.1101234567
-   ],
-   "b": [
-    0.0,
-    1.1001234567,
-    1.1201234567
-   ]
-  }
- ],
- "a": [
-  2.1002469134,
-  2.1202469134,
-  2.1602469134
- ],
- "b": [
-  0.0,
-  2.1402469134,
-  2.1802469134
- ],
- "normal_force": 1.1301234567,
- "moment": [
-  1.1401234567,
-  1.1501234567
- ],
- "moment_ratio": 1.1601234567,
- "ring_radius": 1.0409684105596575,
- "mean_radius": 1.1701234567,
- "contact_fraction": 0.11801234567,
- "minimum": 1.1901234567
-})");
   EXPECT_EQ(report_lines(results, "The load in numbers"),
             R"(Harmonics of the load over its mean, a0 = 2.10025 N/rad
 n: 1 | 2
@@ -224,13 +140,9 @@ bn / a0: 1.01905 | 1.03809
 amplitude / a0: 1.43443 | 1.46136
 largest at θ (degrees): 45.3 | 22.6
 )");
-  EXPECT_EQ(file_lines(results, "load_lines.csv"),
-            R"(theta (rad): 0.5 | 1.5
-lambda (N/rad): 1.2001234567 | 1.2101234567
-)");
 }
 
-TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
+TEST(RunByHand, RingOfTheSummary)
 {
   // Closed form of the mean over the phases, as the torque beside it: mu pi r b_1 = 0.3
   // pi 1.8201234567 1.7901234567, not mu times the moment 1.1401234567 at the phase of t = 0.
@@ -262,38 +174,6 @@ TEST(RunByHand, RingCouplingAndWavinessOfTheSummary)
  "phase_dependent": true,
  "spin_ripple": 2.3201234567
 })");
-  EXPECT_EQ(results.findings.summary["coupling"].dump(1), R"({
- "balanced_spins": 301,
- "contact_solutions": 302,
- "contacts": {
-  "answer": 303,
-  "curves": 304,
-  "budget": 305,
-  "bands": 306
- },
- "response_error": null,
- "interpolation_error": 1.3901234567
-})");
-  EXPECT_EQ(results.findings.summary["waviness"].dump(1), R"({
- "spin_ripple": 2.3201234567,
- "spin_uncertainty": 2.3301234567,
- "zero_of_mean_torque": 2.3401234567,
- "torque_ripple": 2.3501234567,
- "least_load": 2.3601234567,
- "least_contact_fraction": 2.3701234567,
- "glass_phases": 401,
- "table_phases": 402,
- "spins": 403,
- "interpolation_error": 2.3801234567
-})");
-  EXPECT_EQ(results.findings.key_figures.dump(1), R"({
- "tau_at_rest": 1.8301234567,
- "omega_terminal": -1.8901234567,
- "omega_terminal_band": 0.0025001234567,
- "omega_terminal_first_harmonic": -1.5201234567,
- "harmonic_effect": -0.031001234567,
- "harmonic_effect_relative": 0.0031101234566999997
-})");
 }
 
 TEST(RunByHand, ErrorBands)
@@ -310,110 +190,16 @@ quantity: b1/a0 | a2/a0 | terminal spin
 mesh: – | – | 3.2e-04
 rings: – | – | 3.3e-04
 )");
-  EXPECT_EQ(results.findings.summary["error_bands"].dump(1), R"({
- "a1": {
-  "value": 0.0,
-  "band": 0.0,
-  "parts": {
-   "mesh": null,
-   "degree": null,
-   "harmonics": null,
-   "lines": null,
-   "interface": null,
-   "load_harmonics": null,
-   "rings": null,
-   "interpolation": null,
-   "solver": null
-  },
-  "unit": "1"
- },
- "b1": {
-  "value": 2.4301234567,
-  "band": 0.0024401234567,
-  "parts": {
-   "mesh": null,
-   "degree": null,
-   "harmonics": null,
-   "lines": null,
-   "interface": null,
-   "load_harmonics": null,
-   "rings": null,
-   "interpolation": null,
-   "solver": null
-  },
-  "unit": "1"
- },
- "a2": {
-  "value": 2.4601234567,
-  "band": 0.0024701234567,
-  "parts": {
-   "mesh": null,
-   "degree": null,
-   "harmonics": null,
-   "lines": null,
-   "interface": null,
-   "load_harmonics": null,
-   "rings": null,
-   "interpolation": null,
-   "solver": null
-  },
-  "unit": "1"
- },
- "b2": {
-  "value": 0.0,
-  "band": 0.0,
-  "parts": {
-   "mesh": null,
-   "degree": null,
-   "harmonics": null,
-   "lines": null,
-   "interface": null,
-   "load_harmonics": null,
-   "rings": null,
-   "interpolation": null,
-   "solver": null
-  },
-  "unit": "1"
- },
- "omega_terminal": {
-  "value": 2.4901234567,
-  "band": 0.0025001234567,
-  "parts": {
-   "mesh": 0.00031901234567,
-   "degree": null,
-   "harmonics": null,
-   "lines": null,
-   "interface": null,
-   "load_harmonics": null,
-   "rings": 0.00032001234567,
-   "interpolation": null,
-   "solver": null
-  },
-  "unit": "rad/s"
- }
-})");
+  EXPECT_EQ(
+    results.findings.summary["error_bands"]["omega_terminal"].dump(),
+    R"({"value":2.4901234567,"band":0.0025001234567,"parts":{"mesh":0.00031901234567,"degree":null,)"
+    R"("harmonics":null,"lines":null,"interface":null,"load_harmonics":null,"rings":0.00032001234567,)"
+    R"("interpolation":null,"solver":null},"unit":"rad/s"})");
 }
 
-TEST(RunByHand, Files)
+TEST(RunByHand, Rings)
 {
   const Results results = made_run();
-  EXPECT_EQ(file_names(results), R"(summary.json: all numbers, for programs
-parameters.prm: the study, to be run again
-load.csv: λ(θ) at rest
-harmonics.dat: its Fourier coefficients; Load/File reads them
-rings.csv: the same ring by ring
-budget.csv: the terminal spin from the paper's model to this study's
-without.csv: the complete model without one thing at a time
-torque.csv: τ_z, T_x, T_y against the spin
-spin_up.csv: the spin against time
-truncation.csv: the answer after 1, 2, 3, 4, 6, 8 ... harmonics
-phases.csv: τ_z by the orientation of glass and table
-load_lines.csv: λ(θ) at rest where the contact was solved
-footprint.csv: pressure p(r, θ) of the foot on the table at rest
-contact_history.csv: Newton steps of the contact
-fields/contact.vtu: displacement, strain, stress and contact pressure at rest, for ParaView
-timings.json: how long it took
-)");
   EXPECT_EQ(file_lines(results, "rings.csv"),
             R"(ring j (1): 1 | 1 | 1 | 2 | 2 | 2
 r_j (m): 1.0101234567 | 1.0101234567 | 1.0101234567 | 1.0701234567 | 1.0701234567 | 1.0701234567
