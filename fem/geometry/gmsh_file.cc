@@ -71,7 +71,7 @@ public:
     read_nodes();
     read_elements();
     content.points = std::move(points.points);
-    content.names.way_to_ids = "give its surfaces physical ids and save it without Mesh.SaveAll";
+    content.names.way_to_ids = "save it without Mesh.SaveAll and give its surfaces physical ids";
     return std::move(content);
   }
 

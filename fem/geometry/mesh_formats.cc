@@ -56,7 +56,9 @@ void require_shared_nodes(const MeshContent &content)
       first = n_repeated++ == 0 ? i : first;
   if (n_repeated == 0)
     return;
-  const auto &x = content.points[static_cast<unsigned int>(places[first][3])];
+  std::array<double, 3> x = content.points[static_cast<unsigned int>(places[first][3])];
+  for (double &coordinate : x)
+    coordinate = std::abs(coordinate) < tolerance ? 0 : coordinate;
   throw UnreadableMesh(
     sentence("has ", n_repeated, " nodes that coincide with others and are not shared, one at (", x[0], ", ",
              x[1], ", ", x[2],

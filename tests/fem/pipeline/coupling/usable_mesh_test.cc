@@ -205,7 +205,7 @@ TEST_P(ForeignMesh, IsRefusedWithNodesThatAreNotShared)
 
 TEST_P(ForeignMesh, IsRefusedWithPiecesThatNothingHolds)
 {
-  const auto is_outside = [](const dealii::Point<3> &x) { return std::hypot(x[0], x[1]) > 0.032; };
+  const auto is_outside = [](const dealii::Point<3> &x) { return std::hypot(x[0], x[1]) > 0.0305; };
   unsigned int n_outside = 0;
   for (const auto &cell : mesh.active_cell_iterators())
     n_outside += is_outside(cell->center());
