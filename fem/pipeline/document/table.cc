@@ -50,11 +50,9 @@ public:
     for (const auto &[file, columns] : definitions["files"].items())
       if (columns.is_object())
         for (const auto &[key, column] : columns.items())
-        {
-          Json value = column;
-          value["heading"] = column["label"];
-          add(key, value, { file });
-        }
+          add(key,
+              { { "unit", column["unit"] }, { "label", column["label"] }, { "heading", column["label"] } },
+              { file });
   }
 
   Json quantities = Json::object();

@@ -35,13 +35,13 @@ constexpr char result_files[] =
   "summary.json timings.json parameters.prm report.html harmonics.dat study.json manifest.json "
   "load.csv rings.csv budget.csv without.csv torque.csv spin_up.csv truncation.csv driven_spin_up.csv "
   "phases.csv load_lines.csv footprint.csv footprint_at_end.csv contact_history.csv compare.csv "
-  "error_bands.csv path.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
+  "error_bands.csv converge.csv path.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
   "fields/contact.vtu fields/contact.pvtu fields/contact_at_terminal_spin.vtu";
 constexpr char figures[] =
   "glass orbits sliding waterfall effects load slip spectrum line_load higher_harmonics spin_up "
   "harmonic_torque torque phases driven_spin_up orbit_speed section_stress foot_from_above section rim "
   "rim_circle rim_residuals truncation footprint footprint_at_end contact_zone quality path drift speeds "
-  "slip_ratio energy terminal_spins harmonic_effects deviation "
+  "convergence slip_ratio energy terminal_spins harmonic_effects deviation "
   "terminal_spin omega_terminal harmonic_effect contact_fraction tau_at_rest";
 constexpr char refinement_axes[] =
   "degree meridional_mesh harmonics azimuth_lines azimuthal_cells radial_cells foot_layers goal_mesh";
