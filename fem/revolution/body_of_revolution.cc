@@ -108,7 +108,6 @@ NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tange
   const LineNewton newton(response, tangent, unbalanced, functions, negligible);
   const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));
   increment = found.forces;
-  last_resistance = found.resistance;
   moved = response.displacement(increment);
   NewtonIncrement step;
   step.displacement = moved.reshaped();

@@ -42,8 +42,6 @@ public:
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
   void update(double step_length) override;
 
-  /// LineNewton::Increment::resistance of the last solve().
-  const Eigen::Matrix3d &resistance() const { return last_resistance; }
   void reset() override;
   Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state.reshaped(); }
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
@@ -71,7 +69,6 @@ private:
   Eigen::MatrixXd displacement; ///< their elastic response
   Eigen::MatrixXd increment;    ///< of the forces, by the last solve()
   Eigen::MatrixXd moved;        ///< of the displacement
-  Eigen::Matrix3d last_resistance = Eigen::Matrix3d::Zero();
   LineNewton::Functions functions; ///< of the last solve()
 };
 

@@ -61,12 +61,14 @@ bool are_negligible_above(unsigned int n, const SpinRow &whole, const ring::Moti
                    negligible * std::abs(zero->slope * zero->omega);
 }
 
-/// The load of @p variant on its @p foot, whose terminal spin is believed to be @p near another.
+/// The load of @p variant on its @p foot, whose terminal spin is believed to be where @p asked has it.
 SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
-                   const std::optional<ring::KnownZero> &near)
+                   const SpinQuestion &asked)
 {
-  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics,
-                   near ? std::optional(near->omega) : std::nullopt);
+  const std::optional<double> expected = asked.near            ? std::optional(asked.near->omega)
+                                         : asked.expected != 0 ? std::optional(asked.expected)
+                                                               : std::nullopt;
+  return find_load(variant.study, foot, silent_progress(), variant.n_harmonics, expected);
 }
 
 /// The load of @p answer interpolated in the spin from @p lower to @p upper, or to where its glass falls
@@ -165,7 +167,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
   {
     if (variant.on_other_rings)
       its_foot->forget_rings();
-    const SharedLoad load = load_of(variant, its_foot, asked.near);
+    const SharedLoad load = load_of(variant, its_foot, asked);
     return LoadedRow{ attempt_spin_row(*load, spin_question(variant.study, asked)), load };
   };
   std::vector<LoadedRow> rows;
@@ -198,6 +200,8 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
   const LoadedRow whole = { spin_row(load, question), load.shared_from_this() };
   question.with_slope = false;
   question.near = known_zero(whole.row);
+  if (whole.row.fall) // as far as the models with fewer harmonics, or without an effect, are known to stand
+    question.expected = whole.row.fall->omega;
   std::vector<LoadedRow> rows, sharing;
   std::vector<Variant> cut;
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)

@@ -63,6 +63,7 @@ void add_end(const Study &study, const SpinStudy &spin, const std::vector<Banded
       { "spinning", is_spinning ? spin_facts(study, omega) : Json(nullptr) },
       { "held", held },
       { "stays", !all.fall && !is_spinning && held.empty() },
+      { "unstable_rest", all.terminal && !all.terminal->stable },
       { "omega_end", all.last_spin().value_or(0) },
       { "moves", is_spin(study, all.last_spin().value()) },
       { "complete_spins", is_spin(study, all.omega_terminal().value_or(0)) },

@@ -199,6 +199,34 @@ SharedLoad tipping_beyond(double last)
                                      });
 }
 
+// Upright, led at the height of its centre of mass, with friction that falls with the slip: rest is a
+// balance, and the least disturbance grows. Reference: the same glass with the hand 1e-6 m lower, which
+// starts.
+TEST(SpinStudy, AnUnstableRestStandsBesideTheStableSpins)
+{
+  Study study;
+  study.load.source = LoadSource::first_harmonic;
+  study.motion.orbit.force_offset = 0;
+  study.motion.orbit.orbit_speed = 0.1;
+  study.motion.orbit.friction_law = ring::FrictionLawKind::stribeck;
+  fem::ComplianceCache cache;
+  const auto solve = [&]
+  { return study_spin(study, nullptr, *find_load(study, nullptr), cache, silent_progress(), Depth::answer); };
+  const SpinStudy upright = solve();
+  ASSERT_TRUE(upright.all().terminal);
+  EXPECT_EQ(upright.all().terminal->omega, 0);
+  EXPECT_FALSE(upright.all().terminal->stable);
+  study.motion.orbit.force_offset = -1e-6;
+  const double started = solve().all().omega_terminal().value();
+  EXPECT_NEAR(started, -2.4364, 1e-4);
+  ASSERT_EQ(upright.terminal_spins.size(), 3u);
+  for (const std::size_t i : { 0, 2 })
+  {
+    EXPECT_NEAR(std::abs(upright.terminal_spins[i].omega), std::abs(started), 1e-3);
+    EXPECT_TRUE(upright.terminal_spins[i].stable);
+  }
+}
+
 // A load that is the same up to the fall: the moment ratio follows from its first harmonic, the time of the
 // fall from dt = I d omega / tau(omega), by Simpson's rule.
 TEST(SpinStudy, AGlassThatFallsOverOnTheWay)
