@@ -48,7 +48,7 @@ struct Path
 ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {
-  constexpr double shortest_step = 1. / 128, growth = 2;
+  constexpr double shortest_step = 1. / 128, growth = 1.5;
   const ContactSurface &surface = body.contact_surface();
   ContactControl control = usual;
   control.whole_steps = true;
