@@ -245,46 +245,63 @@ private:
   }
 
   /// The zero at @p spin, if the balance holds all the way to it. The square of the steadiness is nearly a
-  /// parabola where it is small: where that leads to no steadiness at all, the torque is asked for.
+  /// parabola where it is small: where that leads to less steadiness, the torque is asked for.
   double reached(double spin)
   {
-    constexpr unsigned int most_probes = 12;
+    constexpr unsigned int most_probes = 16;
     for (unsigned int i = 0; i < most_probes; ++i)
-    {
-      std::map<double, double> squares; // by spin
-      for (const Sample &sample : samples)
-        if (sample.spin <= (1. + 1e-6) * spin)
-          squares[sample.spin] = std::pow(search.steadiness(direction * sample.spin), 2);
-      const auto least =
-        std::min_element(squares.begin(), squares.end(),
-                         [](const auto &one, const auto &other) { return one.second < other.second; });
-      if (squares.size() < 3 || least->second > unsteady * unsteady)
+      if (const std::optional<double> probe = unsteadiest(spin))
+      {
+        if (const std::optional<double> found = push_if_balanced(*probe); found && *found > 0.)
+          continue;
+        Sample near = samples.front();
+        for (const Sample &sample : samples)
+          if (sample.spin < *probe && sample.spin > near.spin)
+            near = sample;
+        return converge(near, *probe, {});
+      }
+      else
         return spin;
-      auto middle = least;
-      if (middle == squares.begin())
-        ++middle;
-      if (std::next(middle) == squares.end())
-        --middle;
-      const auto [below, square_below] = *std::prev(middle);
-      const auto [here, square] = *middle;
-      const auto [above, square_above] = *std::next(middle);
-      const double rise = (square - square_below) / (here - below),
-                   curvature = ((square_above - square) / (above - here) - rise) / (above - below);
-      const double vertex = (below + here) / 2. - rise / (2. * curvature);
-      const double at_vertex = square_below + (vertex - below) * (rise + curvature * (vertex - here));
-      const double too_close = shortest_way * search.spin_scale;
-      if (!(curvature > 0.) || !(vertex > 0. && vertex < spin) || at_vertex > 0.75 * least->second ||
-          std::abs(vertex - least->first) < too_close)
-        return spin;
-      if (const std::optional<double> found = push_if_balanced(vertex); found && *found > 0.)
-        continue;
-      Sample near = samples.front();
-      for (const Sample &sample : samples)
-        if (sample.spin < vertex && sample.spin > near.spin)
-          near = sample;
-      return converge(near, vertex, {});
-    }
     return spin;
+  }
+
+  /// Where the balance on the way to @p spin may be less steady than at all samples; nothing where it is
+  /// steady, or known well enough.
+  std::optional<double> unsteadiest(double spin) const
+  {
+    // Samples closer together than one, and farther apart than the other, tell no parabola.
+    const double narrowest = search.spin_scale / 1024., widest = search.spin_scale / 8.;
+    std::map<double, double> squares; // by spin
+    for (const Sample &sample : samples)
+    {
+      const auto next = squares.lower_bound(sample.spin - narrowest);
+      if (sample.spin <= (1. + 1e-6) * spin &&
+          (next == squares.end() || next->first > sample.spin + narrowest))
+        squares[sample.spin] = std::pow(search.steadiness(direction * sample.spin), 2);
+    }
+    const auto least =
+      std::min_element(squares.begin(), squares.end(),
+                       [](const auto &one, const auto &other) { return one.second < other.second; });
+    if (squares.size() < 2 || least->second > unsteady * unsteady)
+      return std::nullopt;
+    const bool is_first = least == squares.begin(), is_last = std::next(least) == squares.end();
+    if (!is_first && least->first - std::prev(least)->first > widest)
+      return (least->first + std::prev(least)->first) / 2.;
+    if (!is_last && std::next(least)->first - least->first > widest)
+      return (least->first + std::next(least)->first) / 2.;
+    if (squares.size() < 3)
+      return std::nullopt;
+    const auto middle = is_first ? std::next(least) : is_last ? std::prev(least) : least;
+    const auto [below, square_below] = *std::prev(middle);
+    const auto [here, square] = *middle;
+    const auto [above, square_above] = *std::next(middle);
+    const double rise = (square - square_below) / (here - below),
+                 curvature = ((square_above - square) / (above - here) - rise) / (above - below);
+    const double vertex = (below + here) / 2. - rise / (2. * curvature);
+    const double at_vertex = square_below + (vertex - below) * (rise + curvature * (vertex - here));
+    const bool is_new = std::abs(vertex - least->first) > narrowest && vertex > 0. && vertex < spin;
+    return curvature > 0. && is_new && at_vertex < 0.75 * least->second ? std::optional(vertex)
+                                                                        : std::nullopt;
   }
 
   const std::function<double(double)> &push;

@@ -48,15 +48,14 @@ struct Path
 ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {
-  constexpr double shortest_step = 1. / 128, growth = 1.5;
+  constexpr double shortest_step = 1. / 512;
   const ContactSurface &surface = body.contact_surface();
   ContactControl control = usual;
   control.whole_steps = true;
   control.max_steps = 20;
-  control.hopeless_residual = 0.3; // the start is extrapolated: where the path has ended nothing is near
 
   Path path = { even, even };
-  double step = 1. / 4;
+  double step = 1. / 8;
   while (path.share < 1)
     try
     {
@@ -65,7 +64,7 @@ ContactSolution solve_along_moment(BodyOfRevolution &body, TableLaw &law, const 
       body.set_forces(path.last.forces);
       path.append(next, solve_contact(body, law, conditions.with_share_of_moment(surface, next), radius,
                                       control, &start));
-      step *= growth;
+      step *= 1.5;
     }
     catch (const ContactFailure &)
     {

@@ -185,7 +185,6 @@ TEST(Fall, InANarrowRangeOfSpinsIsAResult)
     study_spin(study, foot, *find_load(study, foot), cache, silent_progress(), Depth::answer);
   ASSERT_TRUE(spin.all().fall);
   EXPECT_NEAR(spin.all().fall->omega, -9.09, 0.015);
-  EXPECT_LT(foot->n_contacts(), 300u); // and no hunt for balances that are not there
 }
 
 TEST(Fall, IsAResult)
