@@ -65,10 +65,10 @@ private:
 
   ElasticResponse response;
   std::shared_ptr<ContactSurface> surface;
-  Eigen::MatrixXd state;        ///< forces on the lines, shape [n_radii, n_lines]
-  Eigen::MatrixXd displacement; ///< their elastic response
-  Eigen::MatrixXd increment;    ///< of the forces, by the last solve()
-  Eigen::MatrixXd moved;        ///< of the displacement
+  Eigen::MatrixXd state;           ///< forces on the lines, shape [n_radii, n_lines]
+  Eigen::MatrixXd displacement;    ///< their elastic response
+  Eigen::MatrixXd increment;       ///< of the forces, by the last solve()
+  Eigen::MatrixXd moved;           ///< of the displacement
   LineNewton::Functions functions; ///< of the last solve()
 };
 
