@@ -52,14 +52,6 @@ Keyword keyword_of(const std::vector<std::string> &cells)
   return keyword;
 }
 
-std::string shown(const std::string &name)
-{
-  std::string text = name.substr(0, 30);
-  std::replace_if(
-    text.begin(), text.end(), [](char letter) { return letter < ' ' || letter > '~'; }, '?');
-  return text;
-}
-
 /// The id that the name of a surface or set ends in; 0 where it ends in none.
 unsigned int id_at_end(const std::string &name)
 {
@@ -102,7 +94,7 @@ ElementType type_of(const std::string &name)
   for (const char *beginning : without_faces)
     if (boost::starts_with(name, beginning))
       return {};
-  throw UnreadableMesh("has elements of the type " + shown(name).substr(0, 20) +
+  throw UnreadableMesh("has elements of the type " + printable(name).substr(0, 20) +
                        "; export hexahedra: C3D8, C3D20 or C3D27.");
 }
 
@@ -182,13 +174,13 @@ private:
     for (const char *kind : { "*PART", "*INSTANCE" })
       if (std::vector<std::string> &names = names_of[kind]; keyword.name == kind)
       {
-        names.push_back(shown(name));
+        names.push_back(printable(name));
         if (names.size() > 1)
           throw UnreadableMesh("has several of " + keyword.name + " (" + boost::join(names, ", ") +
                                "); export the foot alone, as one part.");
       }
     if (keyword.name == "*NODE" && keyword.values.count("SYSTEM") > 0 && keyword.value("SYSTEM") != "R")
-      throw UnreadableMesh("has nodes in the coordinates SYSTEM = " + shown(keyword.value("SYSTEM")) +
+      throw UnreadableMesh("has nodes in the coordinates SYSTEM = " + printable(keyword.value("SYSTEM")) +
                            "; export x, y, z.");
     if (keyword.name == "*ELEMENT")
       type = type_of(keyword.value("TYPE"));
@@ -226,8 +218,8 @@ private:
 
   [[noreturn]] void refuse_row(const std::vector<std::string> &cells) const
   {
-    throw UnreadableMesh("has the row \"" + shown(boost::join(cells, ", ")) + "\" below " +
-                         shown(section.name) + ", which cannot be read; export the mesh anew.");
+    throw UnreadableMesh("has the row \"" + printable(boost::join(cells, ", ")) + "\" below " +
+                         printable(section.name) + ", which cannot be read; export the mesh anew.");
   }
 
   long count_in(const std::vector<std::string> &cells, std::size_t i) const
@@ -274,7 +266,7 @@ private:
   [[noreturn]] void refuse_element() const
   {
     throw UnreadableMesh("gives element " + std::to_string(row.front()) + " of the type " +
-                         shown(section.value("TYPE")) + " " + std::to_string(row.size() - 1) +
+                         printable(section.value("TYPE")) + " " + std::to_string(row.size() - 1) +
                          " nodes instead of " + std::to_string(type.n_nodes) + "; export the mesh anew.");
   }
 
@@ -332,7 +324,7 @@ private:
     {
       if (elements.count(member.first) == 0 || elements.rbegin()->first < member.last)
         throw UnreadableMesh("names elements from " + std::to_string(member.first) + " to " +
-                             std::to_string(member.last) + " in " + shown(set) +
+                             std::to_string(member.last) + " in " + printable(set) +
                              ", of which it does not have all; export the mesh anew.");
       const auto end = elements.upper_bound(member.last);
       for (auto element = elements.find(member.first); element != end; ++element, ++n_visits)
@@ -351,7 +343,7 @@ private:
           for_each_element(member.set, inner, visit, depth + 1);
       }
     if (!is_known)
-      throw UnreadableMesh("names the set " + shown(member.set) + " in " + shown(set) +
+      throw UnreadableMesh("names the set " + printable(member.set) + " in " + printable(set) +
                            ", which it does not have; export the mesh anew.");
   }
 
@@ -398,7 +390,7 @@ private:
     const std::string &side = surface.side;
     if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '6')
       throw UnreadableMesh("has the surface of id " + std::to_string(surface.id) + " on the side \"" +
-                           shown(side) + "\" of hexahedra; name one of S1 to S6.");
+                           printable(side) + "\" of hexahedra; name one of S1 to S6.");
     const auto &places = faces_of_hexahedron[side[1] - '1'];
     add({ { 4, 4 }, element.corners }, surface.id, { places[0], places[1], places[2], places[3] });
   }

@@ -27,13 +27,18 @@ std::optional<Number> whole_word(std::string_view word)
 {
   if (word.empty())
     throw UnreadableMesh("ends too early; export the mesh anew.");
-  std::string shown(word.substr(0, 20));
-  for (char &letter : shown)
-    letter = letter < ' ' || letter > '~' ? '?' : letter;
-  throw UnreadableMesh("has \"" + shown + "\" where a number belongs; export the mesh anew.");
+  throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
 }
 
 } // namespace
+
+std::string printable(std::string_view text, std::size_t max_length)
+{
+  std::string shown(text.substr(0, max_length));
+  for (char &letter : shown)
+    letter = letter < ' ' || letter > '~' ? '?' : letter;
+  return shown;
+}
 
 std::optional<double> number_in(std::string_view word)
 {

@@ -110,6 +110,10 @@ private:
   std::string_view rest;
 };
 
+/// Returns at most @p max_length characters of a text of a file, with "?" for each that is not printable
+/// ASCII.
+std::string printable(std::string_view text, std::size_t max_length = 30);
+
 /// The number that makes up the whole of @p word.
 std::optional<double> number_in(std::string_view word);
 std::optional<long> whole_number_in(std::string_view word);

@@ -136,15 +136,6 @@ std::string listed(const std::vector<std::string> &texts)
   return list + (texts.size() > max_texts ? ", ..." : "");
 }
 
-/// A name of a file, at most 30 characters of it.
-std::string shown(const std::string &name)
-{
-  std::string text = name.substr(0, 30);
-  for (char &letter : text)
-    letter = letter < ' ' || letter == 127 ? '?' : letter;
-  return text;
-}
-
 /// Throws std::invalid_argument unless there are faces of both marks; @p heights are those of the ids of the
 /// file.
 void require_boundaries(const std::string &file_name, const MeshMarks &marks,
@@ -160,11 +151,11 @@ void require_boundaries(const std::string &file_name, const MeshMarks &marks,
   {
     const auto name = names.of_ids.find(id);
     known.push_back(std::to_string(id) +
-                    (name == names.of_ids.end() ? "" : " (" + shown(name->second) + ")"));
+                    (name == names.of_ids.end() ? "" : " (" + printable(name->second) + ")"));
   }
   std::vector<std::string> others;
   for (const std::string &name : names.without_ids)
-    others.push_back(shown(name));
+    others.push_back(printable(name));
   std::string text =
     "Mesh file = " + file_name + (has_contact ? " has no stem cut: " : " has no contact zone: ");
   if (heights.empty())
