@@ -41,7 +41,7 @@ Results tabulate(const Study &study, const std::vector<RefinementAxis> &axes, co
     plot["curve"].push_back(axis.name);
     plot["limit"].push_back(judged.limit);
   }
-  rows.push_back({ { "axis", "all together" }, { "band", band } });
+  rows.push_back({ { "axis", "all together" }, { "own", "" }, { "band", band } });
   plot.update({ { "rounding", spin.rounding }, { "spin_column", index + 5 } });
   summary["error_bands"] = band_summary(bands);
   for (const BandedQuantity &each : bands)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/geometry/foot_mesh.h"
+#include "fem/geometry/boundary_ids.h"
+#include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
 #include "fem/pipeline/document/json.h"
 
