@@ -134,9 +134,9 @@ std::string held_by_the_grip(const Study &study, const SpinRow &row)
 {
   if (!row.terminal || !row.terminal->held || !row.at_rest)
     return "";
-  return "The fingers hold the glass at rest: the torque there, " +
-         to_short_text(row.at_rest->friction.torque) +
-         " N m, is no more than Motion/Grip torque = " + to_short_text(study.motion.grip_torque) + " N m.";
+  const auto [torque, grip] = told_apart(std::abs(row.at_rest->friction.torque), study.motion.grip_torque);
+  return "The fingers hold the glass at rest: the torque there, " + torque +
+         " N m, is no more than Motion/Grip torque = " + grip + " N m.";
 }
 
 std::vector<unsigned int> truncation_orders(unsigned int n_all)

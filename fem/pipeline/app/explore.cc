@@ -38,6 +38,7 @@ void explore(const ExploreOptions &options)
   PageWish wish;
   wish.study = begin_study(options.study);
   on_first_rank([&] { require_writable(options.file); });
+  wish.n_threads = n_threads_of(options.study);
   wish.most_nodes = options.most_nodes;
   for (const std::string &name : options.glasses)
     wish.glasses.push_back(preset_of(glass_presets(), "--glass", name));
@@ -82,6 +83,7 @@ void add_explore_verb(CLI::App &program, Verb &chosen)
     ->check(CLI::Range(9, 10000).description(""));
   verb->add_option("--output", options->file, "The page; default: explore.html")->type_name("FILE");
   add_override_option(*verb, options->study);
+  add_threads_option(*verb, options->study, "Threads that share the pairs");
   add_console_options(*verb, options->study);
 }
 

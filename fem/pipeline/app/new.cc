@@ -10,6 +10,8 @@
 #include <CLI/CLI.hpp>
 #include <boost/algorithm/string/join.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -34,6 +36,11 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
 {
   require(file.find_first_not_of(" \t") != std::string::npos,
           "The name of the study file is empty; write stemware new my_glass.prm.");
+  const auto is_control = [](unsigned char letter) { return std::iscntrl(letter); };
+  require(
+    std::none_of(file.begin(), file.end(), is_control),
+    "The name of the study file has a line end or another control character, which the file's first comment "
+    "cannot have; write stemware new my_glass.prm.");
   require(std::filesystem::path(file).extension() == ".prm", "A study file ends in .prm, but " +
                                                                shortened_path(file) +
                                                                " does not; write stemware new my_glass.prm.");

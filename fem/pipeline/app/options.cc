@@ -89,13 +89,17 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                     "Folder of the results; default: results/<name of the study>" +
                       std::string(options.verb == "run" ? "" : "-" + options.verb));
   add_override_option(verb, options);
+  add_threads_option(verb, options);
+  add_console_options(verb, options);
+}
+
+void add_threads_option(CLI::App &verb, StudyOptions &options, const std::string &help)
+{
   verb
-    .add_option(
-      "--threads", options.n_threads,
-      "Threads that share the work;\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
+    .add_option("--threads", options.n_threads,
+                help + ";\ndefault: OMP_NUM_THREADS, else one for each core, one under mpirun")
     ->type_name("N")
     ->check(CLI::Range(1, 1024).description(""));
-  add_console_options(verb, options);
 }
 
 unsigned int n_threads_of(const StudyOptions &options)

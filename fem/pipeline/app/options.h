@@ -35,6 +35,10 @@ add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const s
   return { verb, options };
 }
 
+/// Declares --threads alone, with that help.
+void add_threads_option(CLI::App &verb, StudyOptions &options,
+                        const std::string &help = "Threads that share the work");
+
 /// How many threads share the work: those of that option, else of the variable OMP_NUM_THREADS, else one for
 /// each core, one under mpirun.
 unsigned int n_threads_of(const StudyOptions &options);

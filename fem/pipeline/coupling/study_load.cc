@@ -369,9 +369,10 @@ SharedLoad load_from_file(const LoadSection &section)
 {
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
-  if (!(ratio < 2))
-    throw BadInput("The load of " + section.file + " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " +
-                   to_short_text(ratio) + ", but a ring tips at 2; give smaller a_1, b_1.");
+  const auto [given, limit] = told_apart(ratio, 2);
+  require(ratio < 2, "The load of " + shortened_path(section.file) +
+                       " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given + ", but a ring tips at " +
+                       limit + "; give smaller a_1, b_1.");
   return std::make_shared<GivenLoad>(report_of(load));
 }
 

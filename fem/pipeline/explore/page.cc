@@ -8,17 +8,22 @@
 #include "fem/pipeline/explore/live_bodies.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
+#include "fem/pipeline/support/json_text.h"
 #include "fem/pipeline/support/program.h"
 #include "fem/pipeline/support/shared_files.h"
 #include "fem/pipeline/support/text_file.h"
+#include "fem/pipeline/variants/executor.h"
 
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fmt/format.h>
 #include <map>
 #include <set>
 #include <utility>
@@ -221,6 +226,100 @@ nlohmann::ordered_json buttons(const std::vector<Preset> &presets, const std::st
   return list;
 }
 
+/// Returns a template with each of its marks /*NAME*/ replaced by the text of that name, in one pass: marks
+/// within the texts stay as they are.
+std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
+{
+  const std::string begin = "/*", end = "*/";
+  std::string result;
+  std::size_t written = 0;
+  for (std::size_t mark = text.find(begin); mark < text.size(); mark = text.find(begin, written))
+  {
+    const std::size_t name = mark + begin.size(), name_end = text.find(end, name);
+    result += text.substr(written, mark - written) + texts.at(text.substr(name, name_end - name));
+    written = name_end + end.size();
+  }
+  return result + text.substr(written);
+}
+
+/// Sentence for a browser that runs no script of the page, as HTML.
+std::string answer_without_scripts(const std::vector<PagePair> &pairs)
+{
+  std::string text;
+  for (const PagePair &pair : pairs)
+  {
+    const std::string omega =
+      boost::replace_all_copy(fmt::format(FMT_STRING("{:.4f}"), pair.omega), "-", "\u2212");
+    text += (text.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' + omega + " rad/s";
+  }
+  return "Terminal spins by stemware run: " + text +
+         ". If nothing moves here, this site or browser runs no scripts; save the file and open it in a "
+         "browser.";
+}
+
+/// The base64 form of a number in hexadecimal digits.
+std::string base64_of_digits(const std::string &digits)
+{
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  return std::string(Letters(bytes.cbegin()), Letters(bytes.cend())) +
+         std::string((3 - bytes.size() % 3) % 3, '=');
+}
+
+/// The presets, or nothing alone for the glass or table of the study.
+std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
+{
+  std::vector<const Preset *> list;
+  for (const Preset &preset : presets)
+    list.push_back(&preset);
+  return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
+}
+
+/// Allowed error of an answer by the digits of the compliances [rad/s]; other settings miss ten times as
+/// much.
+constexpr double tolerance = 1e-11;
+
+/// One glass on one table, solved by the program and as the page solves it.
+struct SolvedPair
+{
+  PagePair pair;
+  Study study;
+  PagedCompliance foot;
+  std::optional<PagedCompliance> disc;
+  double here; ///< terminal spin by an Explorer on these compliances [rad/s]
+};
+
+/// Solves a pair, with as few digits of its compliances as the tolerance allows.
+SolvedPair solve_pair(const PageWish &wish, const Preset *glass, const Preset *table,
+                      fem::ComplianceCache &cache)
+{
+  Study study = study_of(wish, glass, table);
+  PagePair pair;
+  pair.glass = glass ? glass->name : "glass of the study";
+  pair.table = table ? table->name : "table of the study";
+  pair.omega = spin_of(study, cache);
+  coarsen(study, wish.most_nodes, cache);
+  const bool is_coarse = study.contact.fineness < 1;
+  const LiveBodies live = live_bodies(study, cache);
+  pair.n_nodes = live.foot.n_nodes();
+  for (int bits = is_coarse ? 20 : 24;; bits = bits < 27 ? 27 : 30)
+  {
+    const PagedCompliance foot(live.foot, bits);
+    const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
+    const double here = spin_in_page(study, foot, disc ? &*disc : nullptr),
+                 error = std::abs(here - pair.omega);
+    if (!is_coarse && bits < 30 && error > tolerance)
+      continue;
+    if (is_coarse)
+      pair.band = 2 * error;
+    pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
+    return { pair, study, foot, disc, here };
+  }
+}
+
 /// The text between the tags of a script of a page.
 std::string script_in(const std::string &page, const std::string &id)
 {
@@ -257,62 +356,36 @@ LiveSolver live_solver()
 Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCache &cache,
                const std::function<void(const PagePair &)> &done)
 {
-  constexpr double tolerance =
-    1e-11; // of the answer, by the numbers' digits [rad/s]; other settings miss ten times as much
+  std::vector<std::pair<const Preset *, const Preset *>> wanted;
+  for (const Preset *glass : each_of(wish.glasses))
+    for (const Preset *table : each_of(wish.tables))
+      wanted.emplace_back(glass, table);
+  std::vector<std::optional<SolvedPair>> solved(wanted.size());
+  Executor(cache, wish.n_threads)
+    .for_each(wanted.size(),
+              [&](std::size_t i) { solved[i] = solve_pair(wish, wanted[i].first, wanted[i].second, cache); });
+
   Page page;
   Bodies bodies;
   nlohmann::ordered_json pairs;
-  const auto add_pair = [&](const Preset *glass, const Preset *table)
+  for (const std::optional<SolvedPair> &one : solved)
   {
-    Study study = study_of(wish, glass, table);
-    PagePair pair;
-    pair.glass = glass ? glass->name : "glass of the study";
-    pair.table = table ? table->name : "table of the study";
-    pair.omega = spin_of(study, cache);
-    coarsen(study, wish.most_nodes, cache);
-    const bool is_coarse = study.contact.fineness < 1;
-    const LiveBodies live = live_bodies(study, cache);
-    std::optional<double> here;
-    for (const int bits : { is_coarse ? 20 : 24, 27, 30 })
-    {
-      const PagedCompliance foot(live.foot, bits);
-      std::optional<PagedCompliance> disc;
-      if (live.disc)
-        disc.emplace(*live.disc, bits);
-      here = spin_in_page(study, foot, disc ? &*disc : nullptr);
-      if (is_coarse)
-        pair.band = 2 * std::abs(*here - pair.omega);
-      else if (bits < 30 && std::abs(*here - pair.omega) > tolerance)
-        continue;
-      pair.n_nodes = live.foot.n_nodes();
-      pair.bytes = foot.bytes().size() + (disc ? disc->bytes().size() : 0);
-      pairs[pair.glass + '|' + pair.table] = {
-        { "values", values_of(study) },
-        { "acts", acting_entries(study) },
-        { "foot", bodies.add(foot) },
-        { "disc", disc ? nlohmann::ordered_json(bodies.add(*disc)) : nlohmann::ordered_json() },
-        { "fineness", study.contact.fineness },
-        { "nodes", pair.n_nodes },
-        { "omega", pair.omega },
-        { "here", *here },
-        { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
-      };
-      break;
-    }
+    const PagePair &pair = one->pair;
+    pairs[pair.glass + '|' + pair.table] = {
+      { "values", values_of(one->study) },
+      { "acts", acting_entries(one->study) },
+      { "foot", bodies.add(one->foot) },
+      { "disc", one->disc ? nlohmann::ordered_json(bodies.add(*one->disc)) : nlohmann::ordered_json() },
+      { "fineness", one->study.contact.fineness },
+      { "nodes", pair.n_nodes },
+      { "omega", pair.omega },
+      { "here", one->here },
+      { "band", pair.band ? nlohmann::ordered_json(*pair.band) : nlohmann::ordered_json() }
+    };
     page.pairs.push_back(pair);
     if (done)
       done(pair);
-  };
-  const auto each_of = [](const std::vector<Preset> &presets)
-  {
-    std::vector<const Preset *> list;
-    for (const Preset &preset : presets)
-      list.push_back(&preset);
-    return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
-  };
-  for (const Preset *glass : each_of(wish.glasses))
-    for (const Preset *table : each_of(wish.tables))
-      add_pair(glass, table);
+  }
 
   Study defaults;
   nlohmann::ordered_json entries;
@@ -327,20 +400,16 @@ Page make_page(const PageWish &wish, const LiveSolver &solver, fem::ComplianceCa
                                         { "pairs", pairs },
                                         { "bodies", bodies.places } };
   const CompiledTexts &texts = page_texts();
-  page.text = text_of(texts, "page.html");
-  const auto put = [&](const std::string &mark, std::string text)
-  {
-    boost::replace_all(text, "</script", "<\\/script");
-    boost::replace_first(page.text, "/*" + mark + "*/", text);
-  };
-  put("STYLE", text_of(texts, "style.css"));
-  put("DATA", data.dump());
-  put("BODIES", finite_elements().packed(bodies.bytes));
-  put("WASM", solver.wasm);
-  put("GLUE", solver.script);
-  put("WORKER", text_of(texts, "worker.js"));
-  put("STRINGS", text_of(texts, "strings.js"));
-  put("SCRIPT", text_of(texts, "page.js"));
+  page.text = with_marks_replaced(text_of(texts, "page.html"),
+                                  { { "STYLE", text_of(texts, "style.css") },
+                                    { "ANSWER", answer_without_scripts(page.pairs) },
+                                    { "DATA", json_within_html(data) },
+                                    { "BODIES", finite_elements().packed(bodies.bytes) },
+                                    { "WASM", solver.wasm },
+                                    { "GLUE", solver.script },
+                                    { "WORKER", text_of(texts, "worker.js") },
+                                    { "SHA256", base64_of_digits(STEMWARE_SCRIPT_SHA256) },
+                                    { "SCRIPT", text_of(texts, "strings.js") + text_of(texts, "page.js") } });
   return page;
 }
 

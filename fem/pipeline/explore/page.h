@@ -29,6 +29,7 @@ struct PageWish
   Study study;                 ///< that the page begins with
   std::vector<Preset> glasses; ///< that can be chosen; empty: that of the study
   std::vector<Preset> tables;  ///< likewise
+  unsigned int n_threads = 1;  ///< that share the pairs
   unsigned int most_nodes = 0; ///< across the land, of focused meshes; 0: as many as `stemware run` has
 };
 
@@ -43,8 +44,8 @@ struct PagePair
   std::size_t bytes = 0; ///< of its compliances, before they are packed
 };
 
-/// The page, and what is in it. @p done is told of each pair. Throws BadInput as live_bodies(), and for pairs
-/// that the program does not solve.
+/// The page, and what is in it. @p done is called for each pair, in their order. Throws BadInput as
+/// live_bodies(), and for pairs that the program does not solve.
 struct Page
 {
   std::string text;

@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -89,6 +88,20 @@ void add_data(const Content &content, Plot &plot)
   plot.data += (plot.data.empty() ? "" : "\n\n") + block;
 }
 
+/// The first of the results' files that a script names in double quotes; empty if it names none. User texts
+/// stand in single quotes.
+std::string data_file_in(const std::string &script)
+{
+  for (std::size_t begin = script.find('"'); begin < script.size(); begin = script.find('"', begin + 1))
+  {
+    const std::size_t end = script.find_first_not_of("abcdefghijklmnopqrstuvwxyz_/", begin + 1);
+    for (const std::string extension : { ".dat\"", ".csv\"" })
+      if (end < script.size() && end > begin + 1 && script.compare(end, extension.size(), extension) == 0)
+        return script.substr(begin + 1, end + extension.size() - begin - 2);
+  }
+  return "";
+}
+
 /// Fills the template @p text into a plot that has its name.
 void fill(const std::string &text, const std::string &file, const Json &facts, const Json &values,
           const std::function<Content(const std::string &)> &content, Plot &plot)
@@ -115,9 +128,8 @@ void fill(const std::string &text, const std::string &file, const Json &facts, c
   for (const auto &[variable, value] : values.items())
     plot.script += assignment(variable, value);
   plot.script += filled(script, facts, in_gnuplot, file);
-  static const std::regex data_file("\"([a-z_/]+[.](?:dat|csv))\"");
-  if (std::smatch found; plot.data.empty() && std::regex_search(plot.script, found, data_file))
-    plot.data_file = found[1];
+  if (plot.data.empty())
+    plot.data_file = data_file_in(plot.script);
 }
 
 // ---- gnuplot

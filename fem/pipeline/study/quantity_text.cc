@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -122,10 +123,20 @@ struct Parts
   std::string unit;
 };
 
+/// A text with the blanks and minus signs of the keyboard in the place of those that pages and spreadsheets
+/// print: no-break, figure, thin and narrow no-break space, minus sign and en dash.
+std::string as_typed(std::string text)
+{
+  for (const char *blank : { "\u00a0", "\u2007", "\u2009", "\u202f" })
+    boost::replace_all(text, blank, " ");
+  for (const char *minus : { "\u2212", "\u2013" })
+    boost::replace_all(text, minus, "-");
+  return text;
+}
+
 Parts split_number(const std::string &whole)
 {
-  std::string text = boost::trim_copy(whole);
-  boost::replace_first(text, "\u2212", "-"); // a minus copied from a report
+  std::string text = boost::trim_copy(as_typed(whole));
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
     text.erase(0, 1);
   const auto [value, n] = leading_number(text);
@@ -256,6 +267,8 @@ std::string trouble_with_unit(const std::string &text, const std::string &unit)
   const auto given = parse_unit(parts.unit);
   if (!given && parts.unit.front() == ',')
     return " has a comma; write decimals with a point, and nothing between thousands.";
+  if (!given && std::isdigit(static_cast<unsigned char>(parts.unit.front())))
+    return " has blanks between its digits; write the number without them.";
   if (!given)
     return " has an unknown unit, \"" + shortened(parts.unit) + "\"; give " + name +
            (needed ? units_of(*needed) : "") + example + alone;

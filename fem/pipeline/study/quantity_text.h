@@ -11,8 +11,9 @@ namespace stemware::pipeline
 
 /// Reads a quantity as people write it: a number alone, in the SI unit @p unit ("kg", "Pa/m", "N m"; "1" or
 /// empty for pure numbers), or a number with any unit of the same dimension ("300 g", "70 GPa", "20 cm/s",
-/// "5 deg", "30 %" of a pure number). Factors of ten shift the decimal exponent, so that 0.3 mm is the double
-/// next to 3e-4. Returns the finite value in @p unit, or nothing.
+/// "5 deg", "30 %" of a pure number), with any blank and any minus sign of Unicode's. Factors of ten shift
+/// the decimal exponent, so that 0.3 mm is the double next to 3e-4. Returns the finite value in @p unit, or
+/// nothing.
 std::optional<double> parse_quantity(const std::string &text, const std::string &unit);
 
 /// The text behind the number that @p text begins with, "GPa" of "70 GPa"; empty where there is no number, or

@@ -78,9 +78,10 @@ fem::Resultants Study::required_resultants() const
     required.moment_y = moment.y();
   }
   const double ratio = pipeline::moment_ratio(required, radius);
+  const auto [asked, limit] = told_apart(ratio, 2);
   require(ratio < 2, "The closure " + ring::to_string(motion.closure) + " asks for a moment ratio of " +
-                       to_short_text(ratio) +
-                       ", but the foot tips at 2; change the height of the hand or the speed.");
+                       asked + ", but the foot tips at " + limit +
+                       "; change the height of the hand or the speed.");
   return required;
 }
 

@@ -74,11 +74,15 @@ void require_alike_lengths(const Study &study)
   const double radius = study.glass.profile.contact_radius;
   for (const StudyEntry &entry : entries_of(study))
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect)
-      require(range->contains(*entry.quantity / radius),
+    {
+      const double times = *entry.quantity / radius;
+      const std::string text = told_apart(times, times < range->least ? range->least : range->most).first;
+      require(range->contains(times),
               filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
                      "both in one unit.",
-                     { entry.path(), to_text(*entry.quantity), to_short_text(*entry.quantity / radius),
-                       to_text(radius), to_text(range->least), to_text(range->most) }));
+                     { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->least),
+                       to_text(range->most) }));
+    }
 }
 
 /// Refuses studies that ask their body for what only the other of the two bodies can do, or for more load
@@ -107,13 +111,13 @@ void require_mat_that_yields(const Study &study)
 {
   constexpr double most = 1e8;
   const double of_glass = study.glass.material.young_modulus / study.glass.profile.contact_radius;
+  const auto [ratio, limit] = told_apart(study.table.foundation_modulus / of_glass, most);
   if (study.load.is_from_contact() && study.table.interface == TableInterface::winkler)
     require(
       study.table.foundation_modulus <= most * of_glass,
       filled("Table/Foundation modulus = {} Pa/m is {} times Glass/Young modulus over Glass/Contact radius, "
              "but at most {} is allowed; write Table/Interface = hard for a table that does not yield.",
-             { to_text(study.table.foundation_modulus),
-               to_short_text(study.table.foundation_modulus / of_glass), to_text(most) }));
+             { to_text(study.table.foundation_modulus), ratio, limit }));
 }
 
 void require_goal_with_estimate(const Study &study)

@@ -171,6 +171,68 @@ void refuse_renamed(const std::string &origin, const std::string &path,
                      renamed.instead + '.');
 }
 
+/// Word of the field that is no entry's name, and the entries that it may be meant for, the commonest first.
+struct FieldWord
+{
+  std::string word; ///< upper and lower case are equal
+  std::vector<std::string> paths;
+};
+
+const std::vector<FieldWord> field_words = {
+  { "E", { "Glass/Young modulus", "Table/Disc Young modulus" } },
+  { "nu", { "Glass/Poisson ratio", "Table/Disc Poisson ratio" } },
+  { "ν", { "Glass/Poisson ratio", "Table/Disc Poisson ratio" } },
+  { "mu", { "Motion/Friction coefficient" } },
+  { "μ", { "Motion/Friction coefficient" } },
+  { "mu_k", { "Motion/Friction coefficient" } },
+  { "mu_s", { "Motion/Static friction coefficient" } },
+  { "v_s", { "Motion/Friction decay speed" } },
+  { "c", { "Motion/Viscous friction" } },
+  { "R", { "Glass/Contact radius", "Motion/Orbit radius", "Table/Disc radius" } },
+  { "radius", { "Glass/Contact radius", "Motion/Orbit radius", "Table/Disc radius" } },
+  { "m", { "Motion/Mass" } },
+  { "weight", { "Motion/Mass" } },
+  { "g", { "Motion/Gravity" } },
+  { "v", { "Motion/Orbit speed" } },
+  { "speed", { "Motion/Orbit speed" } },
+  { "omega", { "Motion/Orbit speed" } },
+  { "ω", { "Motion/Orbit speed" } },
+  { "rho", { "Motion/Orbit radius" } },
+  { "ρ", { "Motion/Orbit radius" } },
+  { "rho_c", { "Glass/Crown radius" } },
+  { "z_cm", { "Motion/Centre of mass height" } },
+  { "z", { "Motion/Centre of mass height" } },
+  { "h", { "Motion/Centre of mass height", "Table/Disc thickness", "Glass/Foot thickness" } },
+  { "thickness", { "Table/Disc thickness", "Glass/Foot thickness" } },
+  { "hand", { "Motion/Force offset" } },
+  { "dz", { "Motion/Force offset" } },
+  { "I", { "Motion/Yaw inertia" } },
+  { "inertia", { "Motion/Yaw inertia" } },
+  { "k", { "Table/Foundation modulus" } },
+  { "stiffness", { "Table/Foundation modulus" } },
+  { "p_0", { "Table/Reference pressure" } },
+  { "p0", { "Table/Reference pressure" } },
+  { "l", { "Table/Decay length" } },
+  { "roughness", { "Table/Decay length" } },
+};
+
+/// The entry that @p word may be meant for as a word of the field, "E" or "Table/E": one of its section if
+/// there is one.
+std::optional<std::string> meant_by_field(const std::string &word)
+{
+  const std::size_t slash = word.find('/'), name = slash < word.size() ? slash + 1 : 0;
+  const std::string section = word.substr(0, name);
+  for (const FieldWord &known : field_words)
+    if (boost::iequals(known.word, word.substr(name)))
+    {
+      const auto own =
+        std::find_if(known.paths.begin(), known.paths.end(),
+                     [&](const std::string &path) { return boost::istarts_with(path, section); });
+      return own != known.paths.end() ? *own : known.paths.front();
+    }
+  return std::nullopt;
+}
+
 /// The end of a sentence about an entry that does not exist, "; did you mean Glass/Contact radius?" with the
 /// likeliest one; @p word may be meant for an entry's path, for its name alone, or for that of another
 /// section.
@@ -185,7 +247,9 @@ std::string suggestion(const std::vector<StudyEntry> &entries, const std::string
     if (word.rfind(entry.section + '/', 0) == 0)
       name = word.substr(entry.section.size() + 1);
   }
-  std::optional<std::string> meant = likeliest(word, paths);
+  std::optional<std::string> meant = meant_by_field(word);
+  if (!meant)
+    meant = likeliest(word, paths);
   if (const auto likely = likeliest(name, names); likely && !meant)
     meant = paths[static_cast<std::size_t>(std::find(names.begin(), names.end(), *likely) - names.begin())];
   return meant ? "; did you mean " + *meant + "? (`stemware defaults` lists what there is.)"
@@ -232,9 +296,23 @@ std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries)
   return sections;
 }
 
-const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
-                           const std::string &path)
+std::string whole_path(const std::vector<StudyEntry> &entries, const std::string &word)
 {
+  std::string path = word;
+  std::size_t n_found = 0;
+  for (const StudyEntry &entry : entries)
+    if (entry.name == word)
+    {
+      path = entry.path();
+      ++n_found;
+    }
+  return n_found == 1 ? path : word;
+}
+
+const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
+                           const std::string &word)
+{
+  const std::string path = whole_path(entries, word);
   refuse_renamed(origin, path);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
@@ -248,15 +326,24 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
   if (entry.assign(value))
     return;
   const std::string trouble = entry.quantity != nullptr ? trouble_with_unit(value, entry.unit) : "";
+  const std::vector<std::string> quotes = {
+    "\"", "'", "`", "\u201c", "\u201e", "\u2018", "\u00ab", "\u00bb"
+  };
+  const bool is_quoted = std::any_of(quotes.begin(), quotes.end(),
+                                     [&](const std::string &quote) { return value.rfind(quote, 0) == 0; });
   throw BadInput(origin + entry.path() + " = " + (value.empty() ? "(nothing)" : shortened(value)) +
-                 (trouble.empty() ? " is not allowed; give " + entry.allowed + '.' : trouble));
+                 (trouble.empty()
+                    ? std::string(" is not allowed; ") + (is_quoted ? "leave the quotes out, and " : "") +
+                        "give " + entry.allowed + '.'
+                    : trouble));
 }
 
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value)
 {
-  refuse_renamed(origin, path, value);
-  assign(entry_at(entries, origin, path), origin, value);
+  const std::string whole = whole_path(entries, path);
+  refuse_renamed(origin, whole, value);
+  assign(entry_at(entries, origin, whole), origin, value);
 }
 
 StudyEntry find_entry(const std::string &option, const std::string &path)

@@ -64,8 +64,12 @@ std::vector<StudyEntry> entries_of(const Study &study);
 /// Names of their sections, in that order.
 std::vector<std::string> sections_of(const std::vector<StudyEntry> &entries);
 
-/// The entry of that path; throws BadInput, with a suggestion, where there is none. @p origin begins the
-/// sentence: where the path comes from.
+/// The path of an entry that is named with its section or, if one entry alone has that name, without. Returns
+/// any other @p word as it is.
+std::string whole_path(const std::vector<StudyEntry> &entries, const std::string &word);
+
+/// The entry of that path, or of that name if one entry alone has it; throws BadInput, with a suggestion,
+/// where there is none. @p origin begins the sentence: where the path comes from.
 const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::string &origin,
                            const std::string &path);
 

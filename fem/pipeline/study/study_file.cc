@@ -125,16 +125,17 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// All of --set, "Section/Entry=value", each of its entries once, as in a study file.
+/// Applies all of --set, "Section/Entry=value" or "Entry=value", each of its entries once, as in a study
+/// file.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
   for (const std::string &text : overrides)
   {
     const auto equal_sign = text.find('=');
-    require(equal_sign != std::string::npos && text.find('/') < equal_sign,
+    require(equal_sign != std::string::npos && equal_sign > 0,
             "--set \"" + shortened(text) + "\" is not an assignment; write --set \"Section/Entry=value\".");
-    const std::string path = boost::trim_copy(text.substr(0, equal_sign));
+    const std::string path = whole_path(entries, boost::trim_copy(text.substr(0, equal_sign)));
     assign(entries, "--set: ", path, boost::trim_copy(text.substr(equal_sign + 1)));
     const auto [before, is_first] = text_of.emplace(path, text);
     require(is_first,
@@ -228,9 +229,10 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
     {
       require(section.empty(), fmt::format(FMT_STRING("{}the subsection {} of line {} is not closed; {}"),
                                            where, section, section_line, one_end));
+      const auto meant = likeliest(rest, known);
       require(std::find(known.begin(), known.end(), rest) != known.end(),
-              fmt::format(FMT_STRING("{}there is no subsection \"{}\"; use {}."), where, shortened(rest),
-                          listed(known)));
+              fmt::format(FMT_STRING("{}there is no subsection \"{}\"; {}use {}."), where, shortened(rest),
+                          meant ? "did you mean " + *meant + "? Else " : "", listed(known)));
       section = rest;
       section_line = number;
     }
@@ -239,8 +241,8 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
       const auto equal_sign = rest.find('=');
       require(equal_sign != std::string::npos,
               where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
-      const std::string path =
-        (section.empty() ? "" : section + '/') + boost::trim_copy(rest.substr(0, equal_sign));
+      const std::string name = boost::trim_copy(rest.substr(0, equal_sign)),
+                        path = section.empty() ? whole_path(entries, name) : section + '/' + name;
       const auto [before, is_first] = line_of.emplace(path, number);
       require(is_first,
               fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."), where,

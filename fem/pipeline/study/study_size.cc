@@ -152,11 +152,11 @@ void require_affordable(const Study &study)
   {
     Study trial = study;
     const StudyEntry entry = greediest(trial);
+    const auto [needed, limit] = told_apart(size.memory / 1e9, study.contact.memory_limit / 1e9, 2);
     throw BadInput(
-      fmt::format(FMT_STRING("{} = {} would take about {:.2g} GB of memory ({:.2g} cells, {:.2g} unknowns), "
+      fmt::format(FMT_STRING("{} = {} would take about {} GB of memory ({:.2g} cells, {:.2g} unknowns), "
                              "above {} GB; give a {}, or allow more with Contact/Memory limit = {:.0f} GB."),
-                  entry.path(), shortened_path(entry.text()), size.memory / 1e9, size.cells, size.unknowns,
-                  to_short_text(study.contact.memory_limit / 1e9),
+                  entry.path(), shortened_path(entry.text()), needed, size.cells, size.unknowns, limit,
                   entry.path_value != nullptr ? "coarser mesh" : "value nearer to its default",
                   std::ceil(1.1 * size.memory / 1e9)));
   }

@@ -2,6 +2,8 @@
 
 #include "fem/pipeline/support/failures.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -75,6 +77,16 @@ try
 catch (const BadInput &)
 {
   return std::nullopt;
+}
+
+std::string json_within_html(const Json &json)
+{
+  std::string text = json.dump();
+  for (const auto &[character, escape] :
+       { std::pair("<", "\\u003c"), std::pair(">", "\\u003e"), std::pair("&", "\\u0026"),
+         std::pair("\u2028", "\\u2028"), std::pair("\u2029", "\\u2029") })
+    boost::replace_all(text, character, escape);
+  return text;
 }
 
 bool is_utf8(const std::string &text)

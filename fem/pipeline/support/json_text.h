@@ -19,4 +19,8 @@ std::optional<nlohmann::ordered_json> json_in(const std::string &text);
 /// Whether @p text is valid UTF-8, as JSON has to be.
 bool is_utf8(const std::string &text);
 
+/// Writes JSON for a script element of a page: <, >, &, U+2028 and U+2029, which stand in strings alone, as
+/// escapes such as \u003c. The text neither ends the element nor opens a comment in it.
+std::string json_within_html(const nlohmann::ordered_json &json);
+
 } // namespace stemware::pipeline

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace stemware::pipeline
 {
@@ -65,6 +66,18 @@ std::string to_text(double value)
 std::string to_short_text(double value)
 {
   return tidy(printed("%.*g", 6, value));
+}
+
+std::pair<std::string, std::string> told_apart(double one, double other, int n_digits)
+{
+  std::pair<std::string, std::string> texts;
+  for (int n = n_digits; n <= std::numeric_limits<double>::max_digits10; ++n)
+  {
+    texts = { tidy(printed("%.*g", n, one)), tidy(printed("%.*g", n, other)) };
+    if (texts.first != texts.second || one == other)
+      break;
+  }
+  return texts;
 }
 
 double rounded(double value, int n_digits)

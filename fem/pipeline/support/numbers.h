@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -13,6 +14,10 @@ std::string to_text(double value);
 
 /// At most six significant digits, for messages and files of pictures; "nan" as in to_text().
 std::string to_short_text(double value);
+
+/// Two numbers for a sentence that compares them, with as few significant digits, from @p n_digits on, as
+/// tell them apart: "2.0000004" and "2". Equal numbers are printed alike.
+std::pair<std::string, std::string> told_apart(double one, double other, int n_digits = 6);
 
 /// The finite number @p value to @p n_digits significant digits: 0.3 for the 0.30000000000000004 of a sum.
 double rounded(double value, int n_digits);

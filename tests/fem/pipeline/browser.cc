@@ -1,30 +1,111 @@
 #include "tests/fem/pipeline/browser.h"
 
+#include "fem/pipeline/support/json_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
 namespace stemware::test
 {
 
 std::string script_string(const std::string &text)
 {
-  std::string quoted = nlohmann::json(text).dump();
-  for (auto at = quoted.find("</"); at != std::string::npos; at = quoted.find("</", at + 3))
-    quoted.insert(at + 1, "\\");
-  return quoted;
+  return pipeline::json_within_html(text);
 }
 
 std::string axe_script()
 {
   const std::string axe = std::string(STEMWARE_AXE).empty() ? "" : read_text(STEMWARE_AXE);
   return "const axe_source = " + script_string(axe) + R"(;
-const serious = page => {
+const serious = async shown => {
   if (!axe_source)
-    return Promise.resolve([]);
+    return [];
+  // A copy of the page as it is, without its scripts and without its policy, which forbids ours.
+  const copy = shown.document.documentElement.cloneNode(true);
+  for (const part of copy.querySelectorAll("script, meta[http-equiv]"))
+    part.remove();
+  const frame = document.createElement("iframe");
+  frame.style = "border:0;height:900px;width:" + shown.innerWidth + "px";
+  frame.srcdoc = "<!DOCTYPE html>" + copy.outerHTML;
+  const loaded = new Promise(done => frame.onload = done);
+  document.body.append(frame);
+  await loaded;
+  const page = frame.contentWindow;
   page.eval(axe_source);
   return page.axe.run().then(
     found => found.violations.filter(one => one.impact == "serious" || one.impact == "critical")
                .map(one => one.id + ": " + one.nodes.map(node => node.html.slice(0, 120)).join(" | ")),
-    error => ["axe-core does not run: " + error]);
+    error => ["axe-core does not run: " + error]).finally(() => frame.remove());
 };
 )";
+}
+
+std::string hostile_text()
+{
+  const std::string script = "document.documentElement.dataset.ran=1";
+  return "<img src=x onerror=\"" + script + "\"> </SCRIPT><SCRIPT>" + script +
+         "</SCRIPT> <!--<script> `touch PWN` $(touch PWN) /*BODIES*/ /*SCRIPT*/ {{title}} '; system('touch "
+         "PWN') "
+         "\u2028 \u2029 & \" \\";
+}
+
+nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script)
+{
+  // The page is not loaded before the script has ended: a frame in it that nobody closes holds it open.
+  const std::string page =
+    R"(<!DOCTYPE html><meta charset="utf-8"><link rel="icon" href="data:,"><body><script>
+const holder = document.createElement("iframe");
+document.body.append(holder);
+holder.contentDocument.open();
+(async () => {
+)" + script +
+    R"(
+})().catch(error => ({ failed: String(error) })).then(found => {
+  const closing = holder.contentDocument;
+  const text = JSON.stringify(found).replace(/[<>&\u00a0]/g, c => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0"));
+  document.body.textContent = "FOUND" + text + "FOUND";
+  console.log("the browser has found");
+  closing.close();
+});
+</script></body>)";
+  const std::string file = scratch.write("found.html", page);
+  const Ended ended = chromium(scratch, { "--allow-file-access-from-files", "--dump-dom", "file://" + file });
+  EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err; // our own
+  const nlohmann::json found = nlohmann::json::parse(between(ended.out, "FOUND", "FOUND"), nullptr, false);
+  EXPECT_TRUE(!found.is_discarded() && !found.contains("failed")) << ended.out.substr(0, 500) << ended.err;
+  return found;
+}
+
+nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses)
+{
+  return found_in_browser(scratch,
+                          "const addresses = " + script_string(nlohmann::json(addresses).dump()) + R"(;
+  const found = {};
+  for (const address of JSON.parse(addresses)) {
+    const frame = document.createElement("iframe");
+    frame.style = "border:0;height:900px;width:1100px";
+    frame.src = address;
+    const loaded = new Promise(done => frame.onload = done);
+    document.body.append(frame);
+    await loaded;
+    const page = frame.contentDocument, live = page.querySelector("#answer");
+    for (let i = 0; i < 600 && live && !page.body.dataset.rested && !live.matches(".falls"); ++i)
+      await new Promise(done => setTimeout(done, 50));
+    const answer = live || page.querySelector("p.answer");
+    found[address] = { answer: answer ? answer.textContent : "", words: page.body ? page.body.innerText : "",
+                       ran: "ran" in page.documentElement.dataset };
+    frame.remove();
+  }
+  return found;)");
+}
+
+std::string without_policy(const std::string &page)
+{
+  const std::size_t begin = page.find("<meta http-equiv=\"Content-Security-Policy\"");
+  EXPECT_NE(begin, std::string::npos);
+  const std::size_t end = std::min(page.find('>', begin), page.size() - 1);
+  return page.substr(0, begin) + page.substr(end + 1);
 }
 
 Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments)

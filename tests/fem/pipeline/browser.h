@@ -15,6 +15,24 @@ std::string script_string(const std::string &text);
 /// reading a page) finds serious or critical, a string for each; of nothing where it is not installed.
 std::string axe_script();
 
+/// A text that would run a script or a command, end an element or a string, or be taken for a mark of a
+/// template, if anything but its characters were looked at. A script that it runs sets data-ran of the page's
+/// root element. It is a path without the name of its file: folders parted by the slashes of its tags.
+std::string hostile_text();
+
+/// Opens a page in Chromium that runs @p script, the body of an async function, and returns what the script
+/// returns. Fails the test if the browser prints anything else. Files next to @p scratch's page are of one
+/// origin with it.
+nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script);
+
+/// Opens pages, addresses relative to @p scratch, each in a frame of its own, until it has its answer or half
+/// a minute has passed. Returns by address its "answer", all its "words", and whether a script of
+/// hostile_text() "ran".
+nlohmann::json opened_in_browser(const ScratchFolder &scratch, const std::vector<std::string> &addresses);
+
+/// The page without its Content-Security-Policy: what it runs then has to be harmless by itself.
+std::string without_policy(const std::string &page);
+
 /// Runs Chromium without a window in the folder.
 Ended chromium(const ScratchFolder &scratch, const std::vector<std::string> &arguments);
 

@@ -31,20 +31,34 @@ const SLIDERS = [
   ['Table/Decay length', -7, -5, 0.05, 'm', 1, true],
 ];
 const base_value = path => entries[path] ? Number(entries[path].value) : 0;
-const value_of = path => path in state.changes ? Number(state.changes[path]) : base_value(path);
+const value_of = path => Object.hasOwn(state.changes, path) ? Number(state.changes[path]) : base_value(path);
 const short = x => Number(x.toPrecision(6)).toString();
 
 // ---- The solver: the latest wish is solved, and what is asked after a pause only when there is none.
-const worker = new Worker(URL.createObjectURL(new Blob([$('worker').textContent], { type: 'text/javascript' })));
-worker.onerror = e => errors.push('worker: ' + e.message);
-let busy = true, wish = null, resting = 0, last_id = 0;
+let worker, busy = true, wish = null, resting = 0, last_id = 0;
 const waiting = {};
 function post(message) { return new Promise(done => { waiting[++last_id] = done; worker.postMessage({ ...message, id: last_id }); }); }
-worker.onmessage = ({ data: m }) => {
-  if (m.lost) { errors.push(m.lost); $('answer').textContent = say(T().lost, m.lost); return; }
-  if (m.ready) { window.started = { ready: performance.now() - opened, unpack: m.ms }; begin(); return; }
-  waiting[m.id](m); delete waiting[m.id];
-};
+async function unpack(id) {
+  const packed = Uint8Array.from(atob($(id).textContent.trim()), c => c.charCodeAt(0));
+  return new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
+async function start_solver() {
+  const [glue, wasm, bodies] = await Promise.all(['glue', 'wasm', 'bodies'].map(unpack));
+  worker = new Worker(URL.createObjectURL(new Blob([glue, '\n', $('worker').textContent], { type: 'text/javascript' })));
+  worker.onerror = e => { errors.push('worker: ' + e.message); if (!window.started) lost(e.message || 'Worker'); };
+  worker.onmessage = ({ data: m }) => {
+    if (m.lost) { lost(m.lost); return; }
+    if (m.ready) { window.started = { ready: performance.now() - opened }; begin(); return; }
+    waiting[m.id](m); delete waiting[m.id];
+  };
+  worker.postMessage({ wasm, bodies, data: DATA }, [wasm.buffer, bodies.buffer]);
+}
+// Without a solver the page has the answer of `stemware run` alone.
+function lost(why) {
+  errors.push(why);
+  const reason = why.length > 100 ? why.slice(0, 100) + '…' : why;
+  $('answer').textContent = local(say(T().lost, reason, state.glass, state.table, digits(pair().omega)));
+}
 const times = [];
 async function solve(cold) {
   if (busy) { wish = { cold: cold || (wish && wish.cold) }; return; }
@@ -126,7 +140,7 @@ function show(reply, ms) {
   draw();
 }
 const band = () => Math.max(DATA.near_band, pair().band || 0);
-const value_text = path => path in state.changes ? state.changes[path] : entries[path] ? entries[path].value : '';
+const value_text = path => Object.hasOwn(state.changes, path) ? state.changes[path] : entries[path] ? entries[path].value : '';
 // All harmonics against the first alone, as the budget has them.
 function harmonic_effect() {
   const first = budget && budget.rows && budget.rows.find(r => r.harmonics === 1 && r.step >= 3 && r.name !== 'where the foot touches' || r.name === 'tilt'), all = answer.all.omega;
@@ -187,7 +201,7 @@ function make_sliders() {
       const value = value_of(path);
       slider.querySelector('output').textContent = local((log ? scientific(value) : Number((value * factor).toFixed(3)).toString().replace('-', '−')) + (unit ? ' ' + unit : ''));
       input.setAttribute('aria-valuetext', slider.querySelector('output').textContent);
-      slider.classList.toggle('changed', path in state.changes);
+      slider.classList.toggle('changed', Object.hasOwn(state.changes, path));
     };
     input.oninput = () => {
       const raw = Number(input.value), value = log ? 10 ** raw : raw / factor;
@@ -219,7 +233,7 @@ function recall() {
     if (key === 'glass' && DATA.glasses.some(g => g.name === value)) state.glass = value;
     else if (key === 'table' && DATA.tables.some(g => g.name === value)) state.table = value;
     else if (key === 'harmonics') state.harmonics = Math.min(Math.max(1, Math.round(Number(value)) || 1), all_harmonics);
-    else if (key === 'language' && STRINGS[value]) state.language = value;
+    else if (key === 'language' && Object.hasOwn(STRINGS, value)) state.language = value;
     else if (key.includes('/')) state.changes[key] = value;
   }
 }
@@ -483,11 +497,15 @@ function save_picture(id, as) {
   image.src = 'data:image/svg+xml;charset=utf-8,' + encodeURIComponent(text);
 }
 function study_text() {
-  const values = { ...Object.fromEntries(pair().values), ...state.changes }, sections = {};
-  for (const path in values) { const [section, name] = path.split('/'); (sections[section] = sections[section] || []).push(`  set ${name} = ${values[path]}`); }
+  const values = { ...Object.fromEntries(pair().values), ...state.changes }, sections = new Map();
+  const line = words => words.replace(/[\r\n]+/g, ' ');
+  for (const path in values) {
+    const [section, ...name] = path.split('/').map(line);
+    sections.set(section, [...sections.get(section) || [], `  set ${name.join('/')} = ${line(values[path])}`]);
+  }
   let text = `# ${state.glass} on ${state.table}, from the page of Stemware ${DATA.version}\n#\n#   stemware run explored.prm\n`;
   if (answer && answer.all && answer.all.omega != null) text += `#\n# The page's terminal spin: ${answer.all.omega} rad/s\n`;
-  for (const section in sections) text += `\nsubsection ${section}\n${sections[section].join('\n')}\nend\n`;
+  for (const [section, lines] of sections) text += `\nsubsection ${section}\n${lines.join('\n')}\nend\n`;
   return text;
 }
 // Rows of time and spin, or time and angle (a head that says angle, psi or deg); decimals by point, or by comma where columns are by semicolon.
@@ -507,6 +525,7 @@ function speak() {
   document.documentElement.lang = state.language;
   for (const e of document.querySelectorAll('[data-t]')) e.textContent = T()[e.dataset.t];
   document.title = T().title;
+  document.querySelector('main').hidden = false;
   $('languages').innerHTML = '';
   for (const code in STRINGS) { const b = document.createElement('button'); b.textContent = STRINGS[code].name; b.lang = code; b.setAttribute('aria-pressed', code === state.language); b.onclick = () => { state.language = code; remember(); speak(); make_sliders(); if (answer) show(answer, times.length ? times[times.length - 1].ms : 0); }; $('languages').append(b); }
   write_harmonics();
@@ -540,4 +559,4 @@ window.move = (path, value) => new Promise(done => {
   const wait = () => busy || wish ? setTimeout(wait, 10) : done({ omega: answer.all ? answer.all.omega : null, error: answer.error || '', errors, text: $('answer').textContent });
   wait();
 });
-worker.postMessage({ glue: $('glue').textContent.trim(), wasm: $('wasm').textContent.trim(), bodies: $('bodies').textContent.trim(), data: DATA });
+start_solver().catch(error => lost(String(error)));

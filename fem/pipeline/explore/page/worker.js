@@ -1,8 +1,4 @@
-// The solver, away from the page so that it stays responsive: one wish at a time, asked by name.
-const unpack = async text => {
-  const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
-};
+// Worker: the solver behind the script of emscripten, one request at a time, called by name.
 let solver, bodies, data, pair = null, texts = {};
 
 const string = text => { const bytes = new TextEncoder().encode(text + '\0'), at = solver._malloc(bytes.length); solver.HEAPU8.set(bytes, at); return at; };
@@ -60,7 +56,7 @@ function choose(name, changes) {
   }
   const refused = [];
   for (const path in { ...changed, ...changes }) {
-    const wish = path in changes ? changes[path] : texts[path];
+    const wish = Object.hasOwn(changes, path) ? changes[path] : texts[path];
     if (stays && changed[path] === changes[path]) continue;
     const why = set(path, wish);
     if (why) refused.push(why);
@@ -84,14 +80,10 @@ const work = {
 
 onmessage = async ({ data: m }) => {
   if (m.wasm) {
-    const start = performance.now();
-    data = m.data;
     try {
-      const [script, wasm, numbers] = await Promise.all([unpack(m.glue), unpack(m.wasm), unpack(m.bodies)]);
-      bodies = numbers;
-      importScripts(URL.createObjectURL(new Blob([script], { type: 'text/javascript' })));
-      solver = await StemwareSolver({ wasmBinary: wasm });
-      postMessage({ ready: true, ms: performance.now() - start });
+      ({ data, bodies } = m);
+      solver = await StemwareSolver({ wasmBinary: m.wasm });
+      postMessage({ ready: true });
     } catch (error) { postMessage({ lost: String(error) }); }
     return;
   }

@@ -54,21 +54,42 @@ std::string with_subscripts(const std::string &text, std::string (*safe)(const s
   return marked + safe(text.substr(written));
 }
 
-/// Text within gnuplot's double quotes without what means something there or to its markup.
+/// Text within gnuplot's single quotes without characters that end them or that its markup interprets. In
+/// single quotes neither backticks nor backslashes nor @ mean anything to gnuplot itself; a line end would
+/// begin a command.
 std::string quotable(const std::string &text)
 {
   std::string quoted;
   for (const char character : text)
   {
-    if (std::string("_^{}@&~").find(character) != std::string::npos)
-      quoted += "\\\\"; // once for the string, once for the markup
-    else if (character == '"')
-      quoted += '\\';
-    else if (character == '\\')
-      quoted += "\\\\\\";
-    quoted += character;
+    if (std::string("_^{}@&~\\").find(character) != std::string::npos)
+      quoted += '\\'; // for the markup
+    else if (character == '\'')
+      quoted += '\'';
+    quoted += std::iscntrl(static_cast<unsigned char>(character)) ? ' ' : character;
   }
   return quoted;
+}
+
+/// HTML with its numbers in powers of ten as print has them, 3.4 · 10⁻⁶ for 3.4e-06.
+std::string with_powers(const std::string &html)
+{
+  std::string result;
+  std::size_t written = 0;
+  for (std::size_t e = html.find('e', 1); e < html.size(); e = html.find('e', e + 1))
+  {
+    const std::size_t begin = html.find_last_not_of("0123456789.", e - 1) + 1;
+    const std::size_t end = std::min(html.find_first_not_of("0123456789", e + 2), html.size());
+    const bool has_sign = e + 1 < html.size() && (html[e + 1] == '+' || html[e + 1] == '-');
+    if (begin == e || begin < written || !has_sign || end == e + 2)
+      continue;
+    const std::string factor = html.substr(begin, e - begin);
+    const std::size_t exponent = std::min(html.find_first_not_of('0', e + 2), end - 1);
+    result += html.substr(written, begin - written) + (factor == "1" ? "" : factor + " · ") + "10<sup>" +
+              (html[e + 1] == '-' ? "\u2212" : "") + html.substr(exponent, end - exponent) + "</sup>";
+    written = end;
+  }
+  return result + html.substr(written);
 }
 
 } // namespace
@@ -124,17 +145,13 @@ std::string in_form(const std::string &text, const std::string &form)
   }
   if (form != "cell")
     return text;
-  static const std::regex power("(^|[^0-9.])([0-9.]+)e([+-])0*([0-9]+)");
-  std::string html, rest = html_formula(text);
-  for (std::smatch match; is_number(text) && std::regex_search(rest, match, power); rest = match.suffix())
-    html += match.prefix().str() + match[1].str() + (match[2] == "1" ? "" : match[2].str() + " · ") +
-            "10<sup>" + (match[3] == "-" ? "\u2212" : "") + match[4].str() + "</sup>";
-  return with_true_minus(html + rest);
+  const std::string html = html_formula(text);
+  return with_true_minus(is_number(text) ? with_powers(html) : html);
 }
 
 std::string gnuplot_text(const std::string &text)
 {
-  return '"' + with_subscripts(text, quotable, "_{", "}") + '"';
+  return '\'' + with_subscripts(text, quotable, "_{", "}") + '\'';
 }
 
 } // namespace stemware::pipeline

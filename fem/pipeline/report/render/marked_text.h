@@ -30,8 +30,8 @@ bool is_number(const std::string &cell);
 ///   cell      of a table: as print shows numbers, 3.4 · 10⁻⁶ for 3.4e-06
 std::string in_form(const std::string &text, const std::string &form);
 
-/// A text as gnuplot's quoted string that shows these characters, whatever they mean to gnuplot, with its
-/// subscripts.
+/// Quotes a text for gnuplot: a string in single quotes that shows these characters, whatever they mean to
+/// gnuplot, with the text's subscripts. Control characters become blanks.
 std::string gnuplot_text(const std::string &text);
 
 } // namespace stemware::pipeline

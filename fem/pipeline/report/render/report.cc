@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <iostream>
-#include <regex>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -28,17 +28,21 @@ std::string inline_svg(const std::string &svg, const std::string &name, const st
 {
   const std::size_t root = std::min(svg.find("<svg"), svg.size()); // after the document's own beginning
   const std::size_t content = std::min(svg.find('>', root), svg.size() - 1) + 1;
-  static const std::regex view_box(" viewBox=\"[^\"]*\"");
-  std::smatch box;
-  const std::string tag = svg.substr(root, content - root);
-  std::regex_search(tag, box, view_box);
+  const std::string tag = svg.substr(root, content - root), mark = " viewBox=\"";
+  const std::size_t box = tag.find(mark), box_end = box < tag.size() ? tag.find('"', box + mark.size()) : box;
+  const std::string view_box = box_end < tag.size() ? tag.substr(box, box_end + 1 - box) : "";
   std::string body = svg.substr(content);
-  for (const char *words : { "<title>[^<]*</title>", "<desc>[^<]*</desc>" }) // shown where the mouse rests
-    body = std::regex_replace(body, std::regex(words), "", std::regex_constants::format_first_only);
+  for (const std::string name_of_tag : { "title", "desc" }) // shown where the mouse rests
+  {
+    const std::string end = "</" + name_of_tag + ">";
+    const std::size_t first = body.find("<" + name_of_tag + ">"), last = body.find(end, first);
+    if (last < body.size())
+      body.erase(first, last + end.size() - first);
+  }
   for (const std::string beginning : { " id='", " id=\"", "href='#", "href=\"#", "url(#" })
     boost::replace_all(body, beginning, beginning + name + "-");
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"" +
-         box.str() + " role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\"" + view_box +
+         " role=\"img\" aria-label=\"" + html_text(label) + "\">" + body;
 }
 
 /// Pictures for the template figures.html; those that were drawn have the SVG of their file in @p folder.

@@ -70,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
     BadFile{ "entry.prm", "subsection Glass\n  set Contact radus = 1\nend\n",
              "no entry \"Glass/Contact radus\"" },
     BadFile{ "section.prm", "subsection Glas\n  set Contact radius = 1\nend\n", "no subsection \"Glas\"" },
-    BadFile{ "top.prm", "set Contact radius = 0.03\n", "did you mean Glass/Contact radius" },
+    BadFile{ "case.prm", "subsection motion\n  set Mass = 1\nend\n", "did you mean Motion?" },
+    BadFile{ "top.prm", "set Contact radus = 0.03\n", "did you mean Glass/Contact radius" },
     BadFile{ "open.prm", "subsection Glass\n  set Contact radius = 0.03\n", "is not closed" },
     BadFile{ "end.prm", "end\n", "no \"subsection\" above it" },
     BadFile{ "no_set.prm", "subsection Glass\n  Contact radius = 1\nend\n", "is not a line of a study file" },
@@ -115,8 +116,7 @@ TEST_P(BadOverride, IsRefusedInOneSentence)
 INSTANTIATE_TEST_SUITE_P(
   Settings, BadOverride,
   testing::Values(
-    BadSetting{ "Glass/Contact radus=1", "no entry" },
-    BadSetting{ "Contact radius=0.03", "is not an assignment" },
+    BadSetting{ "Glass/Contact radus=1", "no entry" }, BadSetting{ "=0.03", "is not an assignment" },
     BadSetting{ "Glass/Contact radius", "is not an assignment" },
     BadSetting{ "Glass/Contact radius=inf", "is not allowed" },
     BadSetting{ "Motion/Mass=0", "is not allowed" }, BadSetting{ "Motion/Gravity=1e400", "is not allowed" },

@@ -215,6 +215,70 @@ TEST_P(Browser, ShowsEveryPictureAndTheAnswerAtEachWidthAndPrints)
 INSTANTIATE_TEST_SUITE_P(Report, Browser, testing::ValuesIn(opened()),
                          [](const auto &info) { return info.param.name; });
 
+/// Reports with hostile text in every place that takes any: those of all verbs, of a study and measured spins
+/// of that name, and one for each other file that a study reads; a sweep has a case that fails, too.
+std::vector<Opened> hostile_reports(const std::string &place)
+{
+  std::vector<Opened> reports = opened();
+  for (Opened &report : reports)
+    std::replace(report.arguments.begin(), report.arguments.end(), std::string("study.prm"), place + ".prm");
+  const std::vector<std::string> profile = { "--set", "Glass/Shape=profile", "--set",
+                                             "Glass/Land width=0.0017" };
+  const std::vector<std::pair<std::string, std::vector<std::string>>> further = {
+    { "profile", { "run", "--quick", "--set", "Glass/Profile file=" + place + ".csv" } },
+    { "load", { "run", "--quick", "--set", "Load/Source=file", "--set", "Load/File=" + place + ".dat" } },
+    { "speeds", { "run", "--quick", "--set", "Motion/Orbit speed file=" + place + " speeds.csv" } },
+    { "mesh_file",
+      { "run", "--quick", "--set", "Contact/Body=solid", "--set", "Contact/Mesh file=" + place + ".msh" } },
+    { "profiles",
+      { "sweep", "--vary", "Glass/Profile file=" + place + ".csv," + place + " broken.csv", "--vary",
+        "Motion/Mass=0.2,0.3" } },
+  };
+  for (const auto &[name, arguments] : further)
+  {
+    reports.push_back({ name, arguments });
+    if (name.rfind("profile", 0) == 0)
+      reports.back().arguments.insert(reports.back().arguments.end(), profile.begin(), profile.end());
+  }
+  for (Opened &report : reports)
+    report.arguments.insert(
+      report.arguments.end(),
+      { "--set", "Motion/Measured spin file=" + place + " spins.csv", "--output", report.name });
+  return reports;
+}
+
+TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
+{
+  const ScratchFolder scratch;
+  const std::string place = hostile_text();
+  scratch.write(place + ".prm", plain_study());
+  scratch.write(place + ".csv", read_text(fs::path(STEMWARE_DOCS) / "cookbooks/own_profile.csv"));
+  scratch.write(place + " broken.csv", "r (m), z (m)\n0, 0\n");
+  scratch.write(place + ".dat", "# ring radius: 0.03 (m)\n0 0.4684 0\n1 0.1 0\n2 0.01 0\n");
+  scratch.write(place + " speeds.csv", "t (s), v (m/s)\n0, 0.3\n100, 0.35\n");
+  scratch.write(place + " spins.csv", "t (s), omega (rad/s)\n0, 0\n1, -2\n");
+  scratch.write(place + ".msh", read_text(fs::path(STEMWARE_DOCS) / "../meshes/flat_foot.msh"));
+  std::vector<std::string> pages;
+  for (const Opened &report : hostile_reports(place))
+  {
+    SCOPED_TRACE(report.name);
+    const Ended ended = stemware(scratch, report.arguments);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const std::string page = report.name + "/report.html", bare = report.name + "/bare.html";
+    scratch.write(bare, without_policy(read_text(scratch / page)));
+    pages.insert(pages.end(), { page, bare });
+  }
+  const nlohmann::json shown = opened_in_browser(scratch, pages);
+  for (const std::string &page : pages)
+  {
+    EXPECT_FALSE(shown[page]["ran"].get<bool>()) << page;
+    EXPECT_NE(shown[page]["answer"], "") << page;
+    EXPECT_NE(shown[page]["words"].get<std::string>().find("dataset.ran=1"), std::string::npos) << page;
+  }
+  for (const auto &file : fs::recursive_directory_iterator(scratch.path()))
+    EXPECT_NE(file.path().filename(), "PWN") << file.path();
+}
+
 TEST(Reports, AreOpenedInABrowserForEveryVerbThatWritesOne)
 {
   std::set<std::string> verbs;

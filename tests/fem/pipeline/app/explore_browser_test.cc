@@ -21,17 +21,10 @@ const std::vector<std::pair<std::string, std::string>> moves = { { "Motion/Frict
                                                                  { "Motion/Centre of mass height", "0.1" },
                                                                  { "Table/Foundation modulus", "1e11" } };
 
-/// A page that opens @p page in a frame of each width, makes the moves there one after the other, and
-/// replaces itself by what it finds. It is not loaded before: a frame in it that nobody closes holds it open.
-std::string moving_page(const std::string &page)
+/// A script that opens @p page in a frame of each width and makes the moves there one after the other.
+std::string moving_script(const std::string &page)
 {
-  return R"(<!DOCTYPE html><meta charset="utf-8"><body><script>
-)" + axe_script() +
-         R"(
-const holder = document.createElement("iframe");
-document.body.append(holder);
-holder.contentDocument.open();
-(async () => {
+  return axe_script() + R"(
   const found = {};
   for (const width of [1100, 400]) {
     const frame = document.createElement("iframe");
@@ -52,20 +45,14 @@ holder.contentDocument.open();
                      serious: await serious(frame.contentWindow) };
     frame.remove();
   }
-  const closing = holder.contentDocument;
-  document.body.textContent = "MEASURED" + JSON.stringify(found) + "MEASURED";
-  closing.close();
-})();
-</script></body>)";
+  return found;)";
 }
 
 TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
 {
   const ScratchFolder scratch;
-  const std::string page =
-    scratch.write("moving.html", moving_page(read_text(fs::path(STEMWARE_DOCS) / "explore.html")));
-  const Ended ended = chromium(scratch, { "--dump-dom", "file://" + page });
-  const nlohmann::json found = nlohmann::json::parse(between(ended.out, "MEASURED", "MEASURED"));
+  const nlohmann::json found =
+    found_in_browser(scratch, moving_script(read_text(fs::path(STEMWARE_DOCS) / "explore.html")));
   pipeline::Study study;
   fem::ComplianceCache cache;
   for (std::size_t i = 0; i < moves.size(); ++i)
@@ -84,6 +71,36 @@ TEST(ExplorePage, MovesInABrowserGiveTheProgramsSpins)
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
   }
+}
+
+TEST(ExplorePage, HostileTextRunsNoScriptAndKillsNoPage)
+{
+  const ScratchFolder scratch;
+  const Ended made = stemware(scratch, { "explore", "--output", "page.html" });
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  scratch.write("bare.html", without_policy(read_text(scratch / "page.html")));
+
+  const std::string words =
+    "%3Cimg%20src=x%20onerror=%22document.documentElement.dataset.ran%3D1%22%3E%60%27%5C%E2%80%A8";
+  const auto address = [](const std::string &value)
+  { return "bare.html#language=" + value + "&glass=" + value + "&table=" + value + "&harmonics=" + value; };
+  const std::vector<std::string> answering = { "page.html", "bare.html",
+                                               address("constructor") + "&constructor=1",
+                                               address("__proto__"), address(words) };
+  const std::vector<std::string> refusing = { "bare.html#constructor/__proto__=1",
+                                              "bare.html#__proto__/x=" + words,
+                                              "bare.html#Motion/Mass=" + words };
+  std::vector<std::string> all = answering;
+  all.insert(all.end(), refusing.begin(), refusing.end());
+  const nlohmann::json shown = opened_in_browser(scratch, all);
+  for (const std::string &one : all)
+    EXPECT_FALSE(shown[one]["ran"].get<bool>()) << one;
+  for (const std::string &one : answering)
+    EXPECT_NE(shown[one]["answer"].get<std::string>().find("one turn in"), std::string::npos)
+      << one << ": " << shown[one]["answer"];
+  for (const std::string &one : refusing)
+    EXPECT_EQ(shown[one]["answer"].get<std::string>().find("Not in this page: "), 0u)
+      << one << ": " << shown[one]["answer"];
 }
 
 } // namespace

@@ -26,6 +26,19 @@ TEST(Help, TeachesByExampleOnEveryVerb)
     EXPECT_NE(help.find(code), std::string::npos) << code;
 }
 
+TEST(Help, NamesPagesThatExist)
+{
+  const ScratchFolder scratch;
+  std::size_t n_pages = 0;
+  for (const std::string &verb : all_verbs())
+    for (const std::string &page : all_between(stemware(scratch, { verb, "--help" }).out, "docs/", ".md"))
+    {
+      EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(STEMWARE_DOCS) / (page + ".md"))) << page;
+      ++n_pages;
+    }
+  EXPECT_GT(n_pages, 0u);
+}
+
 TEST(Help, TheVerbHelpSaysTheSame)
 {
   const ScratchFolder scratch;

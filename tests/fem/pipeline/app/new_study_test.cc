@@ -175,6 +175,20 @@ TEST(NewCookbook, IsNamedWhereItIsLookedForInVain)
   EXPECT_NE(stemware(scratch, { "new", "--help" }).out.find("Cookbooks:\n  bare_wood, "), std::string::npos);
 }
 
+TEST(NewStudy, HasNoLineEndInItsName)
+{
+  const ScratchFolder scratch;
+  for (const std::vector<std::string> &kind : { std::vector<std::string>(), { "--cookbook", "paper" } })
+  {
+    std::vector<std::string> arguments = { "new", "x\nset Foo = 1.prm" };
+    arguments.insert(arguments.end(), kind.begin(), kind.end());
+    const Ended ended = stemware(scratch, arguments);
+    EXPECT_EQ(ended.exit_code, 1);
+    EXPECT_NE(ended.err.find("line end"), std::string::npos) << ended.err;
+  }
+  EXPECT_TRUE(names_in(scratch.path()).empty());
+}
+
 class PresetPair : public testing::TestWithParam<std::pair<std::string, std::string>>
 {
 };

@@ -111,6 +111,54 @@ TEST(Report, PicturesDoNotShareTheirParts)
     EXPECT_EQ(ids.count(html.substr(at + 7, html.find('\'', at + 7) - at - 7)), 1u);
 }
 
+/// The texts of an SVG or HTML without its elements.
+std::string without_tags(const std::string &marked)
+{
+  std::string text;
+  bool is_tag = false;
+  for (const char character : marked)
+  {
+    is_tag = character == '<' || (is_tag && character != '>');
+    if (!is_tag && character != '>')
+      text += character;
+  }
+  return plain_text(text);
+}
+
+TEST(Report, TextsOfAPictureRunNoCommand)
+{
+  const ScratchFolder scratch;
+  const std::string words = "`touch PWN` $(touch PWN) '; system('touch PWN'); x='";
+  const std::string others = "\"; system(\"touch PWN\"); x=\" @x {/Bold b} a^2 ~ab & \\ %s";
+  const std::string lines = "x\nsystem 'touch PWN'\n";
+  Plot plot = { "words", "The words.", "load 'figures/style.gnuplot'\nx = 'macro'\n", "0 0\n1 1\n" };
+  plot.script += "array names[1] = [" + gnuplot_text(others) + "]\nset title " + gnuplot_text(words) +
+                 "\nset xlabel " + gnuplot_text(lines) + "\nplot data with lines title names[1]";
+  EXPECT_EQ(draw_plots({ plot }, scratch.path()), "");
+  for (const auto &[name, content] : all_files(scratch.path()))
+    EXPECT_EQ(name.find("PWN"), std::string::npos) << name;
+  const std::string drawn = without_tags(read_text(scratch / "figures/words.svg"));
+  for (const std::string &shown : { words, others, std::string("x system 'touch PWN'") })
+    EXPECT_NE(drawn.find(shown), std::string::npos) << shown << '\n' << drawn;
+}
+
+TEST(Report, TextsOfAnyLengthAreWritten)
+{
+  const ScratchFolder scratch;
+  const std::string digits(300000, '1'), letters(300000, 'a');
+  EXPECT_EQ(in_form(digits + "e-06", "cell"), digits + " · 10<sup>\u22126</sup>");
+  EXPECT_EQ(in_form("1e+006 of 2.5e-10", "cell"), "10<sup>6</sup> of 2.5 · 10<sup>\u221210</sup>");
+  EXPECT_EQ(in_form("1.e, e-3, 2e, 3e-, x1e5", "cell"), "1.e, e-3, 2e, 3e-, x1e5");
+  EXPECT_EQ(in_form("1e-0", "cell"), "10<sup>\u22120</sup>");
+  Plot drawing = { "long", "caption", "" };
+  drawing.drawing = "<svg viewBox=\"0 0 1 1\"><title>" + letters + "</title><text>shown</text></svg>";
+  write_report({ letters, letters, { { letters, letters, { drawing }, {} } } }, scratch.path());
+  const std::string html = read_text(scratch / "report.html");
+  EXPECT_NE(html.find(" viewBox=\"0 0 1 1\""), std::string::npos);
+  EXPECT_NE(html.find("<text>shown</text></svg>"), std::string::npos);
+  EXPECT_EQ(html.find("<title>", html.find("<body>")), std::string::npos);
+}
+
 TEST(Report, IsTheSameTwice)
 {
   const ScratchFolder scratch;

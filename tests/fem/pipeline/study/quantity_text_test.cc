@@ -43,6 +43,11 @@ TEST(QuantityText, UnitsOfTenAreTheNearestDouble)
     { "8 GB", "B", 8e9 },
     { "1 bar", "Pa", 1e5 },
     { "\u22125 cm", "m", -0.05 }, // as a report prints it
+    { "\u20135 cm", "m", -0.05 },
+    { "5e\u22122 m", "m", 0.05 },
+    { "300\u00a0g", "kg", 0.3 },
+    { "\u00a0300\u2009g\u202f", "kg", 0.3 },
+    { "3000 g\u202fcm^2", "kg m^2", 3e-4 },
   };
   for (const auto &[text, unit, expected] : cases)
     EXPECT_EQ(parse_quantity(text, unit), expected) << text;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -41,6 +42,22 @@ TEST(RequiredResultants, StaticStudyPutsTheMaximumWhereItIsTold)
     EXPECT_NEAR(moment_ratio(load, 0.03), 1.3, 1e-14);
     // (M_Nx, M_Ny) = (sum y f, -sum x f): the centre of pressure lies at (-M_Ny, M_Nx) / N.
     EXPECT_NEAR(std::atan2(load.moment_x, -load.moment_y), direction, 1e-14);
+  }
+}
+
+TEST(RequiredResultants, ARatioJustAboveTwoIsNoTwo)
+{
+  Study study;
+  study.motion.closure = ring::Closure::paper;
+  study.motion.orbit.force_offset *= 2 * (1 + 1e-9) / moment_ratio(study.required_resultants(), 0.03);
+  try
+  {
+    study.required_resultants();
+    FAIL();
+  }
+  catch (const BadInput &refusal)
+  {
+    EXPECT_NE(std::string(refusal.what()).find("2.000000002"), std::string::npos) << refusal.what();
   }
 }
 

@@ -200,6 +200,70 @@ TEST(StudyFile, SuggestsTheLikeliestEntry)
   EXPECT_EQ(strange.find("did you mean"), std::string::npos) << strange;
 }
 
+TEST(StudyFile, GuessesTheSymbolsOfTheField)
+{
+  for (const auto &[word, meant] : {
+         std::pair("Glass/E", "Glass/Young modulus"),
+         std::pair("Table/E", "Table/Disc Young modulus"),
+         std::pair("E", "Glass/Young modulus"),
+         std::pair("Glass/nu", "Glass/Poisson ratio"),
+         std::pair("Motion/mu", "Motion/Friction coefficient"),
+         std::pair("Motion/\u03bc", "Motion/Friction coefficient"),
+         std::pair("Glass/R", "Glass/Contact radius"),
+         std::pair("Motion/R", "Motion/Orbit radius"),
+         std::pair("Motion/m", "Motion/Mass"),
+         std::pair("Motion/g", "Motion/Gravity"),
+         std::pair("Motion/v", "Motion/Orbit speed"),
+         std::pair("Motion/omega", "Motion/Orbit speed"),
+         std::pair("Motion/rho", "Motion/Orbit radius"),
+         std::pair("Motion/z_cm", "Motion/Centre of mass height"),
+         std::pair("motion/I", "Motion/Yaw inertia"),
+         std::pair("Motion/h", "Motion/Centre of mass height"),
+         std::pair("Table/k", "Table/Foundation modulus"),
+         std::pair("Table/Roughness", "Table/Decay length"),
+       })
+    EXPECT_NE(refusal("", { std::string(word) + "=1" }).find("did you mean " + std::string(meant) + "?"),
+              std::string::npos)
+      << word;
+}
+
+TEST(StudyFile, FieldWordsAreGuessesAtEntries)
+{
+  // A guess that names no entry would be found by nobody else.
+  for (const char *word :
+       { "E",     "nu", "mu", "mu_k", "mu_s", "v_s", "c", "R",   "m",  "g", "v",        "rho",
+         "rho_c", "z",  "h",  "hand", "dz",   "I",   "k", "p_0", "p0", "l", "Thickness" })
+    for (const char *section : { "", "Motion/", "Glass/", "Table/" })
+    {
+      const std::string sentence = refusal("", { section + std::string(word) + "=1" }),
+                        question = "did you mean ";
+      const std::size_t begin = sentence.find(question) + question.size();
+      EXPECT_NO_THROW(find_entry("", sentence.substr(begin, sentence.find('?') - begin))) << sentence;
+    }
+}
+
+TEST(StudyFile, TakesAnEntryByItsNameAlone)
+{
+  const ScratchFolder scratch;
+  EXPECT_EQ(read_study("", { "Mass=250 g" }).motion.orbit.mass, 0.25);
+  EXPECT_EQ(read_study(scratch.write("a.prm", "set Mass = 250 g\n")).motion.orbit.mass, 0.25);
+  EXPECT_NE(refusal("", { "Mass=250 g", "Motion/Mass=0.3" }).find("twice"), std::string::npos);
+  const std::string twice = "set Mass = 250 g\nsubsection Motion\n  set Mass = 0.3\nend\n";
+  EXPECT_NE(refusal(scratch.write("b.prm", twice)).find("a second time, after line 1"), std::string::npos);
+  EXPECT_NE(refusal("", { "Coupling=frozen" }).find("Load/Coupling = one-way"), std::string::npos);
+  EXPECT_NE(refusal("", { "Mas=1" }).find("did you mean Motion/Mass?"), std::string::npos);
+}
+
+TEST(StudyFile, LeavesQuotesOut)
+{
+  for (const char *value : { "\"300 g\"", "'300 g'", "\u201c300 g\u201d" })
+    EXPECT_NE(refusal("", { "Motion/Mass=" + std::string(value) }).find("quotes"), std::string::npos)
+      << value;
+  EXPECT_NE(
+    refusal("", { "Glass/Young modulus=70\u2009000\u2009000\u2009000" }).find("blanks between its digits"),
+    std::string::npos);
+}
+
 TEST(StudyFile, LinesMayGoOnAndSectionsComeBack)
 {
   const ScratchFolder scratch;

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -25,6 +27,18 @@ TEST(Numbers, ShortTextHasSixDigits)
 {
   EXPECT_EQ(to_short_text(9.080892337936447), "9.08089");
   EXPECT_EQ(to_short_text(1.23456789e-7), "1.23457e-7");
+}
+
+TEST(Numbers, ThatAreComparedHaveTheDigitsThatTellThemApart)
+{
+  using Texts = std::pair<std::string, std::string>;
+  EXPECT_EQ(told_apart(2.5, 2), Texts("2.5", "2"));
+  EXPECT_EQ(told_apart(2.0000004, 2), Texts("2.0000004", "2"));
+  EXPECT_EQ(told_apart(2, 2), Texts("2", "2"));
+  EXPECT_EQ(told_apart(8.04e9, 8e9, 2), Texts("8.04e9", "8e9"));
+  const auto [next, one] = told_apart(std::nextafter(1., 2), 1);
+  EXPECT_EQ(std::stod(next), std::nextafter(1., 2));
+  EXPECT_EQ(one, "1");
 }
 
 TEST(Numbers, RoundsToSignificantDigits)

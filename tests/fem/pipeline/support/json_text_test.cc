@@ -1,0 +1,22 @@
+#include "fem/pipeline/support/json_text.h"
+
+#include <gtest/gtest.h>
+
+namespace stemware::pipeline
+{
+namespace
+{
+
+TEST(JsonText, WithinHtmlHasNoMarkupAndTheSameValues)
+{
+  const nlohmann::ordered_json json = { { "</SCRIPT><!--<script>", "\u2028 \u2029 & \\ \\u003c \"<b>\"" },
+                                        { "number", 1.5 },
+                                        { "list", { "<", ">" } } };
+  const std::string text = json_within_html(json);
+  for (const char *mark : { "<", ">", "&", "\u2028", "\u2029" })
+    EXPECT_EQ(text.find(mark), std::string::npos) << text;
+  EXPECT_EQ(nlohmann::ordered_json::parse(text), json);
+}
+
+} // namespace
+} // namespace stemware::pipeline
