@@ -33,18 +33,15 @@ namespace
 // publish() refuses others.
 constexpr char result_files[] =
   "summary.json timings.json parameters.prm report.html harmonics.dat study.json manifest.json "
-  "load.csv rings.csv budget.csv without.csv torque.csv spin_up.csv truncation.csv driven_spin_up.csv "
-  "phases.csv load_lines.csv footprint.csv footprint_at_end.csv contact_history.csv compare.csv "
-  "error_bands.csv converge.csv path.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
+  "load.csv rings.csv budget.csv without.csv torque.csv spin_up.csv truncation.csv "
+  "driven_spin_up.csv phases.csv load_lines.csv footprint.csv footprint_at_end.csv "
+  "contact_history.csv converge.csv sweep.csv sweep.csv.sorted figures/style.gnuplot "
   "fields/contact.vtu fields/contact.pvtu fields/contact_at_terminal_spin.vtu";
 constexpr char figures[] =
-  "glass orbits sliding waterfall effects load slip spectrum line_load higher_harmonics spin_up "
-  "harmonic_torque torque phases driven_spin_up orbit_speed section_stress foot_from_above section rim "
-  "rim_circle rim_residuals truncation footprint footprint_at_end contact_zone quality path drift speeds "
-  "convergence slip_ratio energy terminal_spins harmonic_effects deviation "
-  "terminal_spin omega_terminal harmonic_effect contact_fraction tau_at_rest";
-constexpr char refinement_axes[] =
-  "degree meridional_mesh harmonics azimuth_lines azimuthal_cells radial_cells foot_layers goal_mesh";
+  "glass orbits waterfall effects load slip spectrum line_load higher_harmonics spin_up "
+  "harmonic_torque torque phases driven_spin_up orbit_speed section_stress foot_from_above section "
+  "rim truncation footprint footprint_at_end convergence omega_terminal harmonic_effect "
+  "contact_fraction tau_at_rest";
 
 std::vector<std::string> words_of(const std::string &text)
 {
@@ -55,20 +52,11 @@ std::vector<std::string> words_of(const std::string &text)
 std::set<std::string> made_result_names()
 {
   std::set<std::string> names;
-  const auto add_figure = [&names](const std::string &name)
-  {
-    for (const char *extension : { ".svg", ".pdf", ".gp", ".dat" })
-      names.insert("figures/" + name + extension);
-  };
   for (const std::string &name : words_of(result_files))
     names.insert(name);
   for (const std::string &name : words_of(figures))
-    add_figure(name);
-  for (const std::string &axis : words_of(refinement_axes))
-  {
-    names.insert("converge_" + axis + ".csv");
-    add_figure("converge_" + axis);
-  }
+    for (const char *extension : { ".svg", ".pdf", ".gp", ".dat" })
+      names.insert("figures/" + name + extension);
   return names;
 }
 
@@ -294,15 +282,6 @@ void ResultsFolder::remove_partial() noexcept
     if (::rmdir(parent.c_str()) != 0 && errno != ENOENT)
       break;
   created_parents.clear();
-}
-
-std::vector<std::string> ResultsFolder::contents() const
-{
-  std::vector<std::string> names;
-  for (const auto &item : fs::directory_iterator(partial))
-    names.push_back(item.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 void ResultsFolder::publish()

@@ -47,9 +47,6 @@ public:
   /// The folder of the results.
   const std::filesystem::path &final_folder() const { return target; }
 
-  /// Names of the files and folders in the partial folder, sorted.
-  std::vector<std::string> contents() const;
-
   /// Gives the folder its name and removes older results; on the first rank only. Throws OutputFailure if the
   /// place is not replaceable any more: the older and the new results are then both there. Throws
   /// std::logic_error for a file whose name is not a result_name().
