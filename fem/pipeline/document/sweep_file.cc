@@ -162,9 +162,9 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
       refuse("holds a sweep with other columns");
     read_rows(rows);
   }
-  open();
-  if (!is_begun)
+  else // before sweep.csv: a folder without study.json is no sweep's
     write_text_file(folder / study_name, valid_text(study, 2) + '\n');
+  open();
   const std::size_t n_whole = is_begun ? rows.rfind('\n') + 1 : 0;
   if (::ftruncate(descriptor, static_cast<off_t>(n_whole)) != 0)
     refuse("cannot be written (" + std::generic_category().message(errno) + ")");

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <sstream>
 
 namespace stemware::pipeline
 {
