@@ -46,14 +46,16 @@ set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION
     "Headers, archives and CMake package of the ring model and of the finite
 elements.")
 
+# The licence of the sources, and what the libraries under the program add to it.
+file(READ ${CMAKE_SOURCE_DIR}/LICENSE MIT_LICENSE)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright.in copyright @ONLY)
 foreach(package IN ITEMS program=stemware ring_model=libstemware-dev)
   string(REPLACE "=" ";" package ${package})
   list(GET package 0 component)
   list(GET package 1 package)
   install(
-    FILES LICENSE
+    FILES ${CMAKE_CURRENT_BINARY_DIR}/copyright
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
-    RENAME copyright
     COMPONENT ${component})
 endforeach()
 

@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-// Loops that are compiled for several kinds of processors: several times as fast as a library that is
-// compiled for all of them.
+// Loops that are compiled for several kinds of processors: 1.1 to 1.75 times as fast as Eigen compiled for
+// all of them (n = 20 ... 300), and safe between threads, which Debian's serial OpenBLAS is not.
 
 /// Solves the dense systems A X = B by Gauss's elimination with row pivots. @p system is [A, B], shape [n, n
 /// + @p n_columns]; X takes the place of B, what A becomes is of no use. A singular A leaves numbers that are
