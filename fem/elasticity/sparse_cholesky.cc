@@ -21,6 +21,23 @@ namespace
 /// Lock of a BLAS that does not take threads together.
 std::mutex entering_blas;
 
+/// The lock, held if the BLAS asks for it.
+std::unique_lock<std::mutex> enter_blas()
+{
+  std::unique_lock<std::mutex> lock(entering_blas, std::defer_lock);
+  if (!blas_takes_threads())
+    lock.lock();
+  return lock;
+}
+
+/// Keeps BLAS and CHOLMOD to the calling thread.
+void hold_to_one_thread()
+{
+  hold_blas_to_one_thread();
+  omp_set_num_threads(1);       // an OpenBLAS built on OpenMP goes by the number of each thread
+  omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
+}
+
 [[noreturn]] void throw_indefinite()
 {
   throw std::runtime_error(
@@ -74,14 +91,46 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd &right_hand_sides) c
   return factors->solve(right_hand_sides);
 }
 
+struct BlockCholesky::Factors : Eigen::CholmodSupernodalLLT<LowerTriangle, Eigen::Lower>
+{
+  Factors()
+  {
+    hold_to_one_thread();
+    cholmod().nmethods = 1;
+    cholmod().method[0].ordering = CHOLMOD_AMD;
+    cholmod().postorder = 1;
+    cholmod().print = 0;
+  }
+};
+
+BlockCholesky::BlockCholesky(const LowerTriangle &pattern)
+    : factors(std::make_unique<Factors>())
+{
+  factors->analyzePattern(pattern);
+}
+
+BlockCholesky::~BlockCholesky() = default;
+
+void BlockCholesky::factorise(const LowerTriangle &matrix)
+{
+  const auto alone = enter_blas();
+  factors->factorize(matrix);
+  if (factors->info() != Eigen::Success)
+    throw_indefinite();
+}
+
+Eigen::VectorXd BlockCholesky::solve(const Eigen::VectorXd &right_hand_side) const
+{
+  const auto alone = enter_blas();
+  return factors->solve(right_hand_side);
+}
+
 /// Factors L L' in the order of the matrix, of blocks where that pays.
 struct BlockInverse::Factors : Eigen::CholmodSimplicialLLT<LowerTriangle, Eigen::Lower>
 {
   Factors()
   {
-    hold_blas_to_one_thread();
-    omp_set_num_threads(1);       // an OpenBLAS built on OpenMP goes by the number of each thread
-    omp_set_max_active_levels(0); // CHOLMOD starts four threads of its own for each of the caller's
+    hold_to_one_thread();
     cholmod().print = 0;
     cholmod().nmethods = 1;
     cholmod().method[0].ordering = CHOLMOD_NATURAL;
@@ -163,9 +212,9 @@ Eigen::MatrixXd BlockInverse::operator()(const Eigen::VectorXd &entries, unsigne
     matrix.valuePtr()[k] = entries(plan->sources[static_cast<std::size_t>(k)]);
   Factors numeric(plan->symbolic);
   {
-    std::unique_lock<std::mutex> alone(entering_blas, std::defer_lock);
-    if (numeric.are_blocks() && !blas_takes_threads())
-      alone.lock();
+    std::unique_lock<std::mutex> alone;
+    if (numeric.are_blocks())
+      alone = enter_blas();
     numeric.factorize(matrix);
   }
   if (!numeric.are_whole())

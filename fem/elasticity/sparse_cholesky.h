@@ -40,6 +40,27 @@ private:
   std::unique_ptr<Factors> factors;
 };
 
+/// Factors L L' of symmetric positive definite matrices that share their pattern, by blocks, with BLAS on one
+/// thread: several times as fast as SparseCholesky from some 5 000 unknowns.
+class BlockCholesky
+{
+public:
+  /// Finds the order of elimination for matrices with the lower triangle @p pattern.
+  explicit BlockCholesky(const LowerTriangle &pattern);
+  ~BlockCholesky();
+
+  /// Factorises the matrix with the lower triangle @p matrix. Throws std::runtime_error unless it is positive
+  /// definite.
+  void factorise(const LowerTriangle &matrix);
+
+  /// Solution with the matrix of the last factorise().
+  Eigen::VectorXd solve(const Eigen::VectorXd &right_hand_side) const;
+
+private:
+  struct Factors;
+  std::unique_ptr<Factors> factors;
+};
+
 /// The parts of the inverses of symmetric positive definite matrices that share their pattern, in a few rows
 /// and columns each: the order of elimination is found once, the kept rows are eliminated last, and the end
 /// of the triangular factor alone has the answer. May be asked by several threads at once; large matrices are

@@ -1,13 +1,12 @@
 #include "fem/solid/coarse_solver.h"
 
+#include "fem/elasticity/sparse_cholesky.h"
 #include "fem/solid/revolved_body.h"
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/mpi.h>
 
-#include <Eigen/SparseCholesky>
-
-#include <stdexcept>
+#include <memory>
 
 namespace stemware::fem
 {
@@ -43,9 +42,12 @@ public:
         packed.insert(packed.end(),
                       { double(nodes->dofs()[static_cast<std::size_t>(entry.row())]),
                         double(nodes->dofs()[static_cast<std::size_t>(column)]), entry.value() });
-    factors.compute(stiffness + sum_of_all_ranks(std::move(packed)));
-    if (factors.info() != Eigen::Success)
-      throw std::runtime_error("the stiffness of the coarsest mesh is not positive definite.");
+    const Eigen::SparseMatrix<double> sum = stiffness + sum_of_all_ranks(std::move(packed));
+    const bool fits = sum.nonZeros() == stiffness.nonZeros();
+    if (!factors || !fits || !have_pattern_of_stiffness)
+      factors = std::make_unique<BlockCholesky>(sum);
+    have_pattern_of_stiffness = fits;
+    factors->factorise(sum);
   }
 
   void operator()(unsigned int, FloatVector &dst, const FloatVector &src) const override
@@ -55,7 +57,7 @@ public:
       rhs(static_cast<Eigen::Index>(owned.nth_index_in_set(i))) = src.local_element(i);
     const ArrayView<double> values(rhs.data(), static_cast<std::size_t>(rhs.size()));
     Utilities::MPI::sum(ArrayView<const double>(values), communicator, values);
-    const Eigen::VectorXd solution = factors.solve(rhs);
+    const Eigen::VectorXd solution = factors->solve(rhs);
     for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
       dst.local_element(i) =
         static_cast<float>(solution(static_cast<Eigen::Index>(owned.nth_index_in_set(i))));
@@ -80,7 +82,8 @@ private:
   const IndexSet owned;
   const std::shared_ptr<const ContactNodes> nodes;
   Eigen::SparseMatrix<double> stiffness;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors;
+  std::unique_ptr<BlockCholesky> factors;
+  bool have_pattern_of_stiffness = false;
 };
 
 class RevolvedCycle : public CoarseSolver

@@ -92,6 +92,25 @@ TEST(SparseCholesky, SolvesForTheModesOfAMembrane)
       << "p = " << p;
 }
 
+// The second matrix has the order of elimination of the first.
+TEST(SparseCholesky, BlocksSolveForTheModesOfAMembrane)
+{
+  const unsigned int n = 60;
+  const Eigen::MatrixXd forces = modes(n, 3);
+  BlockCholesky factors(lower_triangle_of(Membrane(n, 0.5).matrix));
+  for (const double shift : { 0.5, 2. })
+  {
+    factors.factorise(lower_triangle_of(Membrane(n, shift).matrix));
+    for (unsigned int p = 1; p <= 3; ++p)
+      EXPECT_LT((factors.solve(forces.col(p - 1)) * (eigenvalue(p, n) + shift) - forces.col(p - 1))
+                  .cwiseAbs()
+                  .maxCoeff(),
+                1e-12)
+        << "p = " << p << ", shift " << shift;
+  }
+  EXPECT_THROW(factors.factorise(lower_triangle_of(Membrane(n, -10).matrix)), std::runtime_error);
+}
+
 TEST(SparseCholesky, PartOfTheInverseIsThatOfTheWhole)
 {
   const unsigned int n = 30;
