@@ -14,7 +14,7 @@ enum class LinearSolver
 };
 
 /// Number of unknowns above which a factorisation costs more time and memory than multigrid does
-/// (docs/method.md, "Linear solves").
-constexpr unsigned int largest_direct_system = 50000;
+/// (docs/method/solid_measurements.md, "Small feet").
+constexpr unsigned int largest_direct_system = 5000;
 
 } // namespace stemware::fem

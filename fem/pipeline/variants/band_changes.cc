@@ -150,9 +150,6 @@ std::optional<Study> on_coarser_mesh(const Study &study)
   }
   else
     return std::nullopt;
-  // A factorisation of a small mesh would take as long as multigrid on one of eight times the cells.
-  if (contact.linear_solver == fem::LinearSolver::automatic)
-    contact.linear_solver = fem::LinearSolver::multigrid;
   return coarse;
 }
 
