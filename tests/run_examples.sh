@@ -34,13 +34,20 @@ cd -- "$home"
 if [[ $what == help* ]]; then
   stemware new my_glass.prm >/dev/null
   [[ $what != *mesh ]] || stemware mesh --write my_foot.msh >/dev/null
+  [[ $what != *sweep ]] || own_cases=yes
 else
+  own_cases=yes
   mkdir docs
   cp -r -- "$source/docs/cookbooks" docs/
   cp -r -- "$source/meshes" "$source/quickstart" .
   cp meshes/flat_foot.msh my_foot.msh
   for study in my_glass.prm glass.prm; do stemware defaults >$study; done
   sed -nE 's/^    (t \(s\), .*|[0-9.]+, -?[0-9.]+)$/\1/p' "$source/docs/measure.md" >filmed.csv
+fi
+
+# As many cases as the pages split, each without an elastic foot.
+if [[ ${own_cases:-} ]]; then
+  { echo "Load/Source,Motion/Mass (g)" && seq -f "first harmonic,%g" 201 400; } >cases.csv
 fi
 
 # The commands in a text of lines "BLOCK<tab>LINE": one line "BLOCK<tab>COMMAND" each, continued lines joined, remarks
@@ -58,7 +65,7 @@ examples_of_page() {
          fenced { print block "\t" $0; next }
          /^    / { if (!inside) block++; inside = 1; print block "\t" substr($0, 5); next }
          { inside = 0 }' "$source/$what"
-    grep -oE '`stemware [a-z]+ [^`<>…]*`' "$source/$what" | tr -d '`' | grep -vE '\[|DIR|\.\.\.' |
+    grep -oE '`stemware [a-z]+ [^`<>…]*`' "$source/$what" | tr -d '`' | grep -vE '\[|DIR|STUDY|\.\.\.' |
       awk '{ print "inline" NR "\t" $0 }' || true
   } | commands_of
 }
@@ -134,8 +141,12 @@ while IFS=$'\t' read -r next command; do
     read -r _ _ study _ <<<"$command"
     rm -f -- "$study" # the file of an earlier example is not overwritten
   fi
+  # Examples of one study in the same folder are alternatives.
+  if [[ $command == "stemware sweep "* && $command != *--output* ]]; then rm -rf -- results/my_glass-sweep; fi
   if [[ $command == ./quickstart* ]]; then
     check_quickstart "$command" && result=0 || result=$?
+  elif [[ $command == "cd "*" && "* ]]; then
+    cd -- "$(sed -E 's/^cd ([^ ]+) .*/\1/' <<<"$command")" && bash -c "${command#* && }" && result=0 || result=$?
   elif [[ $command == "cd "* ]]; then
     cd -- "${command#cd }" && result=0 || result=$?
   elif take_results "$command"; then

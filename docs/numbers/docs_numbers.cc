@@ -135,7 +135,7 @@ private:
     for (std::size_t i = 0; i < headings.size(); ++i)
     {
       const std::string heading = headings[i].substr(0, headings[i].find(" ("));
-      if (heading == spaced(name) || heading.substr(heading.find('/') + 1) == spaced(name))
+      if (heading == name || heading == spaced(name) || heading.substr(heading.find('/') + 1) == spaced(name))
         return i;
     }
     throw std::runtime_error("no table column is called " + name + ".");

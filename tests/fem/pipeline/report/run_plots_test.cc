@@ -50,7 +50,7 @@ omega, first harmonic (rad/s): 0 | 2.2901234567
 omega, the paper's model (rad/s): 0 | 2.3101234567
 )");
   const std::string script = plot_script(results, "spin_up");
-  EXPECT_NE(script.find("curve[3] = [\"all harmonics\", \"first harmonic\", \"the paper's model\"]"),
+  EXPECT_NE(script.find("curve[3] = ['all harmonics', 'first harmonic', 'the paper''s model']"),
             std::string::npos)
     << script;
   EXPECT_NE(script.find("terminal = -1.8901234567\n"), std::string::npos) << script;

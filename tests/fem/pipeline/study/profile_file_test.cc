@@ -62,7 +62,7 @@ TEST(ProfileFile, MayBeWrittenInManyWays)
   for (std::string r, z; rows >> r >> z;)
     metres += fmt::format("{}, {}\n", std::stod(r) / 1000, std::stod(z) / 1000);
   for (const std::string &text : { millimetres + plain_foot, "radius [mm]; height [mm]\r\n" + semicolons,
-                                   "r mm, z mm\n" + blanks, "\xEF\xBB\xBFr,z\n# in m\n\n" + metres, metres })
+                                   "r mm\tz mm\n" + blanks, "\xEF\xBB\xBFr,z\n# in m\n\n" + metres, metres })
   {
     const Study study = study_of(text);
     EXPECT_NEAR(study.glass.profile.topside(0.025), thickness, 1e-12) << text;
