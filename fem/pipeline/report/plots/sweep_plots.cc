@@ -75,16 +75,23 @@ struct GridCurve
   Values values;
 };
 
-/// True if a curve jumps between values @p i and i + 1: it changes there more than four times as much as over
-/// the intervals to the left and to the right. No line is drawn over a jump.
+/// True if a curve jumps between values @p i and i + 1: each of one or two neighbouring intervals, this one
+/// among them, has more than four times the change of the intervals to their left and right. (A spin that
+/// changes its sense has a zero in the middle of its jump.) No line is drawn over a jump.
 bool jumps(const Values &y, std::size_t i)
 {
   constexpr double factor = 4;
   const auto step = [&](std::size_t j) { return std::abs(y[j + 1] - y[j]); };
-  if (i == 0 || i + 2 >= y.size() || !std::isfinite(step(i - 1) + step(i) + step(i + 1)))
-    return false;
-  const double beside = std::max(step(i - 1), step(i + 1));
-  return step(i) > factor * beside && beside > 1e-9 * step(i); // rounding beside a step tells nothing
+  const auto jumps_over = [&](std::size_t first, std::size_t n_intervals)
+  {
+    const std::size_t end = first + n_intervals;
+    if (first == 0 || end + 1 >= y.size())
+      return false;
+    const double beside = std::max(step(first - 1), step(end)), least = std::min(step(first), step(end - 1));
+    return std::isfinite(beside + step(first) + step(end - 1)) && least > factor * beside &&
+           beside > 1e-9 * least; // rounding beside a step tells nothing
+  };
+  return jumps_over(i, 1) || jumps_over(i, 2) || (i > 0 && jumps_over(i - 1, 2));
 }
 
 void add_picture(const Drawing &drawing, const std::string &source, const Json &values,

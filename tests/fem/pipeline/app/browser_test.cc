@@ -231,8 +231,8 @@ std::vector<Opened> hostile_reports(const std::string &place)
     { "mesh_file",
       { "run", "--quick", "--set", "Contact/Body=solid", "--set", "Contact/Mesh file=" + place + ".msh" } },
     { "profiles",
-      { "sweep", "--vary", "Glass/Profile file=" + place + ".csv," + place + " broken.csv", "--vary",
-        "Motion/Mass=0.2,0.3" } },
+      { "sweep", "--set", "Glass/Profile file=" + place + ".csv", "--vary",
+        "Glass/Profile file=" + place + ".csv," + place + " broken.csv", "--vary", "Motion/Mass=0.2,0.3" } },
   };
   for (const auto &[name, arguments] : further)
   {
@@ -273,7 +273,10 @@ TEST(Reports, HostileTextRunsNoScriptAndNoCommand)
   {
     EXPECT_FALSE(shown[page]["ran"].get<bool>()) << page;
     EXPECT_NE(shown[page]["answer"], "") << page;
-    EXPECT_NE(shown[page]["words"].get<std::string>().find("dataset.ran=1"), std::string::npos) << page;
+    if (page.rfind("converge", 0) != 0) // shows no text of an entry
+    {
+      EXPECT_NE(shown[page]["words"].get<std::string>().find("dataset.ran=1"), std::string::npos) << page;
+    }
   }
   for (const auto &file : fs::recursive_directory_iterator(scratch.path()))
     EXPECT_NE(file.path().filename(), "PWN") << file.path();

@@ -149,7 +149,9 @@ TEST(TextReader, AllPathsStartAtTheStudyFile)
   // Which entries are paths, the entries say: a new one cannot be forgotten.
   const std::filesystem::path folder = testing::TempDir() + "stemware_paths_" + std::to_string(getpid());
   std::filesystem::create_directories(folder / "sub");
-  std::ofstream(folder / "sub/study.prm") << "subsection Contact\n  set Body = solid\n  set Mesh file = foot.msh\nend\n";
+  std::ofstream(folder / "sub/study.prm")
+    << "subsection Contact\n  set Body = solid\n  set Mesh file = foot.msh\nend\n";
+  std::ofstream(folder / "sub/foot.msh") << "read later";
   const Study study = read_study((folder / "sub/study.prm").string());
   const std::string file = (folder / "sub/foot.msh").lexically_normal().string();
   EXPECT_EQ(study.contact.mesh_file, file);

@@ -19,7 +19,7 @@ Results made_convergence()
 
 TEST(ConvergenceByHand, DataFile)
 {
-  EXPECT_EQ(file_lines(made_convergence(), "converge.csv"), R"(axis: meridional_mesh | meridional_mesh
+  EXPECT_EQ(file_lines(made_convergence(), "converge.csv"), R"(axis (): meridional_mesh | meridional_mesh
 level (1): -1 | 0
 size (1): 0 | 1
 unknowns (1): 561 | 561
@@ -34,8 +34,11 @@ TEST(ConvergenceByHand, Summary)
   EXPECT_EQ(results.findings.summary["refinement"]["meridional_mesh"]["figures"]["omega_terminal"].dump(),
             R"({"values":[1.1301234567,1.1401234567],"order":1.1501234567,"limit":1.1601234567,)"
             R"("bands":[0.0011701234567,0.0011801234567]})");
-  EXPECT_EQ(results.findings.summary["error_bands"]["omega_terminal"].dump(),
-            R"({"value":1.0401234567,"band":0.0010501234567,"unit":"rad/s","richardson":1.0601234567})");
+  const Json &band = results.findings.summary["error_bands"]["omega_terminal"];
+  EXPECT_EQ(band["value"], 1.0401234567);
+  EXPECT_EQ(band["band"], 0.0010501234567);
+  EXPECT_EQ(band["unit"], "rad/s");
+  EXPECT_EQ(band["richardson"], 1.0601234567);
   EXPECT_EQ(results.findings.key_figures["omega_terminal_band"], 0.0010501234567);
 }
 

@@ -150,7 +150,7 @@ TEST(Table, OneObjectAsAList)
 {
   EXPECT_EQ(
     as_list(table_of({ { "spin", 1.23456 }, { "at", { 1.5, 2 } } }, "spin at[]", "all", "", own)).dump(),
-    R"=([{"what":"ω_∞ (rad/s)","is":"1.23"},{"what":" (s)","is":"1.5"},{"what":" (s)","is":"2"}])=");
+    R"=([{"what":"ω_∞ (rad/s)","is":"1.23"},{"what":"at 1 (s)","is":"1.5"},{"what":"at 2 (s)","is":"2"}])=");
 }
 
 TEST(Table, ANumberThatIsNotFiniteIsNoneForPeopleAndIsLeftToPublishInJson)
@@ -214,8 +214,9 @@ TEST(Quantities, OfTheSchemaHaveNoWordThatNobodyReads)
   const Json schema = Json::parse(test::read_text(STEMWARE_SCHEMA));
   for (const Json &value : schema["properties"])
     look(value);
-  for (const Json &value : schema["definitions"])
-    look(value);
+  for (const auto &[name, value] : schema["definitions"].items())
+    if (name != "files") // columns of the files, which ColumnKeys tests
+      look(value);
 }
 
 TEST(Quantities, APartOfTheSummaryHasTheKeysOfTheSchemaInItsOrder)
