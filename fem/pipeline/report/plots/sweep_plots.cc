@@ -194,7 +194,7 @@ void add_sweep_plots(const CaseList &list, const FinishedCases &finished, Docume
   for (Drawing drawing :
        { Drawing{ "omega_terminal", "Terminal spin" + legend, values("omega_terminal") },
          Drawing{ "harmonic_effect",
-                  "Change of the terminal spin by the higher harmonics of the load" + legend,
+                  "Effect of the higher harmonics of the load on the terminal spin" + legend,
                   values("harmonic_effect") },
          Drawing{ "contact_fraction", "Share of the rim that carries load at rest" + legend,
                   values("contact_fraction") },

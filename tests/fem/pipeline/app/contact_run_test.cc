@@ -336,7 +336,7 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
                                      scratch.path())
                         .end();
   EXPECT_EQ(ended.exit_code, 3) << ended.err;
-  const std::string sentence = "stemware: The file contact_1.vtu of the results cannot be written";
+  const std::string sentence = "stemware: The file contact_1.vtu cannot be written";
   EXPECT_NE(ended.err.find(sentence), std::string::npos) << ended.err;
   EXPECT_EQ(ended.err.find(sentence), ended.err.rfind(sentence)) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
