@@ -30,18 +30,21 @@ struct SlidingFlow
   double mass;
   double gyration_radius;
   double initial_scale;
+  bool spins_only; ///< v = 0 from the start: cos(pi / 2) is not quite 0, and friction may let v grow
+
+  double cosine(double share) const { return spins_only ? 0. : std::cos(share); }
 
   double scale(double sigma) const { return initial_scale * std::exp(-sigma); }
 
   void operator()(const State &state, State &rate, double sigma) const
   {
-    const double s = scale(sigma), c = std::cos(state[0]), sine = std::sin(state[0]);
+    const double s = scale(sigma), c = cosine(state[0]), sine = std::sin(state[0]);
     // Friction depends on the ratio of the two speeds only.
     const Wrench friction = friction_at(std::max(c, 0.), sine / gyration_radius);
     const double push = friction.force_x / mass;
     const double twist = friction.torque / (mass * gyration_radius);
     const double loss = -(c * push + sine * twist); // -dS/dt > 0
-    rate[0] = (c * twist - sine * push) / loss;
+    rate[0] = spins_only ? 0. : (c * twist - sine * push) / loss;
     rate[1] = c > 0. ? friction.force_y / (mass * c * loss) : 0.;
     const double clock = s / loss; // dt / dsigma
     const double omega = s * sine / gyration_radius;
@@ -59,8 +62,8 @@ struct SlidingFlow
              state[3],
              state[4],
              state[2],
-             s * std::cos(state[0]),
-             state[1],
+             s * cosine(state[0]),
+             spins_only ? std::numeric_limits<double>::quiet_NaN() : state[1],
              s * std::sin(state[0]) / gyration_radius,
              state[6],
              state[7] };
@@ -153,12 +156,13 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
                           double omega, double accuracy)
 {
   inertia.validate();
-  require_positive(speed, "the initial speed", "m/s");
-  require_finite(omega, "the initial spin [rad/s]");
+  require(std::isfinite(speed) && speed >= 0. && std::isfinite(omega) && (speed > 0. || omega != 0.),
+          "the body starts with ", speed, " m/s and ", omega,
+          " rad/s, but both must be finite, the speed not negative and one of them not zero");
   require_positive(accuracy, "the requested accuracy", "");
   const double gyration_radius = std::sqrt(inertia.yaw_inertia / inertia.mass);
-  const SlidingFlow flow{ friction, inertia.mass, gyration_radius,
-                          std::hypot(speed, gyration_radius * omega) };
+  const SlidingFlow flow{ friction, inertia.mass, gyration_radius, std::hypot(speed, gyration_radius * omega),
+                          speed == 0. };
 
   namespace odeint = boost::numeric::odeint;
   auto stepper = odeint::make_controlled(accuracy * 1e-2, accuracy, odeint::runge_kutta_dopri5<State>());
@@ -181,7 +185,9 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
   if (std::abs(rate[1]) > least_turning)
     state[1] = std::numeric_limits<double>::quiet_NaN();
   path.states.push_back(flow.physical(state, 0.));
-  path.final_slip_ratio = final_slip_ratio(inertia, friction, omega * inertia.outer_radius / speed);
+  path.final_slip_ratio = flow.spins_only
+                            ? std::copysign(std::numeric_limits<double>::infinity(), omega)
+                            : final_slip_ratio(inertia, friction, omega * inertia.outer_radius / speed);
   return path;
 }
 

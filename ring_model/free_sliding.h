@@ -69,7 +69,8 @@ struct SlidingPath
 Wrench sliding_friction(const FreeSlider &slider, double speed, double omega);
 
 /**
- * Slides from @p speed > 0 [m/s] and @p omega [rad/s] to the stop.
+ * Slides from @p speed >= 0 [m/s] and @p omega [rad/s], one of them not 0, to the stop. Without speed the
+ * body spins on its place, also where that is unstable.
  *
  * The equations are singular at the stop, where v and omega vanish together. Integrated are therefore the
  * ratio of the two and the direction over sigma = -ln S, S^2 = v^2 + I omega^2 / m, which friction can only

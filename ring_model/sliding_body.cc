@@ -22,6 +22,28 @@ void gauss_points(double lower, double upper, const Add &add)
     for (const double sign : { -1., 1. })
       add(middle + sign * half * Rule::abscissa()[i], half * Rule::weights()[i]);
 }
+
+/// Calls add(r, weight) for a Gauss rule on [lower, upper] whose points gather at both ends: r runs as a
+/// polynomial of t with three vanishing derivatives there, so that a root of the distance becomes smooth.
+template <typename Add>
+void points_gathered_at_ends(double lower, double upper, const Add &add)
+{
+  const double length = upper - lower;
+  gauss_points(0., 1.,
+               [&](double t, double width)
+               {
+                 const double s = t * (1. - t), r = t * t * t * t * (35. + t * (-84. + t * (70. - 20. * t)));
+                 add(lower + length * r, length * 140. * s * s * s * width);
+               });
+}
+
+/// Throws unless an annulus reaches from one radius to a larger one.
+void require_annulus(double inner_radius, double outer_radius)
+{
+  require(std::isfinite(outer_radius) && inner_radius >= 0. && inner_radius < outer_radius,
+          "the annulus reaches from ", inner_radius, " to ", outer_radius,
+          " m, but the radii must be finite, not negative and increase");
+}
 } // namespace
 
 SlidingBody::SlidingBody(std::vector<WeightedRing> stacked, double inner_radius, double outer_radius)
@@ -48,15 +70,33 @@ SlidingBody SlidingBody::stack(std::vector<WeightedRing> rings)
     largest = std::max(largest, one.radius);
   }
   require(std::abs(sum - 1.) <= 1e-12, "the weights of the rings add up to ", sum, ", but must add up to 1");
-  return { std::move(rings), 0., largest };
+  SlidingBody body(std::move(rings), 0., largest);
+  body.mean_square = body.mean_power(2.);
+  return body;
 }
 
 SlidingBody SlidingBody::annulus(double inner_radius, double outer_radius)
 {
-  require(std::isfinite(outer_radius) && inner_radius >= 0. && inner_radius < outer_radius,
-          "the annulus reaches from ", inner_radius, " to ", outer_radius,
-          " m, but the radii must be finite, not negative and increase");
-  return { {}, inner_radius, outer_radius };
+  require_annulus(inner_radius, outer_radius);
+  SlidingBody body({}, inner_radius, outer_radius);
+  body.mean_square = 0.5 * (inner_radius * inner_radius + outer_radius * outer_radius);
+  return body;
+}
+
+SlidingBody SlidingBody::with_pressure(Pressure pressure, double inner_radius, double outer_radius)
+{
+  require_annulus(inner_radius, outer_radius);
+  require(static_cast<bool>(pressure), "the pressure is no function, but must be one of the radius");
+  SlidingBody body({}, inner_radius, outer_radius);
+  body.pressure = std::move(pressure);
+  double sum = 0.;
+  for (const WeightedRing &one : body.rings(HUGE_VAL))
+    sum += one.weight;
+  require(sum > 0., "the pressure vanishes from ", inner_radius, " to ", outer_radius,
+          " m, but must be positive somewhere");
+  body.unit = 1. / sum;
+  body.mean_square = body.mean_power(2.);
+  return body;
 }
 
 std::vector<WeightedRing> SlidingBody::rings(double still) const
@@ -65,6 +105,29 @@ std::vector<WeightedRing> SlidingBody::rings(double still) const
     return stacked;
   std::vector<WeightedRing> nodes;
   nodes.reserve(80);
+  if (pressure)
+  {
+    std::vector<double> radii, widths;
+    const auto add = [&](double radius, double width)
+    {
+      radii.push_back(radius);
+      widths.push_back(width);
+    };
+    const bool is_split = inner < still && still < outer;
+    points_gathered_at_ends(inner, is_split ? still : outer, add);
+    if (is_split)
+      points_gathered_at_ends(still, outer, add);
+    const std::vector<double> values = pressure(radii);
+    require(values.size() == radii.size(), "the pressure has ", values.size(), " values for ", radii.size(),
+            " radii; give equally many");
+    for (std::size_t i = 0; i < radii.size(); ++i)
+    {
+      require(std::isfinite(values[i]) && values[i] >= 0., "the pressure at ", radii[i], " m is ", values[i],
+              ", but must be finite and not negative");
+      nodes.push_back({ radii[i], unit * values[i] * radii[i] * widths[i] });
+    }
+    return nodes;
+  }
   const double area = 0.5 * (outer - inner) * (outer + inner);
   const auto add = [&](double radius, double width) { nodes.push_back({ radius, radius * width / area }); };
   if (!(still < 2. * outer) || still < 0.25 * inner)
@@ -85,13 +148,11 @@ std::vector<WeightedRing> SlidingBody::rings(double still) const
   return nodes;
 }
 
-double SlidingBody::mean_square_radius() const
+double SlidingBody::mean_power(double exponent) const
 {
-  if (stacked.empty())
-    return 0.5 * (inner * inner + outer * outer);
   double sum = 0.;
-  for (const WeightedRing &one : stacked)
-    sum += one.weight * one.radius * one.radius;
+  for (const WeightedRing &one : rings(HUGE_VAL))
+    sum += one.weight * std::pow(one.radius, exponent);
   return sum;
 }
 } // namespace stemware::ring

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 namespace stemware::ring
@@ -12,10 +13,13 @@ struct WeightedRing
 };
 
 /// A flat-bottomed body made of concentric rings: a ring, a stack of rings, an annulus or a disc of uniform
-/// pressure.
+/// pressure, or any pressure p(r).
 class SlidingBody
 {
 public:
+  /// Normal pressure p(r) >= 0 at all @p radii [m] at once, in any unit: only its shape counts.
+  using Pressure = std::function<std::vector<double>(const std::vector<double> &radii)>;
+
   /// One ring. @throws std::invalid_argument unless radius > 0 [m].
   static SlidingBody ring(double radius);
 
@@ -28,10 +32,16 @@ public:
   /// Uniform pressure on a disc [m].
   static SlidingBody disc(double radius) { return annulus(0., radius); }
 
+  /// Any pressure between two radii [m], smooth between them. It may vanish at either radius like a root, as
+  /// Hertz's does. @throws std::invalid_argument unless 0 <= inner < outer, the pressure is finite, nowhere
+  /// negative and somewhere positive.
+  static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
+
   /**
    * The rings that stand for the body when the radius @p still = v / |omega| [m] has a point at rest. For an
    * annulus they are the nodes of Gauss rules on both sides of that radius, clustered there because friction
-   * is singular (like x ln x): integrals over the annulus are then exact to rounding.
+   * is singular (like x ln x): integrals over the annulus are then exact to rounding. Those of any other
+   * pressure are clustered at its two radii too.
    */
   std::vector<WeightedRing> rings(double still) const;
 
@@ -40,13 +50,19 @@ public:
 
   /// Mean of r^2 over the weight [m^2]: the gyration radius squared of a body whose mass is spread like its
   /// weight.
-  double mean_square_radius() const;
+  double mean_square_radius() const { return mean_square; }
+
+  /// Mean of r^exponent over the weight [m^exponent].
+  double mean_power(double exponent) const;
 
 private:
   SlidingBody(std::vector<WeightedRing> stacked, double inner_radius, double outer_radius);
 
-  std::vector<WeightedRing> stacked; ///< empty for an annulus
+  std::vector<WeightedRing> stacked; ///< empty for an annulus or a pressure
   double inner;
   double outer;
+  Pressure pressure = {}; ///< empty: uniform
+  double unit = 1.;       ///< weight per pressure and area
+  double mean_square = 0.;
 };
 } // namespace stemware::ring

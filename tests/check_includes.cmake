@@ -22,6 +22,7 @@ set(order
     fem/pipeline/document
     fem/pipeline/explore
     fem/pipeline/report
+    fem/pipeline/python
     fem/pipeline/app)
 
 # The place in `order` of the folder that a path lies in, -1 for none.

@@ -333,6 +333,52 @@ TEST(FreeSliding, ADriftingRingFollowsTheClosedFormOfSlowSpin)
   expect_relative(path.states.back().y, -eps * height / radius * speed * speed / (4. * gravity), 1e-6, "y");
 }
 
+TEST(FreeSliding, HertzPressureHasItsClosedForms)
+{
+  const auto root = [](const std::vector<double> &radii)
+  {
+    std::vector<double> values;
+    for (const double r : radii)
+      values.push_back(7. * std::sqrt(1. - r * r));
+    return values;
+  };
+  const SlidingBody body = SlidingBody::with_pressure(root, 0., 1.);
+  EXPECT_NEAR(body.mean_square_radius(), 0.4, 1e-14);
+  EXPECT_NEAR(body.mean_power(-1.), 0.75 * pi, 1e-12);
+  EXPECT_NEAR(sliding_friction(unit_slider(body, 0.4), 0., 2.).torque, -3. * pi / 16., 1e-13);
+  EXPECT_NEAR(sliding_friction(unit_slider(body, 0.4), 2., 0.).force_x, -1., 1e-13);
+}
+
+TEST(FreeSliding, UniformPressureIsTheAnnulus)
+{
+  const auto one = [](const std::vector<double> &radii) { return std::vector<double>(radii.size(), 3.); };
+  FreeSlider given = unit_slider(SlidingBody::with_pressure(one, 0.4, 1.), 0.5),
+             annulus = unit_slider(SlidingBody::annulus(0.4, 1.), 0.5);
+  given.centre_of_mass_height = annulus.centre_of_mass_height = 0.2;
+  for (const double omega : { -7., -1.6, -1., -0.3, 0., 0.9, 1.00001, 2.5 })
+  {
+    const Wrench found = sliding_friction(given, 1., omega), exact = sliding_friction(annulus, 1., omega);
+    EXPECT_NEAR(found.torque, exact.torque, 1e-13) << omega;
+    EXPECT_NEAR(found.force_x, exact.force_x, 1e-13) << omega;
+    EXPECT_NEAR(found.force_y, exact.force_y, 1e-13) << omega;
+  }
+}
+
+TEST(FreeSliding, WithoutSpeedItSpinsOnItsPlace)
+{
+  // Constant torque -2/3: omega falls in a straight line.
+  const SlidingPath path = slide_to_stop(unit_slider(SlidingBody::disc(1.), 0.5), 0., -3.);
+  EXPECT_NEAR(path.states.back().time, 3. * 0.5 * 1.5, 1e-11);
+  EXPECT_NEAR(path.states.back().yaw, -0.5 * 3. * 3. * 0.5 * 1.5, 1e-11);
+  EXPECT_NEAR(path.states.back().friction_loss, 0.5 * 0.5 * 9., 1e-11);
+  EXPECT_EQ(path.final_slip_ratio, -std::numeric_limits<double>::infinity());
+  for (const SlidingState &state : path.states)
+  {
+    EXPECT_EQ(state.speed, 0.);
+    EXPECT_TRUE(std::isnan(state.heading));
+  }
+}
+
 TEST(FreeSliding, RefusesBadInput)
 {
   EXPECT_THROW(SlidingBody::ring(0.), std::invalid_argument);
@@ -341,7 +387,14 @@ TEST(FreeSliding, RefusesBadInput)
   EXPECT_THROW(SlidingBody::stack({}), std::invalid_argument);
   EXPECT_THROW(SlidingBody::stack({ { 1., 0.5 } }), std::invalid_argument);
   const FreeSlider ring = unit_slider(SlidingBody::ring(1.), 1.);
-  EXPECT_THROW(slide_to_stop(ring, 0., 1.), std::invalid_argument);
+  EXPECT_THROW(slide_to_stop(ring, 0., 0.), std::invalid_argument);
+  EXPECT_THROW(slide_to_stop(ring, -1., 1.), std::invalid_argument);
+  const auto pressure = [](double value)
+  { return [value](const std::vector<double> &radii) { return std::vector<double>(radii.size(), value); }; };
+  EXPECT_THROW(SlidingBody::with_pressure(pressure(0.), 0., 1.), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::with_pressure(pressure(-1.), 0., 1.), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::with_pressure(pressure(1.), 1., 1.), std::invalid_argument);
+  EXPECT_THROW(SlidingBody::with_pressure({}, 0., 1.), std::invalid_argument);
   EXPECT_THROW(slide_to_stop(ring, 1., std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
   EXPECT_THROW(slide_to_stop(unit_slider(SlidingBody::ring(1.), 0.), 1., 1.), std::invalid_argument);
   EXPECT_THROW(sliding_friction(ring, 0., 0.), std::invalid_argument);

@@ -1,0 +1,37 @@
+"""The ring alone, stemware.ring, from a checkout: pip install ./fem/pipeline/python --no-build-isolation
+
+Compiles ring_model/ of the same checkout; needs the headers of Eigen, Boost and pybind11. The study, which stands on deal.II,
+is built by CMake.
+"""
+import glob
+import os
+import re
+import subprocess
+
+from pybind11.setup_helpers import ParallelCompile, Pybind11Extension
+from setuptools import setup
+
+os.chdir(os.path.dirname(os.path.abspath(__file__)))
+top = os.path.relpath("../../..")
+with open(os.path.join(top, "CMakeLists.txt")) as file:
+    version = re.search(r"set\(STEMWARE_VERSION ([^)]*)\)", file.read()).group(1).replace("~", ".")
+
+
+def eigen():
+    found = subprocess.run(["pkg-config", "--cflags-only-I", "eigen3"], stdout=subprocess.PIPE, text=True).stdout.strip()
+    return found[2:] or "/usr/include/eigen3"
+
+
+sources = ["ring_bindings.cc", *sorted(glob.glob(top + "/ring_model/*.cc") + glob.glob(top + "/ring_model/load/*.cc"))]
+ParallelCompile("STEMWARE_COMPILERS", default=2).install()
+setup(
+    name="stemware",
+    version=version,
+    description="The Coulomb ring that slides and spins: limit surfaces, terminal spins, free sliding",
+    license="MIT",
+    python_requires=">=3.9",
+    install_requires=["numpy"],
+    packages=["stemware"],
+    package_data={"stemware": ["py.typed", "*.pyi"]},
+    ext_modules=[Pybind11Extension("stemware._ring", sources, include_dirs=[top, eigen()], cxx_std=17)],
+)

@@ -1,0 +1,323 @@
+"""stemware.ring against closed forms, elliptic integrals of scipy and an integration of its own."""
+import doctest
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+from scipy.integrate import quad, solve_ivp
+from scipy.special import ellipe, ellipkm1
+
+from stemware import ring
+
+N, mu, R, v = 3.0, 0.3, 0.03, 0.35
+
+
+def elliptic(eps):
+    """(1 + eps) E and (1 - eps) K of the modulus of a ring at the slip ratio eps, without cancellation near 1."""
+    complement = ((1 - eps) / (1 + eps))**2
+    return (1 + eps) * ellipe(1 - complement), 0.0 if complement == 0 else (1 - eps) * ellipkm1(complement)
+
+
+def drag(eps):
+    """Share of mu N that drags a ring at the slip ratio eps."""
+    return sum(elliptic(eps)) / np.pi
+
+
+def twist(eps):
+    """Share of mu N r that brakes the spin of that ring."""
+    if eps == 0:
+        return 0.0
+    E, K = elliptic(eps)
+    return (E - K) / (np.pi * eps)
+
+
+def integrals(p, inner, outer, omega, speed):
+    """Force and torque over mu N of p(r) by adaptive quadrature over r, in the root of the distance to either end."""
+    ends = sorted({inner, outer} | ({speed / omega} if inner < speed / omega < outer else set()))
+    pieces = []
+    for a, b in zip(ends, ends[1:]):
+        def at(t, f, a=a, b=b):
+            r = a + (b - a) * np.sin(t)**2
+            return f(r) * 2 * (b - a) * np.sin(t) * np.cos(t) * p(r) * r
+        pieces.append([quad(at, 0, np.pi / 2, args=(f,), epsabs=0, epsrel=1e-13, limit=400)[0]
+                       for f in (lambda r: 1.0, lambda r: drag(omega * r / speed), lambda r: r * twist(omega * r / speed))])
+    whole, force, torque = np.sum(pieces, axis=0)
+    return force / whole, torque / whole
+
+
+class ClosedForms(unittest.TestCase):
+    bodies = {
+        "ring": (ring.Pressure.ring(R), 1, 2 / np.pi, 2 / np.pi),
+        "disc": (ring.Pressure.disc(R), 2 / 3, 8 / (3 * np.pi), 8 / (9 * np.pi)),
+        "annulus": (ring.Pressure.annulus(0.7 * R, R), 2 / 3 * (1 - 0.7**3) / (1 - 0.7**2), None, None),
+        "Hertz": (ring.Pressure.hertz(R), 3 * np.pi / 16, None, None),
+        "disc as a function": (ring.Pressure(np.ones_like, 0, R), 2 / 3, 8 / (3 * np.pi), 8 / (9 * np.pi)),
+        "Hertz as a function": (ring.Pressure(lambda r: np.sqrt(1 - (r / R)**2), 0, R), 3 * np.pi / 16, None, None),
+    }
+    shapes = {"annulus": (lambda r: 1.0, 0.7 * R), "Hertz": (lambda r: np.sqrt(max(0, R * R - r * r)), 0)}
+
+    def test_pure_spin_rest_and_equal_speeds(self):
+        for name, (body, arm, force, torque) in self.bodies.items():
+            with self.subTest(name):
+                spin = ring.wrench(body, 0.0, 5.0, mu=mu, normal_force=N)
+                self.assertLess(abs(-spin.torque / (mu * N * R * arm) - 1), 1e-12)
+                self.assertLess(abs(spin.force_x), 1e-13)
+                rest = ring.wrench(body, v, 0.0, mu=mu, normal_force=N)
+                self.assertLess(abs(-rest.force_x / (mu * N) - 1), 1e-13)
+                self.assertEqual(rest.torque, 0)
+                equal = ring.wrench(body, v, v / R, mu=mu, normal_force=N)
+                if force is None:
+                    p, inner = self.shapes[name.split()[0]]
+                    force, torque = integrals(p, inner, R, v / R, v)
+                    torque /= R
+                self.assertLess(abs(-equal.force_x / (mu * N * force) - 1), 1e-12)
+                self.assertLess(abs(-equal.torque / (mu * N * R * torque) - 1), 1e-12)
+
+    def test_any_slip_against_elliptic_integrals(self):
+        p = lambda r: 1 + (r / R)**2
+        body = ring.Pressure(p, 0.4 * R, R)
+        for eps in (0.3, 1.2, 1.9, 5.0):
+            got = ring.wrench(body, v, eps * v / R, mu=mu, normal_force=N)
+            force, torque = integrals(p, 0.4 * R, R, eps * v / R, v)
+            self.assertLess(abs(-got.force_x / (mu * N * force) - 1), 1e-12)
+            self.assertLess(abs(-got.torque / (mu * N * torque) - 1), 1e-12)
+
+    def test_a_first_harmonic_at_rest(self):
+        load = ring.RingStack.first_harmonic(normal_force=N, moment=(0.02, 0.01), radius=R)
+        self.assertLess(abs(ring.wrench(load, v, 0.0, mu=mu).torque / (mu * 0.02) - 1), 1e-14)
+
+    def test_a_stack_converges_to_the_annulus_and_says_how_far_it_is(self):
+        exact = ring.wrench(ring.Pressure.annulus(0.7 * R, R), v, np.linspace(-30, 30, 200), mu=mu, normal_force=N).torque
+        theta = np.arange(32) * 2 * np.pi / 32
+        torques = []
+        for n in (11, 21):
+            r = np.linspace(0.7 * R, R, n)
+            p = np.full((n, 32), N / (np.pi * R**2 * (1 - 0.49)))
+            stack = ring.stack_from_pressure(r, theta, p, n_max=2)
+            torques.append(ring.wrench(stack, v, np.linspace(-30, 30, 200), mu=mu).torque)
+        errors = [np.abs(torque - exact).max() / (mu * N * R) for torque in torques]
+        self.assertLess(errors[1], 3e-4)
+        self.assertGreater(np.abs(torques[1] - torques[0]).max() / (mu * N * R), errors[1])
+
+
+def moving_friction(load, velocity, omega, point, n=4096):
+    """Force and torque about a point by the trapezoidal rule over the azimuth of each ring."""
+    theta = np.arange(n) * 2 * np.pi / n
+    force, torque = np.zeros(2), 0.0
+    for radius, a, b in zip(load.radii, load.a, load.b):
+        k = np.arange(a.size)[:, None]
+        density = a @ np.cos(k * theta) + b @ np.sin(k * theta)
+        where = radius * np.array([np.cos(theta), np.sin(theta)]) - np.array(point)[:, None]
+        slip = np.array(velocity)[:, None] + omega * np.array([-where[1], where[0]])
+        pull = -density * slip / np.hypot(*slip) * 2 * np.pi / n
+        force += pull.sum(axis=1)
+        torque += (where[0] * pull[1] - where[1] * pull[0]).sum()
+    return force, torque
+
+
+class LimitSurface(unittest.TestCase):
+    stack = ring.RingStack(radii=[0.028, 0.03], a=[[0.25, 0.05, 0.02], [0.2, -0.04, 0.01]], b=[[0, 0.06, 0.01], [0, 0.03, 0]])
+
+    def test_about_any_point_in_any_direction(self):
+        for point, direction in (((0.004, -0.003), 0.7), ((0.0, 0.005), -2.0), ((0.0, 0.0), 1.0)):
+            s = ring.limit_surface(self.stack, n=13, about=point, direction=direction)
+            along = np.array([np.cos(direction), np.sin(direction)])
+            for i in (2, 4, 6, 8, 10):
+                force, torque = moving_friction(self.stack, np.cos(s.angle[i]) * along,
+                                                np.sin(s.angle[i]) / self.stack.radius, point)
+                self.assertAlmostEqual(-force @ along / self.stack.normal_force, s.force[i], delta=1e-9)
+                self.assertAlmostEqual(-torque / self.stack.normal_force / s.arm, s.torque[i], delta=1e-9)
+                self.assertAlmostEqual(-(along[0] * force[1] - along[1] * force[0]) / self.stack.normal_force, s.across[i], delta=1e-9)
+
+    def test_directions_differ_and_the_centre_of_pressure_slides_without_torque(self):
+        load = ring.RingStack.first_harmonic(normal_force=1.0, moment=(0.35 * R, 0.1 * R), radius=R)
+        s = ring.limit_surface(load, n=3, about="centre of pressure")
+        self.assertLess(abs(s.torque[1]), 1e-14)
+        other = ring.limit_surface(load, direction=np.pi / 2)
+        self.assertGreater(np.abs(other.force - ring.limit_surface(load).force).max(), 0.05)
+
+    def test_slip_is_normal_to_it(self):
+        for s in (ring.limit_surface(ring.Pressure.disc(R), n=4001), ring.limit_surface(self.stack, n=4001, direction=0.4, about=(0.002, 0.001))):
+            rate = np.cos(s.angle) * np.gradient(s.force, s.angle) + np.sin(s.angle) * s.arm / s.radius * np.gradient(s.torque, s.angle)
+            self.assertLess(np.abs(rate[5:-5]).max(), 1e-3)  # torques are singular like x ln x
+
+    def test_pade_has_the_published_coefficients_of_hertz(self):
+        s = ring.limit_surface(ring.Pressure.hertz(R))
+        v_, u = np.cos(s.angle[1:-1]), np.abs(np.sin(s.angle[1:-1]))
+        force, torque = (one[1:-1] for one in s.pade(order=1))
+        np.testing.assert_allclose(force, v_ / (v_ + 8 / (3 * np.pi) * u), rtol=1e-10)
+        np.testing.assert_allclose(np.abs(torque), u / (u + 15 * np.pi / 16 * v_), rtol=1e-10)
+        for order, bound in ((1, 0.5), (2, 0.25)):
+            force, torque = s.pade(order)
+            self.assertLess(np.hypot(force - s.force, torque - s.torque).max(), bound)
+        e = 1e-4  # second order: the error falls like the cube at pure sliding
+        for x in (e, 2 * e):
+            one = ring.wrench(ring.Pressure.hertz(R), 1.0, x / R, mu=1.0)
+            self.assertLess(abs(-one.force_x - (1 - x * x / 10)), x**3)
+
+    def test_ellipsoid_and_excess(self):
+        s = ring.limit_surface(ring.Pressure.disc(R))
+        excess = s.excess(*s.ellipsoid())
+        self.assertGreater(excess.min(), -1e-6)
+        self.assertAlmostEqual(excess.max(), 0.07, delta=0.002)
+        self.assertLess(np.abs(s.excess(s.force, s.torque)).max(), 1e-12)
+
+
+class Motions(unittest.TestCase):
+    def slide_by_scipy(self, friction, k2, speed, omega, end):
+        """v, omega, x at time end of a body of unit mass and gyration radius^2 k2; friction(v, omega): shares."""
+        def rate(t, y):
+            force, torque = friction(y[0], y[1])
+            return [-mu * 9.81 * force, -mu * 9.81 * torque / k2, y[0], y[1]]
+        found = solve_ivp(rate, (0, end), [speed, omega, 0, 0], rtol=1e-12, atol=1e-14, method="DOP853")
+        return found.y[:, -1]
+
+    def test_slides_of_ring_and_disc(self):
+        x, w = np.polynomial.legendre.leggauss(60)
+
+        def of_disc(speed, omega):
+            still = min(max(speed / omega, 0), R)
+            force = torque = 0.0
+            for a, b, towards in ((0, still, still), (still, R, still)):
+                if b - a > 1e-15:  # t^3 from the place where points rest
+                    t = (x + 1) / 2
+                    r = towards + (a + b - 2 * towards) * t**3
+                    weight = (b - a) * 1.5 * t**2 * w * r * 2 / R**2
+                    eps = omega * r / speed
+                    force += (weight * np.array([drag(e) for e in eps])).sum()
+                    torque += (weight * r * np.array([twist(e) for e in eps])).sum()
+            return force, torque
+        cases = {"ring": (ring.Pressure.ring(R), R * R, lambda s, w: (drag(w * R / s), R * twist(w * R / s))),
+                 "disc": (ring.Pressure.disc(R), R * R / 2, of_disc)}
+        for name, (body, k2, friction) in cases.items():
+            with self.subTest(name):
+                path = ring.slide(body, mu=mu, mass=0.3, speed=1.0, omega=20.0)
+                i = np.argmax(path["speed"] < 0.1)
+                speed, omega, x_, yaw = self.slide_by_scipy(friction, k2, 1.0, 20.0, path["time"][i])
+                for got, expected in ((path["speed"][i], speed), (path["omega"][i] * R, omega * R), (path["x"][i], x_), (path["yaw"][i], yaw)):
+                    self.assertLess(abs(got - expected), 1e-8)
+                self.assertLess(abs(path["friction_loss"][-1] / (0.15 + 0.15 * k2 * 400) - 1), 1e-10)
+
+    def test_a_pressure_slides_as_the_disc(self):
+        one = ring.slide(ring.Pressure.disc(R), mu=mu, mass=0.3, speed=1.0, omega=20.0, centre_of_mass_height=0.01)
+        other = ring.slide(ring.Pressure(np.ones_like, 0, R), mu=mu, mass=0.3, speed=1.0, omega=20.0, centre_of_mass_height=0.01)
+        for key in ("time", "x", "y", "yaw"):
+            self.assertAlmostEqual(one[key][-1], other[key][-1], delta=1e-11)
+
+    def test_spinning_on_one_place(self):
+        path = ring.slide(ring.Pressure.disc(R), mu=mu, mass=0.3, speed=0.0, omega=-20.0)
+        self.assertLess(abs(path["time"][-1] / (20 * R / 2 / (2 / 3 * mu * 9.81)) - 1), 1e-11)
+        self.assertEqual(np.abs(path["speed"]).max(), 0)
+        self.assertEqual(path["final_slip_ratio"], -np.inf)
+        near = ring.slide(ring.Pressure.disc(R), mu=mu, mass=0.3, speed=1e-9, omega=-20.0)
+        self.assertLess(abs(near["time"][-1] / path["time"][-1] - 1), 1e-7)
+
+    def test_terminal_spins(self):
+        body = ring.SelfConsistentRing(motion=ring.Motion(), closure="paper", radius=R)
+        found = ring.answer(body)
+        self.assertLess(abs(found.omega / -3.1205587015258573 - 1), 1e-12)  # ring_cases.json
+        self.assertTrue(any(abs(one["omega"] - found.omega) < 1e-9 and one["stable"] for one in found.all))
+        self.assertTrue(ring.answer(body, grip_torque=0.1).held)
+        up = ring.spin_up(body, [0, 100])
+        self.assertAlmostEqual(up["omega"][-1], found.omega, delta=1e-7)
+        m = ring.Motion()
+        own = ring.yaw_motion(lambda t, psi, w: -1e-4 * (w - 2), yaw_inertia=m.yaw_inertia, times=np.array([0, 3.0]), spin_scale=10.0)
+        self.assertAlmostEqual(own["omega"][-1], 2 * (1 - np.exp(-1)), delta=1e-7)
+
+    def test_the_lean_comes_with_the_load(self):
+        load = ring.RingStack(radii=[R], a=[[0.47, 0]], b=[[0, 0.1]], tilt=(0.01, 0.02))
+        self.assertAlmostEqual(load.lean_torque, -0.01 * load.moment[0] - 0.02 * load.moment[1], delta=1e-16)
+        motion = ring.Motion()
+        self.assertAlmostEqual(ring.answer(load, motion).torque_at_rest, mu * load.moment[0] + load.lean_torque, delta=1e-15)
+        self.assertAlmostEqual(load.rotated(0.3).lean_torque, load.lean_torque, delta=1e-16)
+
+    def test_laws(self):
+        load = ring.RingStack.first_harmonic(normal_force=N, moment=(0.02, 0), radius=R)
+
+        class Constant(ring.FrictionLaw):
+            def coefficient(self, slip_speed):
+                return mu
+        for law in (ring.coulomb(mu), Constant(), ring.Stribeck(static=mu, kinetic=mu, decay_speed=0.1)):
+            np.testing.assert_allclose(ring.wrench(load, v, [1.0, -5.0], law=law), ring.wrench(load, v, [1.0, -5.0], mu=mu), rtol=1e-10, atol=1e-13)
+
+
+class Manners(unittest.TestCase):
+    def test_sentences(self):
+        for wrong, kind, words in (
+            (lambda: ring.Motion(mass=-1), ring.BadInput, "mass"),
+            (lambda: ring.Pressure(lambda r: -r, 0, R), ring.BadInput, "not negative"),
+            (lambda: ring.Pressure(lambda r: 0 * r, 0, R), ring.BadInput, "positive somewhere"),
+            (lambda: ring.Pressure.annulus(R, R), ring.BadInput, "increase"),
+            (lambda: ring.wrench(ring.Pressure.disc(R), v, 1), ring.BadInput, "give mu"),
+            (lambda: ring.slide(ring.Pressure.disc(R), mu=mu, mass=1, speed=0, omega=0), ring.BadInput, "one of them not zero"),
+            (lambda: ring.SelfConsistentRing(motion=ring.Motion(), closure="open"), ring.BadInput, "paper, hand or full"),
+            (lambda: ring.limit_surface(LimitSurface.stack, about="rim"), ring.BadInput, "centre of pressure"),
+            (lambda: ring.limit_surface(LimitSurface.stack).pade(), ring.BadInput, "Pressure"),
+            (lambda: ring.answer(lambda w: 1.0, ring.Motion(), radius=R), ring.NoTerminalSpin, ""),
+            (lambda: ring.answer(ring.SelfConsistentRing(motion=ring.Motion(centre_of_mass_height=0.5), exponent=1)), ring.Tipping, ""),
+        ):
+            with self.assertRaises(kind) as caught:
+                wrong()
+            self.assertIn(words, str(caught.exception))
+        self.assertTrue(issubclass(ring.BadInput, ValueError) and issubclass(ring.Tipping, ring.NoBalance))
+
+    def test_an_exception_of_a_function_comes_out(self):
+        with self.assertRaises(ZeroDivisionError):
+            ring.answer(lambda w: 1 / 0, ring.Motion(), radius=R)
+
+    def test_shapes(self):
+        self.assertEqual(ring.wrench(LimitSurface.stack, v, np.zeros((3, 1)) + np.ones(4), mu=mu).torque.shape, (3, 4))
+        self.assertEqual(ring.wrench(ring.Pressure.disc(R), v, 1.0, mu=mu).torque.shape, ())
+        self.assertEqual(ring.kernels(np.ones((2, 3)), 1.0, 4)[1].shape, (2, 3, 5))
+
+    def test_pickles(self):
+        one = pickle.loads(pickle.dumps(LimitSurface.stack))
+        np.testing.assert_array_equal(one.a, LimitSurface.stack.a)
+        self.assertEqual(pickle.loads(pickle.dumps(ring.Motion(mass=0.2))).mass, 0.2)
+
+    def test_a_table(self):
+        r, theta = np.linspace(0.02, 0.03, 5), np.arange(64) * 2 * np.pi / 64
+        p = 1e3 * (1 + 0.3 * np.cos(theta) + 0.1 * np.sin(2 * theta)) * np.ones((5, 1))
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+            file.write("r,theta,p\n" + "".join(f"{a!r},{b!r},{p[i, k]!r}\n" for i, a in enumerate(r.tolist()) for k, b in enumerate(theta.tolist())))
+            file.flush()
+            load = ring.stack_from_csv(file.name, n_max=4)
+        np.testing.assert_allclose(load.a, ring.stack_from_pressure(r, theta, p, n_max=4).a, rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(load.a[:, 1] / load.a[:, 0], 0.3, rtol=1e-12)
+        np.testing.assert_allclose(load.b[:, 2] / load.a[:, 0], 0.1, rtol=1e-12)
+        self.assertAlmostEqual(load.normal_force, 1e3 * np.pi * (0.03**2 - 0.02**2), delta=1e-3)
+
+    def test_examples_of_the_docstrings(self):
+        self.assertEqual(doctest.testmod(ring).failed, 0)
+
+    def test_interruption(self):
+        code = ("import numpy as np, sys, time\nfrom stemware import ring\n"
+                "load = ring.RingStack.first_harmonic(normal_force=1, moment=(0.01, 0), radius=0.03)\nprint('ready', flush=True)\n"
+                "try:\n    for i in range(100): ring.wrench(load, 0.35, np.linspace(-1, 1, 2_000_000), mu=0.3)\n"
+                "except KeyboardInterrupt:\n    print('stopped', flush=True)\n")
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        child.stdout.readline()
+        time.sleep(1.5)
+        begin = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        self.assertEqual("stopped\n", child.stdout.readline())
+        print(f"Ctrl-C took {time.monotonic() - begin:.2f} s")
+        child.communicate(timeout=60)
+
+    def test_import(self):
+        code = ("import numpy, time\nb = time.perf_counter()\nimport stemware\nprint(time.perf_counter() - b)\n"
+                "assert 'deal' not in open('/proc/self/maps').read()\n")
+        took = min(float(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True).stdout) for _ in range(7))
+        print(f"import stemware after numpy: {1e3 * took:.0f} ms, least of 7")
+        self.assertLess(took, 0.2)
+
+
+if __name__ == "__main__":
+    os.environ["OMP_NUM_THREADS"] = "1"
+    unittest.main()
