@@ -1,4 +1,4 @@
-# `cpack` makes two Debian packages, of the program and of the libraries: ./quickstart package. Not in builds
+# `cpack` makes Debian packages of the program, of the Python package and of the libraries: ./quickstart package. Not in builds
 # for one machine: packages run on every one of their architecture.
 install(
   FILES LICENSE
@@ -26,6 +26,9 @@ set(CPACK_DEBIAN_PACKAGE_VERSION ${STEMWARE_VERSION})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program ring_model fem)
+if(TARGET stemware_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME stemware)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
@@ -35,6 +38,21 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial") 
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "From a glass, a table and a moving hand to the spin of the glass: contact of
 its elastic foot by finite elements, friction, and what each effect does.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-stemware)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "stemware (= ${CPACK_DEBIAN_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), python3-numpy")
+if(TARGET stemware_python) # its modules are built for one release of Python
+  get_target_property(minor stemware_python PYTHON_MINOR)
+  math(EXPR next "${minor} + 1")
+  string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", python3 (>= 3.${minor}), python3 (<< 3.${next})")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+    "The ring and the studies of Stemware for Python: friction and limit surfaces
+over numpy arrays, terminal spins, studies with the program's digits.")
 
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libstemware-dev)
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
@@ -49,7 +67,7 @@ elements.")
 # The licence of the sources, and what the libraries under the program add to it.
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE MIT_LICENSE)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/copyright.in copyright @ONLY)
-foreach(package IN ITEMS program=stemware ring_model=libstemware-dev)
+foreach(package IN ITEMS program=stemware python=python3-stemware ring_model=libstemware-dev)
   string(REPLACE "=" ";" package ${package})
   list(GET package 0 component)
   list(GET package 1 package)
@@ -62,6 +80,7 @@ endforeach()
 include(CPack)
 cpack_add_component(program)
 cpack_add_component_group(libraries)
+cpack_add_component(python)
 foreach(component IN ITEMS ring_model fem)
   cpack_add_component(${component} GROUP libraries)
 endforeach()

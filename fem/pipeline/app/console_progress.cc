@@ -1,8 +1,6 @@
 #include "fem/pipeline/app/console_progress.h"
 
 #include "fem/contact/contact_newton.h"
-#include "fem/pipeline/coupling/study_load.h"
-#include "fem/pipeline/study/study_size.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -12,25 +10,6 @@
 
 namespace stemware::pipeline
 {
-
-namespace
-{
-
-std::string size_of(const fem::FootDescription &foot)
-{
-  const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
-  std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
-                                 foot.n_unknowns, foot.n_contact_nodes);
-  if (foot.mesh_report) // moment ratios are over Glass/Contact radius
-    text += fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
-                        foot.mesh_report->rim_radius);
-  if (foot.mesh_report && foot.mesh_report->land_area_deficit > 0)
-    text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
-                        100 * foot.mesh_report->land_area_deficit);
-  return text;
-}
-
-} // namespace
 
 ConsoleProgress::ConsoleProgress(Stopwatch &stopwatch)
     : stopwatch(stopwatch)
@@ -93,25 +72,6 @@ void note_load_source(const Study &study, Progress &progress)
   if (ratio > 0)
     text += fmt::format(FMT_STRING(", largest at theta = {:.4g} deg"), crest);
   progress.note("Load", text);
-}
-
-std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress)
-{
-  constexpr double worth_saying = 1e9;
-  if (const StudySize size = size_of(study); size.memory > worth_saying)
-    progress.note("Memory",
-                  fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
-  std::shared_ptr<ElasticFoot> foot;
-  executor.for_each(
-    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress); }, is_collective(study));
-  if (!foot)
-    return foot;
-  progress.note("Foot", size_of(foot->body().description()));
-  if (const std::string note = friction_note(study); !note.empty())
-    progress.note("Friction", note);
-  if (const std::string note = frozen_note(study); !note.empty())
-    progress.note("Coupling", note);
-  return foot;
 }
 
 } // namespace stemware::pipeline

@@ -35,8 +35,4 @@ private:
 /// Says what the table has to carry at rest, and where that comes from.
 void note_load_source(const Study &study, Progress &progress);
 
-/// study_foot(), with its size and what a reader should know about its friction and its load. Nothing where
-/// the load does not come from a contact.
-std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress);
-
 } // namespace stemware::pipeline

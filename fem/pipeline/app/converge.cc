@@ -1,8 +1,6 @@
-#include "fem/pipeline/analysis/refinement/refinement_study.h"
-#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/convergence_results.h"
 #include "fem/pipeline/report/publish.h"
 
@@ -25,16 +23,8 @@ void converge(const ConvergeOptions &options)
 {
   std::vector<RefinementAxis> axes;
   StudyWork work(options, true, [&](const Study &given) { axes = refinement_axes(given, options.n_levels); });
-  const Study &study = work.given;
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
-  const SharedLoad load = find_load(study, foot);
-  const double omega = terminal_spin(*load, study.motion.orbit).spin.omega;
-  const std::vector<double> spins = spins_of_interest(omega);
-  const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
-  work.stopwatch.finish("study");
-  const ErrorBands bands = refine(own, spins, axes, work.executor, work.progress);
-  work.stopwatch.finish("levels");
-  publish(options, study, tabulate(study, axes, bands), work.folder, work.stopwatch);
+  const ErrorBands bands = converge_study(work.given, axes, work.executor, work.progress);
+  publish(options, work.given, tabulate(work.given, axes, bands), work.folder, work.stopwatch);
 }
 
 } // namespace

@@ -43,22 +43,6 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Refuses a glass that would tip, with the values that no glass has: they are the likelier trouble.
-void require_standing_glass(const Study &study)
-{
-  try
-  {
-    study.required_resultants();
-  }
-  catch (const BadInput &tipping)
-  {
-    const std::string strange = implausible_list(study);
-    if (strange.empty())
-      throw;
-    throw BadInput("Outside of what glasses have: " + strange + ". " + tipping.what());
-  }
-}
-
 } // namespace
 
 void say_note(const std::string &label, const std::string &note)

@@ -1,10 +1,6 @@
-#include "fem/pipeline/analysis/refinement/error_bands.h"
-#include "fem/pipeline/analysis/refinement/goal_mesh.h"
-#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/app/study_work.h"
-#include "fem/pipeline/coupling/contact_report.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/report/publish.h"
 #include "fem/pipeline/report/run_results.h"
 #include "fem/pipeline/support/ranks.h"
@@ -31,46 +27,15 @@ void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
 
-  // 1. What is asked for; everything that can be refused is refused here.
-  StudyWork work(options, true);
-
-  // 2. The load on the table, and what it does to the ring.
-  const auto [study, goal] = mesh_for_goal(work.given, work.executor, work.progress);
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, work.executor, work.progress);
-  const SharedLoad load = find_load(study, foot, work.progress);
-  SpinStudy spin = study_spin(study, foot, *load, work.executor, work.progress, depth);
-  const double last_spin = spin.all().last_spin().value();
-  work.stopwatch.finish("ring");
-  ContactReport report = describe(study, foot, *load, last_spin);
-  work.stopwatch.finish("report_of_contact");
-
-  // 3. Fields, and meanwhile what the discretisation leaves open.
-  ErrorBands bands;
-  const std::shared_ptr<const ElasticFoot> of_fields = foot ? foot->twin() : nullptr;
-  const auto find = [&](std::size_t i)
-  {
-    if (i == 0 && report.foot)
-      add_fields(study, *of_fields, *report.foot);
-    if (i == 1)
-      bands = estimate_bands(study, foot, spin.all(), spin.rows.front().omega_terminal(), work.executor,
-                             work.progress);
-  };
-  work.executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
-  if (depth == Depth::full)
-  {
-    take_reported_numbers(report.load, spin.budget, bands);
-    add_bands(band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic"), spin.budget.rows);
-  }
-  work.stopwatch.finish("bands_and_fields");
-  if (report.coupling)
-    report.coupling->interpolation_error = spin.curve_error;
-
-  // 4. The answer, and the results, all at once.
+  StudyWork work(options, true); // refuses everything that can be refused
+  StudyAnswer answer = answer_study(work.given, depth, work.executor, work.progress, true);
   // Only the first rank knows where the foot presses; each has the fields of its own cells.
-  Results results = is_first_rank() ? tabulate(study, report, spin, bands, goal) : Results();
-  if (report.foot)
-    results.fields = std::move(report.foot->fields);
-  publish(options, study, std::move(results), work.folder, work.stopwatch);
+  Results results = is_first_rank()
+                      ? tabulate(answer.study, answer.contact, answer.spin, answer.bands, answer.goal)
+                      : Results();
+  if (answer.contact.foot)
+    results.fields = std::move(answer.contact.foot->fields);
+  publish(options, answer.study, std::move(results), work.folder, work.stopwatch);
 }
 
 } // namespace

@@ -65,21 +65,17 @@ void write_results(const StudyOptions &options, const std::optional<Study> &stud
   stopwatch.finish("tables");
   write_report(results.report, place);
   stopwatch.finish("report");
-  Json summary = { { "schema", 3 },
-                   { "program", { { "version", program_version() }, { "revision", program_revision() } } },
-                   { "verb", options.verb } };
+  std::optional<Study> echo;
   if (study)
   {
-    const Study echo = with_paths_from(final_place, *study);
-    write_text_file(place / "parameters.prm", study_as_prm(echo));
-    summary["parameters"] = study_as_json(echo);
+    echo = with_paths_from(final_place, *study);
+    write_text_file(place / "parameters.prm", study_as_prm(*echo));
   }
-  summary.update(results.findings.summary);
+  Json summary = summary_of(options.verb, echo, results.findings);
   std::set<std::string> files = { "summary.json", "timings.json" };
   for (const auto &item : fs::directory_iterator(place))
     files.insert(item.path().filename().string());
   summary["files"] = files;
-  require_finite(summary, "summary");
   write_text_file(place / "summary.json", valid_text(summary, 2) + "\n");
   stopwatch.finish("summary");
   write_text_file(place / "timings.json", Json(stopwatch.times()).dump(2) + "\n");
@@ -104,6 +100,18 @@ void print(const StudyOptions &options, const Results &results, const fs::path &
 }
 
 } // namespace
+
+Json summary_of(const std::string &verb, const std::optional<Study> &study, const Findings &findings)
+{
+  Json summary = { { "schema", 3 },
+                   { "program", { { "version", program_version() }, { "revision", program_revision() } } },
+                   { "verb", verb } };
+  if (study)
+    summary["parameters"] = study_as_json(*study);
+  summary.update(findings.summary);
+  require_finite(summary, "summary");
+  return summary;
+}
 
 void publish(const StudyOptions &options, const std::optional<Study> &study, Results results,
              ResultsFolder &folder, Stopwatch &stopwatch)

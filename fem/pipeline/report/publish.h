@@ -11,6 +11,11 @@
 namespace stemware::pipeline
 {
 
+/// Document of a verb, summary.json without "files": "schema", "program", "verb", "parameters", the @p
+/// findings. Throws std::runtime_error for a finding that is not finite: JSON has no word for it.
+nlohmann::ordered_json summary_of(const std::string &verb, const std::optional<Study> &study,
+                                  const Findings &findings);
+
 /// The end of every verb, collective over all ranks: each writes its fields of @p results into the working
 /// folder, the first all else: the files with content, report.html and its pictures. When all have, that one
 /// writes parameters.prm, summary.json ("schema", "program", "verb", "parameters", the findings, "files"),

@@ -301,4 +301,19 @@ std::string implausible_list(const Study &study)
   return boost::join(list, ", ");
 }
 
+void require_standing_glass(const Study &study)
+{
+  try
+  {
+    study.required_resultants();
+  }
+  catch (const BadInput &tipping)
+  {
+    const std::string strange = implausible_list(study);
+    if (strange.empty())
+      throw;
+    throw BadInput("Outside of what glasses have: " + strange + ". " + tipping.what());
+  }
+}
+
 } // namespace stemware::pipeline

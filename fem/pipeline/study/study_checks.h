@@ -28,4 +28,8 @@ std::vector<std::string> implausible_notes(const Study &study);
 /// Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)". Empty where there are none.
 std::string implausible_list(const Study &study);
 
+/// Throws BadInput for a glass that would tip at rest, with the values that no glass has: they are the
+/// likelier trouble.
+void require_standing_glass(const Study &study);
+
 } // namespace stemware::pipeline

@@ -60,6 +60,22 @@ void require_study_file(const std::string &the_file, const std::filesystem::path
           the_file + " ends in neither .prm nor .json; rename it so that its format is clear.");
 }
 
+/// @p bytes as the text of a study. Throws BadInput, with a sentence that begins with @p the_file, for what
+/// is none.
+std::string checked_text(const std::string &the_file, const std::string &bytes)
+{
+  const std::string text = without_byte_order_mark(the_file, bytes);
+  require(text.size() <= longest_study,
+          the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
+  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
+  require(std::none_of(text.begin(), text.end(), is_control),
+          the_file + " is not a text file; give the path of a .prm or .json file.");
+  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
+          the_file +
+            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
+  return text;
+}
+
 /// The text of the study file @p file, of standard input for "-". Throws BadInput, with a sentence that
 /// begins with @p the_file, for what is no text of a study.
 std::string text_of_study(const std::string &the_file, const std::string &file)
@@ -75,16 +91,7 @@ std::string text_of_study(const std::string &the_file, const std::string &file)
     require(stream.eof() || bytes.size() > longest_study,
             the_file + " cannot be read; check its permissions.");
   }
-  const std::string text = without_byte_order_mark(the_file, bytes);
-  require(text.size() <= longest_study,
-          the_file + " is longer than 1 MB; give a study file, which has a line for each entry.");
-  const auto is_control = [](unsigned char letter) { return letter < ' ' && !std::isspace(letter); };
-  require(std::none_of(text.begin(), text.end(), is_control),
-          the_file + " is not a text file; give the path of a .prm or .json file.");
-  require(text.find_first_not_of(" \t\r\n") != std::string::npos,
-          the_file +
-            " is empty; write at least a comment into it to get the defaults, or start from `stemware new`.");
-  return text;
+  return checked_text(the_file, bytes);
 }
 
 /// The lines of @p text that hold anything, by the number of the first that they begin on: without comments
@@ -193,6 +200,17 @@ std::vector<std::string *> paths_of(Study &study)
   return paths;
 }
 
+bool begins_with_brace(const std::string &text)
+{
+  return text[text.find_first_not_of(" \t\r\n")] == '{';
+}
+
+void read_text(const std::string &origin, const std::string &text, bool is_json,
+               const std::vector<StudyEntry> &entries)
+{
+  is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
+}
+
 /// Gives the study what is in the files that it names, and checks it.
 void read_files_and_check(Study &study)
 {
@@ -288,14 +306,24 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
     const std::string origin = is_stream ? "standard input" : file;
     const std::string text = text_of_study(
       is_stream ? "The study on standard input" : "The study file " + shortened_path(file), file);
-    const bool is_json = is_stream ? text[text.find_first_not_of(" \t\r\n")] == '{'
-                                   : std::filesystem::path(file).extension() == ".json";
-    is_json ? read_json(shortened_path(origin), text, entries) : read_prm(origin, text, entries);
+    read_text(origin, text,
+              is_stream ? begins_with_brace(text) : std::filesystem::path(file).extension() == ".json",
+              entries);
   }
   forget_stated_defaults(study);
   for (std::string *path : paths_of(study))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
+  read_files_and_check(study);
+  return study;
+}
+
+Study read_study_text(const std::string &origin, const std::string &text)
+{
+  Study study;
+  const std::string checked = checked_text(origin, text);
+  read_text(origin, checked, begins_with_brace(checked), study_entries(study));
+  forget_stated_defaults(study);
   read_files_and_check(study);
   return study;
 }

@@ -24,6 +24,10 @@ void check_study(const Study &study);
 /// about the first thing that is wrong.
 Study read_study(const std::string &file, const std::vector<std::string> &overrides = {});
 
+/// Reads a study from @p text in the format of a .prm file, of a .json file where it begins with a brace;
+/// @p origin names it in refusals. Relative paths start where the program was started. Throws as above.
+Study read_study_text(const std::string &origin, const std::string &text);
+
 /// Sets @p entries from @p text, the content of the study file @p file in the format of deal.II's parameter
 /// files:
 ///

@@ -183,6 +183,12 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return result;
 }
 
+CaseResult case_result(const Study &study, const Executor &executor)
+{
+  const Variant variant = { "", "", mesh_for_goal(study, executor).study };
+  return case_result(variant.study, foot_of(variant, nullptr, executor), executor);
+}
+
 void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, unsigned int n_threads,
                  const std::function<void(std::size_t, const CaseResult &)> &finish)
 {

@@ -39,6 +39,9 @@ struct CaseResult
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        const Executor &executor);
 
+/// The same of a study without a foot yet, on the mesh for its goal.
+CaseResult case_result(const Study &study, const Executor &executor);
+
 /// Results of cases by their number, from 0.
 using FinishedCases = std::map<std::size_t, CaseResult>;
 

@@ -1,5 +1,22 @@
 """Friction of a ring that slides and spins, and the elastic foot of a glass that makes it spin on a table.
 
-`import stemware` loads the ring alone (stemware.ring).
+`import stemware` loads the ring alone (stemware.ring). Study, solve and figures load what they need when they are asked for.
 """
+import importlib
+
 from . import ring  # noqa: F401
+from .ring import BadInput, BalanceLost, NoBalance, NoTerminalSpin, Tipping  # noqa: F401
+
+_places = {"Study": "study", "Result": "study", "read": "study", "presets": "study", "ContactFailure": "study",
+           "OutputFailure": "study", "solve": "many", "study": "", "many": "", "figures": ""}
+
+
+def __getattr__(name):
+    if name not in _places:
+        raise AttributeError(f"stemware has no {name}")
+    module = importlib.import_module("." + (_places[name] or name), __name__)
+    return getattr(module, name) if _places[name] else module
+
+
+def __dir__():
+    return sorted([*globals(), *_places])

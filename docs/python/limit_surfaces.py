@@ -1,0 +1,38 @@
+"""Limit surfaces of five contacts, and what simulators take for them.
+
+    python3 docs/python/limit_surfaces.py limit_surfaces.svg
+"""
+import sys
+
+import matplotlib
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from stemware import figures, ring
+
+R = 0.03
+loads = {
+    "disc": (ring.Pressure.disc(R), {}),
+    "annulus, 0.7 R to R": (ring.Pressure.annulus(0.7 * R, R), {}),
+    "Hertz": (ring.Pressure.hertz(R), {}),
+    "crowned ring": (ring.Pressure(lambda r: 1 - ((r - 0.9 * R) / (0.1 * R))**2, 0.8 * R, R), {}),
+    "ring, moment ratio 0.7": (ring.RingStack.first_harmonic(normal_force=1.0, moment=(0.35 * R, 0), radius=R),
+                               {"about": "centre of pressure"}),
+}
+figure, axes = plt.subplots(1, 5, figsize=(13, 3.4), layout="constrained")
+print("                        arm/R  stands for it    lies outside by     its wrench in one slip is off by")
+for ax, (name, (load, options)) in zip(axes, loads.items()):
+    s = ring.limit_surface(load, n=1441, **options)
+    forms = {"ellipsoid": s.ellipsoid()}
+    if isinstance(load, ring.Pressure):
+        forms.update({"Padé, order 1": s.pade(1), "Padé, order 2": s.pade(2)})
+    for form, (force, torque) in forms.items():
+        excess = 100 * s.excess(force, torque)
+        wrong = 100 * np.hypot(force - s.force, torque - s.torque).max()
+        print(f"{name:22s} {s.arm / R:6.4f}  {form:14s} {excess.min():+6.1f} … {excess.max():+5.1f} %   {wrong:5.1f} %")
+    figures.limit_surface(s, ax).set_title(name, fontsize=9)
+axes[0].legend(fontsize=7)
+figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "limit_surfaces.svg")
+stop = ring.slide(loads["disc"][0], mu=0.3, mass=0.3, speed=1.0, omega=20.0)["final_slip_ratio"]
+print(f"a disc comes to rest with v / omega R = {1 / stop:.4f}; an ellipsoid of arm 2/3 R lets its sliding die first")

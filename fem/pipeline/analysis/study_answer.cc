@@ -1,0 +1,121 @@
+#include "fem/pipeline/analysis/study_answer.h"
+
+#include "fem/pipeline/analysis/spin.h"
+#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/study/study_size.h"
+#include "ring_model/no_balance.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace stemware::pipeline
+{
+
+namespace
+{
+
+std::string size_text(const fem::FootDescription &foot)
+{
+  const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
+  std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
+                                 foot.n_unknowns, foot.n_contact_nodes);
+  if (foot.mesh_report) // moment ratios are over Glass/Contact radius
+    text += fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
+                        foot.mesh_report->rim_radius);
+  if (foot.mesh_report && foot.mesh_report->land_area_deficit > 0)
+    text += fmt::format(FMT_STRING("\n          straight edges: the land's area is {:.2g} % too small"),
+                        100 * foot.mesh_report->land_area_deficit);
+  return text;
+}
+
+/// study_foot(); @p progress is told its size, and what a reader should know about its friction and its load.
+/// Nothing where the load does not come from a contact.
+std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress)
+{
+  constexpr double worth_saying = 1e9;
+  if (const StudySize size = size_of(study); size.memory > worth_saying)
+    progress.note("Memory",
+                  fmt::format(FMT_STRING("about {:.2g} GB for {:.0f} cells"), size.memory / 1e9, size.cells));
+  std::shared_ptr<ElasticFoot> foot;
+  executor.for_each(
+    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress); }, is_collective(study));
+  if (!foot)
+    return foot;
+  progress.note("Foot", size_text(foot->body().description()));
+  if (const std::string note = friction_note(study); !note.empty())
+    progress.note("Friction", note);
+  if (const std::string note = frozen_note(study); !note.empty())
+    progress.note("Coupling", note);
+  return foot;
+}
+
+} // namespace
+
+StudyAnswer answer_study(const Study &given, Depth depth, const Executor &executor, Progress &progress,
+                         bool with_fields)
+{
+  // 1. The load on the table, and what it does to the ring.
+  auto [study, goal] = mesh_for_goal(given, executor, progress);
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
+  const SharedLoad load = find_load(study, foot, progress);
+  StudyAnswer answer = { std::move(study), std::move(goal) };
+  answer.spin = study_spin(answer.study, foot, *load, executor, progress, depth);
+  progress.stage_done("ring");
+  answer.contact = describe(answer.study, foot, *load, answer.spin.all().last_spin().value());
+  progress.stage_done("report_of_contact");
+
+  // 2. Fields, and meanwhile what the discretisation leaves open.
+  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->twin() : nullptr;
+  const auto find = [&](std::size_t i)
+  {
+    if (i == 0 && of_fields && answer.contact.foot)
+      add_fields(answer.study, *of_fields, *answer.contact.foot);
+    if (i == 1)
+      answer.bands = estimate_bands(answer.study, foot, answer.spin.all(),
+                                    answer.spin.rows.front().omega_terminal(), executor, progress);
+  };
+  executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(answer.study));
+  if (depth == Depth::full)
+  {
+    take_reported_numbers(answer.contact.load, answer.spin.budget, answer.bands);
+    add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
+              answer.spin.budget.rows);
+  }
+  progress.stage_done("bands_and_fields");
+  if (answer.contact.coupling)
+    answer.contact.coupling->interpolation_error = answer.spin.curve_error;
+  return answer;
+}
+
+TruncatedStudy truncate_study(const Study &given, const Executor &executor, Progress &progress)
+{
+  TruncatedStudy truncated = { mesh_for_goal(given, executor, progress).study };
+  const Study &study = truncated.study;
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
+  const SharedLoad load = find_load(study, foot, progress);
+  for (const LoadedRow &answer :
+       rows_by_harmonics(study, foot, *load, spin_question(study), executor, progress))
+    truncated.rows.push_back(answer.row);
+  if (!truncated.rows.back().terminal)
+    throw ring::NoBalance(truncated.rows.back().reason +
+                          ": no terminal spin to compare with; stemware run shows it");
+  truncated.load = load->report();
+  progress.stage_done("truncations");
+  return truncated;
+}
+
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
+                          Progress &progress)
+{
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
+  const SharedLoad load = find_load(study, foot);
+  const double omega = terminal_spin(*load, study.motion.orbit).spin.omega;
+  const std::vector<double> spins = spins_of_interest(omega);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, *load, spins, omega);
+  progress.stage_done("study");
+  ErrorBands bands = refine(own, spins, axes, executor, progress);
+  progress.stage_done("levels");
+  return bands;
+}
+
+} // namespace stemware::pipeline

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "fem/pipeline/analysis/refinement/error_bands.h"
+#include "fem/pipeline/analysis/refinement/goal_mesh.h"
+#include "fem/pipeline/analysis/refinement/refinement_study.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/coupling/contact_report.h"
+
+#include <optional>
+#include <vector>
+
+/// One function for each question about a study: the verbs of the program and Python call the same.
+namespace stemware::pipeline
+{
+
+/// Answer of `run`, whose document tabulate() makes.
+struct StudyAnswer
+{
+  Study study; ///< on the mesh for its goal
+  std::optional<GoalOutcome> goal = {};
+  ContactReport contact = {};
+  SpinStudy spin = {};
+  ErrorBands bands = {}; ///< empty with Depth::answer
+};
+
+/// Answers @p given, a checked study. @p with_fields: with fields and stressed section of the foot.
+/// Collective where the body is. Throws BadInput, fem::ContactFailure, and ring::NoBalance where there is no
+/// balance or no terminal spin.
+StudyAnswer answer_study(const Study &given, Depth depth, const Executor &executor, Progress &progress,
+                         bool with_fields);
+
+/// Answer of `truncate`.
+struct TruncatedStudy
+{
+  Study study; ///< on the mesh for its goal
+  LoadReport load = {};
+  std::vector<SpinRow> rows = {}; ///< rows_by_harmonics()
+};
+
+/// Solves @p given with fewer and fewer harmonics. Throws as answer_study(), and ring::NoBalance if all
+/// harmonics have no terminal spin.
+TruncatedStudy truncate_study(const Study &given, const Executor &executor, Progress &progress);
+
+/// Solves @p study on the levels of @p axes, its refinement_axes(). Throws as answer_study() and refine().
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
+                          Progress &progress);
+
+} // namespace stemware::pipeline

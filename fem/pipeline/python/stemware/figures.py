@@ -1,0 +1,77 @@
+"""Figures for papers and notebooks by matplotlib: each takes a Result (or a LimitSurface) and axes, and returns the axes."""
+import numpy as np
+
+
+def _axes(ax, **kind):
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+    return plt.subplots(subplot_kw=kind)[1]
+
+
+def pressure(result, ax=None, cmap="viridis"):
+    """p(r, theta) of the contact at rest, unrolled along the rim."""
+    ax, p = _axes(ax), result.curves["pressure"]
+    dots = ax.scatter(np.degrees(p["theta"]), 1e3 * p["r"], c=p["p"] / 1e3, s=9, cmap=cmap)
+    ax.figure.colorbar(dots, ax=ax, label="pressure (kPa)")
+    ax.set(xlabel="θ from the direction of travel (°)", ylabel="r (mm)", xlim=(0, 360), xticks=range(0, 361, 90))
+    return ax
+
+
+def load(result, ax=None, **style):
+    """λ(θ) of the contact at rest, and the sum of its harmonics."""
+    ax, theta = _axes(ax), np.linspace(0, 2 * np.pi, 721)
+    ax.plot(np.degrees(theta), result.load().at(theta), **{"color": "C0", "label": "harmonics", **style})
+    if result.curves["load"]["theta"].size:
+        ax.plot(np.degrees(result.curves["load"]["theta"]), result.curves["load"]["density"], "k.", ms=2, label="contact")
+    ax.axhline(0, color="0.7", lw=0.8)
+    ax.set(xlabel="θ from the direction of travel (°)", ylabel="λ (N/rad)", xlim=(0, 360), xticks=range(0, 361, 90))
+    return ax
+
+
+def torque(result, ax=None, **style):
+    """Sum of all torques on the glass over its spin; it stays where the sum vanishes."""
+    ax, curve = _axes(ax), result.curves["torque"]
+    ax.plot(curve["omega"], 1e3 * curve["sum"], **style)
+    ax.axhline(0, color="0.7", lw=0.8)
+    if result.omega is not None:
+        ax.plot(result.omega, 0, "ko", mfc="none")
+    ax.set(xlabel="spin (rad/s)", ylabel="torque (mN m)")
+    return ax
+
+
+def spin_up(result, ax=None, **style):
+    """ω(t) from rest, and that of the paper's model of the same glass."""
+    ax, up = _axes(ax), result.curves["spin_up"]
+    ax.plot(up["time"], up["omega"], **{"label": "elastic foot", **style})
+    ax.plot(up["time"], up["paper"], color="0.6", label="the paper's model")
+    ax.set(xlabel="time (s)", ylabel="spin (rad/s)")
+    return ax
+
+
+def budget(result, ax=None, at_least=1e-3):
+    """Waterfall from the paper's number to the study's own, in steps of at_least [rad/s] or more."""
+    ax = _axes(ax)
+    rows = [row for row in result["budget"] if row["omega_terminal"] is not None
+            and (row["difference"] is None or abs(row["difference"]) >= at_least)]
+    for i, row in enumerate(rows):
+        step = row["omega_terminal"] if i == 0 else row["difference"]
+        ax.barh(i, step, left=row["omega_terminal"] - step, color="0.7" if i == 0 else "C0" if step < 0 else "C3")
+    ax.set_yticks(range(len(rows)), [f"{row['name']} {row['harmonics'] or ''}".strip() for row in rows], fontsize=8)
+    ax.invert_yaxis()
+    ends = sorted(row["omega_terminal"] for row in rows)
+    margin = 0.3 * (ends[-1] - ends[0])
+    ax.set(xlabel="terminal spin (rad/s)", xlim=(ends[0] - margin, ends[-1] + margin))
+    return ax
+
+
+def limit_surface(surface, ax=None, pade=True):
+    """Limit surface with the ellipsoid and, of a Pressure, the Pade forms that stand for it."""
+    ax = _axes(ax)
+    ax.plot(surface.force, surface.torque, "k", lw=2, label="exact")
+    ax.plot(*surface.ellipsoid(), "C0--", lw=1, label="ellipsoid")
+    if pade and surface._pressure is not None:
+        for order, style in ((1, "C1-."), (2, "C3:")):
+            ax.plot(*surface.pade(order), style, lw=1.2, label=f"Padé, order {order}")
+    ax.set(xlabel="force / μN", ylabel="torque / that of pure spin", aspect="equal")
+    return ax

@@ -1,0 +1,42 @@
+"""Many studies: a table of cases in, a table of answers out, by any executor of concurrent.futures."""
+from .ring import BadInput, NoBalance
+
+
+def _solve_one(source, changes, case, quantities):
+    """One case, wherever it runs: texts and numbers only, so that it travels."""
+    from .study import Study
+    try:
+        study = Study(source[0], text=source[1], entries={**changes, **case})
+        found = study.answer() if quantities is None else study.run(quick=True)
+        return {**{key: found[key] for key in (found if quantities is None else quantities)}, "failure": ""}
+    except (BadInput, NoBalance) as failure:
+        return {"failure": str(failure)}
+
+
+def solve(cases, executor=None, study=None, quantities=None, progress=None):
+    """DataFrame of the cases with their answers: the columns of cases, those of sweep.csv, and failure, a sentence for a case
+    without an answer; attrs["units"]: unit by column.
+
+    cases: DataFrame or list of dicts, a column for each entry (numbers in SI units, or texts with units; NaN: the study's).
+    executor: None, or one with map(): threads, processes, dask's, mpi4py.futures'. study: whose other entries hold, Study or
+    file. quantities: paths of the document of run(quick=True) in the place of the columns of sweep. progress(what, done, all).
+    """
+    import pandas
+
+    from . import _study
+    from .study import Study
+    study = study if isinstance(study, Study) else Study(study or "")
+    frame = cases if isinstance(cases, pandas.DataFrame) else pandas.DataFrame(list(cases))
+    work = [(study._source, study.changes, {key: value for key, value in case.items() if value == value}, quantities)
+            for case in frame.to_dict("records")]
+    rows = []
+    for row in (_solve_one(*one) for one in work) if executor is None else executor.map(_solve_one, *zip(*work)):
+        rows.append(row)
+        if progress:
+            progress("cases", len(rows), len(work))
+    found = _study.case_keys() if quantities is None else list(quantities)
+    units = {key: _study.unit(key.rpartition("/")[2], "sweep" if quantities is None else key.partition("/")[0]) for key in found}
+    answers = pandas.DataFrame(rows, index=frame.index).reindex(columns=[*found, "failure"])
+    both = pandas.concat([frame, answers], axis=1)
+    both.attrs["units"] = {**{key: _study.unit_of_entry(key) for key in frame}, **units}
+    return both

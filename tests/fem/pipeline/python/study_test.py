@@ -1,0 +1,249 @@
+"""stemware.Study against the program: the same digits, the same sentences. Given: the program, the sources."""
+import concurrent.futures
+import doctest
+import json
+import os
+import pickle
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+import stemware
+from stemware import ring
+
+program, source = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+cookbook = os.path.join(source, "docs/cookbooks/{}.prm").format
+
+
+def stemware_run(*arguments):
+    return subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def summary_of(verb, *arguments):
+    """Document that the program writes, without what depends on its folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = stemware_run(verb, *arguments, "--threads", "1", "--quiet", "--output", folder + "/r")
+        if done.returncode:
+            raise AssertionError(done.stderr)
+        with open(folder + "/r/summary.json", encoding="utf-8") as file:
+            return without_folder(json.load(file))
+
+
+def without_folder(document):
+    return {key: value for key, value in document.items() if key not in ("files", "parameters")}
+
+
+class SameDigits(unittest.TestCase):
+    def test_ten_quick_studies(self):
+        for name in ("", "figure_3", "hand_height", "lift_off", "paper", "stribeck", "own_profile", "bare_wood", "hand_speed", "soft_cork"):
+            with self.subTest(name or "default"):
+                expected = summary_of("run", *([cookbook(name)] if name else []), "--quick")
+                found = stemware.Study(cookbook(name) if name else "").run(quick=True)
+                self.assertEqual(without_folder(found.document), expected)
+
+    def test_a_whole_study_and_other_verbs(self):
+        entries = {"Motion/Mass": "250 g", "Motion/Grip torque": "1 mN m"}
+        sets = [word for key, value in entries.items() for word in ("--set", f"{key}={value}")]
+        study = stemware.Study(entries=entries)
+        result = study.run()
+        self.assertEqual(without_folder(result.document), summary_of("run", *sets))
+        self.assertEqual(without_folder(study.truncate().document), summary_of("truncate", *sets))
+        self.assertEqual(without_folder(study.converge(levels=2).document), summary_of("converge", *sets, "--levels", "2"))
+        table = result.table("budget")
+        self.assertEqual(table.attrs["units"]["omega_terminal"], "rad/s")
+        self.assertEqual(len(table), len(result.budget))
+        self.assertIn("<table>", result._repr_html_())
+        self.assertGreater(result.bands().loc["omega_terminal", "band"], 0)
+
+    def test_a_case_is_that_of_sweep(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = stemware_run("sweep", "--vary", "Motion/Mass=250,300 g", "--threads", "1", "--quiet", "--output", folder + "/s")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(folder + "/s/summary.json", encoding="utf-8") as file:
+                document = json.load(file)
+            with open(folder + "/s/sweep.csv", encoding="utf-8") as file:
+                rows = file.read()
+        found = stemware.solve([{"Motion/Mass": "250 g"}, {"Motion/Mass": 0.3}])
+        for omega in found["omega_terminal"]:
+            self.assertIn(repr(float(omega))[:12], rows + json.dumps(document))
+        for executor in (concurrent.futures.ThreadPoolExecutor(2), concurrent.futures.ProcessPoolExecutor(2)):
+            with executor:
+                other = stemware.solve([{"Motion/Mass": "250 g"}, {"Motion/Mass": 0.3}], executor=executor)
+            self.assertTrue(found.equals(other))
+        self.assertEqual(found.attrs["units"]["omega_terminal"], "rad/s")
+
+    def test_one_glass_as_file_text_and_preset(self):
+        study = stemware.Study(glass="tumbler", table="oak")
+        text = stemware.Study(text=study.prm())
+        with tempfile.TemporaryDirectory() as folder:
+            with open(folder + "/glass.prm", "w", encoding="utf-8") as file:
+                file.write(study.prm())
+            of_file = stemware.Study(folder + "/glass.prm")
+        self.assertEqual(text.prm(), study.prm())
+        self.assertEqual(of_file.prm(), study.prm())
+        self.assertEqual(pickle.loads(pickle.dumps(study)).prm(), study.prm())
+        self.assertEqual(text.answer(), study.answer())
+
+
+    solid = {"Motion/Tilt": "neglected", "Glass/Shape": "step", "Contact/Friction coupling": "none", "Load/Coupling": "one-way",
+             "Contact/Body": "solid", "Contact/Degree": 1, "Contact/Azimuthal cells": 16, "Contact/Radial cells": 2,
+             "Contact/Foot layers": 1}
+
+    @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(program), "libstemware_solid_module.so")), "no solid feet")
+    def test_a_solid_foot(self):  # by itself: MPI starts
+        code = f"import stemware, json\nprint(json.dumps(stemware.Study(entries={self.solid!r}).run(quick=True).document))"
+        done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True, check=True)
+        sets = [word for key, value in self.solid.items() for word in ("--set", f"{key}={value}")]
+        self.assertEqual(without_folder(json.loads(done.stdout)), summary_of("run", "--quick", *sets))
+
+    def test_several_ranks_are_refused(self):
+        os.environ["OMPI_COMM_WORLD_SIZE"] = "2"
+        try:
+            with self.assertRaisesRegex(stemware.BadInput, "mpirun stemware run"):
+                stemware.Study(entries=self.solid).answer()
+        finally:
+            del os.environ["OMPI_COMM_WORLD_SIZE"]
+
+
+class SameSentences(unittest.TestCase):
+    def test_ten_refusals(self):
+        for entries, code in (
+            ({"Motion/Mass": "30 cm"}, 1), ({"Motion/Mas": "1"}, 1), ({"Motion/Mass": "-1"}, 1), ({"Motion/Closure": "open"}, 1),
+            ({"Table/Kind": "mat"}, 1), ({"Load/Source": "given", "Load/Moment ratio": "2.5"}, 1),
+            ({"Motion/Centre of mass height": "0.5", "Motion/Force offset": "0.4"}, None), ({"Contact/Rings": "1.5"}, 1),
+            ({"Load/Source": "file", "Load/File": "missing.csv"}, 1), ({"Table/Interface": "rigid"}, 1), ({"Motion/Orbit speed": "35"}, None),
+        ):
+            with self.subTest(entries):
+                done = stemware_run("run", "--quick", "--output", tempfile.mkdtemp() + "/r",
+                                    *[word for key, value in entries.items() for word in ("--set", f"{key}={value}")])
+                if code is not None:
+                    self.assertEqual(done.returncode, code, done.stderr)
+                self.assertNotEqual(done.returncode, 0)
+                with self.assertRaises((stemware.BadInput, stemware.NoBalance)) as caught:
+                    stemware.Study(entries=entries).run(quick=True)
+                self.assertEqual(done.stderr.splitlines()[-1].replace("stemware: ", "", 1).replace("--set: ", "", 1), str(caught.exception))
+                self.assertEqual(isinstance(caught.exception, stemware.BadInput), done.returncode == 1)
+
+    def test_a_file_that_is_missing(self):
+        done = stemware_run("run", "missing.prm")
+        with self.assertRaises(stemware.BadInput) as caught:
+            stemware.Study("missing.prm")
+        self.assertEqual(done.stderr.strip(), f"stemware: {caught.exception}")
+
+    def test_entries_are_refused_one_by_one_and_together(self):
+        study = stemware.Study()
+        with self.assertRaises(stemware.BadInput):
+            study["Motion/Mass"] = "30 cm"
+        with self.assertRaises(stemware.BadInput):
+            study["Motion/Mass"] = True
+        study["Load/Source"] = "file"
+        with self.assertRaises(stemware.BadInput):
+            study.check()
+        with self.assertRaises(stemware.BadInput):
+            stemware.Study("a.prm", text="# b")
+
+    def test_a_failure_is_a_row(self):
+        found = stemware.solve([{"Motion/Mass": "30 cm"}, {}])
+        self.assertIn("length", found["failure"][0])
+        self.assertEqual(found["failure"][1], "")
+
+    def test_what_a_listener_raises_comes_out(self):
+        def listener(what, done, every):
+            raise LookupError(what)
+        with self.assertRaises(LookupError):
+            stemware.Study().run(progress=listener)
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.heard = []
+        cls.result = stemware.Study().run(quick=True, progress=lambda *what: cls.heard.append(what))
+
+    def test_progress(self):
+        self.assertIn(("ring", 1, 1), self.heard)
+
+    def test_curves_belong_to_the_answer(self):
+        torque = self.result.curves["torque"]
+        at = np.interp(self.result.omega, torque["omega"], torque["sum"])
+        self.assertLess(abs(at), 1e-3 * np.abs(torque["sum"]).max())
+        self.assertAlmostEqual(self.result.curves["spin_up"]["omega"][0], 0)
+
+    def test_the_frozen_load_has_the_torque_of_the_study(self):
+        load = self.result.load()
+        motion = ring.Motion(**{key: self.result[f"parameters/Motion/{name}"] for key, name in (
+            ("mass", "Mass"), ("yaw_inertia", "Yaw inertia"), ("orbit_speed", "Orbit speed"), ("friction_coefficient", "Friction coefficient"))})
+        torque = self.result.curves["torque"]
+        rest = np.interp(0, torque["omega"], torque["sum"])
+        self.assertAlmostEqual(ring.answer(load, motion).torque_at_rest / rest, 1, delta=1e-6)
+        terminal = ring.wrench(self.result.load("terminal"), motion.orbit_speed, self.result.omega, mu=motion.friction_coefficient).torque
+        self.assertLess(abs(float(terminal) + self.result.load("terminal").lean_torque), 1e-9)
+
+    def test_folder_and_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.result.save(folder + "/results")
+            self.assertEqual(without_folder(stemware.read(folder + "/results").document), without_folder(self.result.document))
+            self.result.page(folder + "/page.html")
+            with open(folder + "/page.html", encoding="utf-8") as file:
+                self.assertIn("</html>", file.read())
+
+    def test_figures(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+        from stemware import figures
+        for draw in (figures.pressure, figures.load, figures.torque, figures.spin_up):
+            self.assertTrue(draw(self.result).has_data())
+        self.assertTrue(figures.limit_surface(ring.limit_surface(ring.Pressure.disc(0.03))).has_data())
+        plt.close("all")
+
+    def test_examples_of_the_docstrings(self):
+        from stemware import study
+        self.assertEqual(doctest.testmod(study).failed, 0)
+
+    def test_presets(self):
+        self.assertEqual(set(stemware.presets()["kind"]), {"glass", "table"})
+        self.assertIn("Motion/Mass", stemware.Study().entries().index)
+
+
+class Manners(unittest.TestCase):
+    def test_memory_stays(self):
+        def resident():
+            with open("/proc/self/status") as file:
+                return next(int(line.split()[1]) for line in file if line.startswith("VmRSS")) / 1024
+        study = stemware.Study()
+        for _ in range(3):
+            study.run(quick=True)
+        begin = resident()
+        for _ in range(20):
+            study.run(quick=True)
+        print(f"memory: {begin:.0f} MB after 3 runs, {resident():.0f} MB after 23")
+        self.assertLess(resident(), begin + 10)
+
+    def test_interruption(self):
+        code = ("import stemware\nstudy = stemware.Study()\nstudy.answer()\nprint('ready', flush=True)\n"
+                "try:\n    while True:\n        study.run()\nexcept KeyboardInterrupt:\n    print('stopped', flush=True)\n")
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        child.stdout.readline()
+        time.sleep(1)
+        begin = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        self.assertEqual("stopped\n", child.stdout.readline())
+        print(f"Ctrl-C in run() took {time.monotonic() - begin:.2f} s")
+        child.communicate(timeout=60)
+
+    def test_nothing_is_printed_and_no_mpi(self):
+        code = ("import stemware\nstemware.Study().run(quick=True)\nassert 'libdeal' in open('/proc/self/maps').read()\n"
+                "import ctypes\nflag = ctypes.c_int()\nctypes.CDLL(None).MPI_Initialized(ctypes.byref(flag))\nassert not flag.value\n")
+        done = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
