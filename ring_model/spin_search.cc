@@ -18,7 +18,7 @@ constexpr double shortest_way = 1. / 4096.; ///< to a spin without torque, befor
 constexpr double scan_step = 1. / 16.;      ///< [spin scales]
 constexpr double steepness_ratio = 16.;     ///< of the torque near the zero to the mean that needs no scan
 constexpr unsigned int most_evaluations = 200; ///< of one search
-constexpr double unsteady = 0.5;               ///< steadiness below which the balance may end nearby
+constexpr double unsteady = 0.9;               ///< steadiness below which the balance may end nearby
 
 /// Push on the glass at a spin, both counted in the direction in which the glass is driven at rest.
 struct Sample
@@ -102,7 +102,12 @@ public:
     double spin = converge(samples.front(), first, {});
     if (needs_scan(spin))
       spin = scanned(spin);
-    return search.steadiness ? reached(spin) : spin;
+    if (search.steadiness)
+      spin = reached(spin);
+    if (const std::optional<double> fall =
+          search.fall_before ? search.fall_before(direction * spin) : std::nullopt)
+      spin = converge(nearest_before(std::abs(*fall)), std::abs(*fall), {});
+    return spin;
   }
 
 private:
@@ -114,6 +119,8 @@ private:
       used.push_back(*far);
     std::exception_ptr failure; // of the torque at `barrier`
     double barrier = 0.;
+    double width = HUGE_VAL; // of what lay between `near` and there
+    bool may_extrapolate = true;
     for (unsigned int i = 0; i < most_evaluations; ++i)
     {
       const double least = std::abs(std::min_element(used.begin(), used.end(),
@@ -160,6 +167,13 @@ private:
       if (failure && barrier - near.spin < shortest_way * search.spin_scale)
         throw_balance_lost(failure, direction * near.spin);
       proposal = next(estimate, near.spin, far ? &far->spin : failure ? &barrier : nullptr, halved);
+      if (failure && !(near.spin < estimate.spin && estimate.spin < barrier))
+      {
+        may_extrapolate = !may_extrapolate || barrier - near.spin < 0.5 * width;
+        width = barrier - near.spin;
+        if (may_extrapolate)
+          proposal = next_to_the_end(near.spin, barrier).value_or(proposal);
+      }
     }
     throw NoBalance(sentence("the terminal spin did not converge in ", most_evaluations,
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
@@ -178,6 +192,30 @@ private:
       throw NoTerminalSpin(sentence("no terminal spin: from rest to ", near,
                                     " rad/s the torque that drives the spin does not vanish"));
     return std::min(reach, farthest * search.spin_scale);
+  }
+
+  /// A place next to where the balance that there is at @p near should end before @p barrier, as its
+  /// steadiness foretells; nothing where that tells nothing.
+  std::optional<double> next_to_the_end(double near, double barrier) const
+  {
+    if (!search.steadiness)
+      return std::nullopt;
+    const double narrowest = search.spin_scale / 1024.;
+    double before = -1.;
+    for (const Sample &sample : samples)
+      if (sample.spin < near - narrowest && sample.spin > before)
+        before = sample.spin;
+    if (before < 0.)
+      return std::nullopt;
+    const auto square = [&](double spin) { return std::pow(search.steadiness(direction * spin), 2); };
+    const double left = square(before), right = square(near);
+    if (!(right < left))
+      return std::nullopt;
+    const double end = near + right * (near - before) / (left - right);
+    const double width = barrier - near, enough = shortest_way * search.spin_scale;
+    if (end - near < 0.5 * enough)
+      return near + std::min(0.9 * enough, 0.5 * width);
+    return std::clamp(end - 0.3 * enough, near + 0.05 * width, barrier - 0.05 * width);
   }
 
   /// Whether the samples up to the zero at @p spin leave doubt that it is the first. Takes one about
@@ -244,34 +282,39 @@ private:
     return spin;
   }
 
-  /// The zero at @p spin, if the balance holds all the way to it. The square of the steadiness is nearly a
-  /// parabola where it is small: where that leads to less steadiness, the torque is asked for.
+  /// The zero at @p spin, if the balance holds all the way to it, or the first one before it.
   double reached(double spin)
   {
-    constexpr unsigned int most_probes = 16;
+    constexpr unsigned int most_probes = 100;
     for (unsigned int i = 0; i < most_probes; ++i)
-      if (const std::optional<double> probe = unsteadiest(spin))
-      {
-        if (const std::optional<double> found = push_if_balanced(*probe); found && *found > 0.)
-          continue;
-        Sample near = samples.front();
-        for (const Sample &sample : samples)
-          if (sample.spin < *probe && sample.spin > near.spin)
-            near = sample;
-        return converge(near, *probe, {});
-      }
-      else
+    {
+      const std::optional<double> probe = unsteadiest(spin);
+      if (!probe)
         return spin;
+      if (const std::optional<double> found = push_if_balanced(*probe); !found || *found <= 0.)
+        return converge(nearest_before(*probe), *probe, {});
+    }
     return spin;
   }
 
-  /// Where the balance on the way to @p spin may be less steady than at all samples; nothing where it is
-  /// steady, or known well enough.
+  /// The last sample before @p spin in which the push is positive.
+  Sample nearest_before(double spin) const
+  {
+    Sample near = samples.front();
+    for (const Sample &sample : samples)
+      if (sample.spin < spin && sample.spin > near.spin && sample.push > 0.)
+        near = sample;
+    return near;
+  }
+
+  /// Where the balance on the way to @p spin may end; nothing where it is steady all the way, or known well
+  /// enough not to. The square of the steadiness falls towards a fold nearly on a line, so that the lines
+  /// through its neighbours bound it between two samples; with a factor, because it is not quite convex.
   std::optional<double> unsteadiest(double spin) const
   {
-    // Samples closer together than one, and farther apart than the other, tell no parabola.
-    const double narrowest = search.spin_scale / 1024., widest = search.spin_scale / 8.;
-    std::map<double, double> squares; // by spin
+    constexpr double safety = 1.5;
+    const double narrowest = search.spin_scale / 8192.;
+    std::map<double, double> squares; // by spin; samples that are too close together tell no slope
     for (const Sample &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
@@ -279,29 +322,40 @@ private:
           (next == squares.end() || next->first > sample.spin + narrowest))
         squares[sample.spin] = std::pow(search.steadiness(direction * sample.spin), 2);
     }
-    const auto least =
-      std::min_element(squares.begin(), squares.end(),
-                       [](const auto &one, const auto &other) { return one.second < other.second; });
-    if (squares.size() < 2 || least->second > unsteady * unsteady)
-      return std::nullopt;
-    const bool is_first = least == squares.begin(), is_last = std::next(least) == squares.end();
-    if (!is_first && least->first - std::prev(least)->first > widest)
-      return (least->first + std::prev(least)->first) / 2.;
-    if (!is_last && std::next(least)->first - least->first > widest)
-      return (least->first + std::next(least)->first) / 2.;
-    if (squares.size() < 3)
-      return std::nullopt;
-    const auto middle = is_first ? std::next(least) : is_last ? std::prev(least) : least;
-    const auto [below, square_below] = *std::prev(middle);
-    const auto [here, square] = *middle;
-    const auto [above, square_above] = *std::next(middle);
-    const double rise = (square - square_below) / (here - below),
-                 curvature = ((square_above - square) / (above - here) - rise) / (above - below);
-    const double vertex = (below + here) / 2. - rise / (2. * curvature);
-    const double at_vertex = square_below + (vertex - below) * (rise + curvature * (vertex - here));
-    const bool is_new = std::abs(vertex - least->first) > narrowest && vertex > 0. && vertex < spin;
-    return curvature > 0. && is_new && at_vertex < 0.75 * least->second ? std::optional(vertex)
-                                                                        : std::nullopt;
+    const auto slope = [](auto one, auto other)
+    { return (other->second - one->second) / (other->first - one->first); };
+    std::map<double, double> wide; // middles of intervals by the lower square
+    std::optional<double> worst;
+    double least = 0.;
+    for (auto right = std::next(squares.begin()); right != squares.end(); ++right)
+    {
+      const auto left = std::prev(right);
+      const double width = right->first - left->first;
+      const bool is_first = left == squares.begin(), is_last = std::next(right) == squares.end();
+      const double lower = std::min(left->second, right->second);
+      if (lower > unsteady * unsteady || width <= 2. * narrowest)
+        continue;
+      if (width > search.spin_scale / 16.)
+        return (left->first + right->first) / 2.;
+      // The less steady, the closer: edges that cross a line make a fold of their own.
+      if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., 1. / 16.))
+        wide.emplace(lower, (left->first + right->first) / 2.);
+      // How fast the square falls into the interval from either side.
+      const double own = slope(left, right);
+      const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
+                   from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);
+      if (!(from_left > 0. && from_right > 0.))
+        continue;
+      const double share = std::clamp(
+        (left->second - right->second + from_right * width) / ((from_left + from_right) * width), 0., 1.);
+      const double bound = left->second - from_left * share * width;
+      if (bound < least)
+      {
+        least = bound;
+        worst = left->first + std::clamp(share, 0.1, 0.9) * width;
+      }
+    }
+    return !worst && !wide.empty() ? wide.begin()->second : worst;
   }
 
   const std::function<double(double)> &push;

@@ -26,6 +26,9 @@ struct SpinSearch
   /// upright, 0 where its balance ends, and falling towards that like the root of the distance. Empty: not
   /// known.
   std::function<double(double omega)> steadiness = {};
+  /// The spin nearest to rest on the way to @p omega that is known to have no balance, if any is. Empty: none
+  /// is known.
+  std::function<std::optional<double>(double omega)> fall_before = {};
 };
 
 /// Where the torques on the glass balance.
@@ -51,8 +54,8 @@ struct SpinZero
  * spin_scale, and the first zero that the scan meets is taken.
  *
  * If @p torque throws NoBalance the search steps back towards rest. A range of spins without a balance may
- * be narrower than the steps of the search: where the steadiness tells that there is one on the way to the
- * zero, the balance ends there.
+ * be narrower than the steps of the search: where the steadiness is below 0.9 the way to the zero is looked
+ * at more closely, with up to 100 torques, until it tells that the balance holds or has ended.
  * @throws std::invalid_argument for values that are not allowed, NoTerminalSpin if the torque does not change
  * sign within 64 spin scales, BalanceLost if the balance ends before a zero is found (known to 1/4096 spin
  * scale), NoBalance if the search does not converge, what @p torque throws at rest.

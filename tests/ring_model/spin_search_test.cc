@@ -297,7 +297,7 @@ TEST(SpinSearch, FindsANarrowGapByTheSteadiness)
 
 TEST(SpinSearch, PassesByASpinOfLittleSteadiness)
 {
-  // A balance that nearly ends: as many torques as the zero takes, and a few.
+  // A balance that nearly ends: as many torques as the zero takes, and those that look at the way.
   const auto torque = [](double omega) { return 1. - omega; };
   for (const double least : { 1e-4, 1e-2, 0.1 })
   {
@@ -306,7 +306,7 @@ TEST(SpinSearch, PassesByASpinOfLittleSteadiness)
     { return std::sqrt(std::min(1., least + 4. * std::pow(omega - 0.7, 2))); };
     const SpinZero zero = find_terminal_spin(torque, search);
     EXPECT_NEAR(zero.omega, 1., 1e-12);
-    EXPECT_LE(zero.n_evaluations, 12u);
+    EXPECT_LE(zero.n_evaluations, 110u);
   }
 }
 

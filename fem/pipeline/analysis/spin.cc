@@ -147,6 +147,7 @@ LongRunSpin terminal_spin(const BalancedLoad &load, const ring::Motion &motion, 
   search.expected = expected != 0 ? expected : expected_spin(load, motion);
   search.grip_torque = grip_torque;
   search.steadiness = [&load](double omega) { return load.steadiness(omega); };
+  search.fall_before = [&load](double omega) { return load.fall_before(omega); };
   // A hand at the height of the centre of mass asks for no torque at rest: noise is not to choose a
   // direction.
   search.torque_noise =

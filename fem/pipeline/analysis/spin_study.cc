@@ -139,10 +139,12 @@ std::vector<ring::TerminalSpin> terminal_spins_of(const Study &study, const Bala
       (study.load.is_in_balance() && abilities(study.contact.body).is_collective))
     return {};
   const double unit = load.spin_scale(study.motion.orbit);
+  const auto statistics = load.statistics();
+  const double error = statistics ? statistics->interpolation_error.value_or(0) : 0;
   std::vector<ring::TerminalSpin> spins =
     all_terminal_spins(load, study.motion.orbit, study.motion.grip_torque);
   const auto is_reached = [&](const ring::TerminalSpin &spin)
-  { return std::abs(spin.omega - all.terminal->omega) < 1e-4 * unit; };
+  { return std::abs(spin.omega - all.terminal->omega) < std::max(1e-4, 10 * error) * unit; };
   spins.erase(std::remove_if(spins.begin(), spins.end(), is_reached), spins.end());
   spins.push_back(*all.terminal);
   std::sort(spins.begin(), spins.end(),
@@ -288,9 +290,24 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
                             variants.push_back(*one_ring);
                           return variants;
                         } };
-  std::vector<LoadedRow> solved =
-    rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth,
-                      depth == Depth::full ? &models : nullptr);
+  const auto solve = [&]
+  {
+    return rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth,
+                             depth == Depth::full ? &models : nullptr);
+  };
+  std::vector<LoadedRow> solved = solve();
+  std::vector<double> shown = shown_spins(study, solved);
+  const auto interpolate = [&](unsigned int n_most)
+  { interpolate_loads(shown.front(), shown.back(), n_most, executor, solved); };
+  interpolate(0); // the first harmonic's curve is told by how it differs from that of all
+  // The curve may meet a fall that the search has stepped over, and that of the next one another.
+  constexpr unsigned int most_falls = 8;
+  for (unsigned int i = 0; i < most_falls && load.fall_before(solved.back().row.last_spin().value_or(0)); ++i)
+  {
+    solved = solve();
+    shown = shown_spins(study, solved);
+    interpolate(0);
+  }
   for (const LoadedRow &row : solved)
     result.rows.push_back(row.row);
   if (load.phases())
@@ -301,10 +318,6 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     models.answers.pop_back();
   }
 
-  const std::vector<double> shown = shown_spins(study, solved);
-  const auto interpolate = [&](unsigned int n_most)
-  { interpolate_loads(shown.front(), shown.back(), n_most, executor, solved); };
-  interpolate(0); // the first harmonic's curve is told by how it differs from that of all
   const SharedLoad all = solved.back().load;
   if (const auto statistics = all->statistics())
     result.curve_error = statistics->interpolation_error;

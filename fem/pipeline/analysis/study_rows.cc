@@ -77,12 +77,11 @@ SharedLoad load_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &f
 SharedLoad interpolated(const LoadedRow &answer, double lower, double upper,
                         const BalancedLoad *like = nullptr)
 {
-  const auto between = [&](double one, double other, double coarsest = 1e-5)
+  const auto between = [&](double one, double other, double enough = 2e-5)
   {
     return if_balanced(
-             [&] {
-               return answer.load->interpolated(std::min(one, other), std::max(one, other), coarsest, like);
-             })
+             [&]
+             { return answer.load->interpolated(std::min(one, other), std::max(one, other), enough, like); })
       .value_or(nullptr);
   };
   SharedLoad curve;
@@ -210,10 +209,10 @@ std::vector<LoadedRow> rows_by_harmonics(const Study &study, const std::shared_p
       cut.push_back({ "harmonics", std::to_string(orders[i]), study, orders[i], true });
     else if (const SharedLoad less = load.truncated(orders[i]))
       sharing.push_back({ attempt_spin_row(*less, question), less });
-  // Torques of rows that share the contacts of the whole load are asked for side by side: half-way it is to
-  // be known.
-  if (!sharing.empty() && study.load.is_in_balance())
-    if_balanced([&] { return load.at(*whole.row.omega_terminal() / 2); });
+  // Torques of rows that share the contacts of the whole load are asked for side by side, and that of the
+  // whole is reported: half-way it is to be known.
+  if (whole.row.terminal && load.is_costly() && depth == Depth::full)
+    if_balanced([&] { return load.at(whole.row.terminal->omega / 2); });
   const std::size_t n_cut = cut.size();
   if (beside)
     for (const Variant &variant : beside->variants(whole.row))

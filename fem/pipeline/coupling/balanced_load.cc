@@ -105,7 +105,7 @@ SharedLoad BalancedLoad::truncated(unsigned int n_harmonics) const
   return std::make_shared<TruncatedLoad>(shared_from_this(), n_harmonics);
 }
 
-SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarsest,
+SharedLoad BalancedLoad::interpolated(double lower, double upper, double enough,
                                       const BalancedLoad *like) const
 {
   if (!is_costly() || !(lower < upper))
@@ -116,7 +116,7 @@ SharedLoad BalancedLoad::interpolated(double lower, double upper, double coarses
   if (other && other->report().rings.radii() == report().rings.radii())
     source.reference = other->polynomial_on(lower, upper);
   CurveTolerance tolerance;
-  tolerance.coarsest = std::max(coarsest, tolerance.coarsest);
+  tolerance.enough = enough;
   const LoadCurve curve(source, lower, upper, tolerance);
   if (curve.error() > tolerance.coarsest)
     return shared_from_this();

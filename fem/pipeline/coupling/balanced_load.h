@@ -58,6 +58,9 @@ public:
   /// fem::ContactSolution::steadiness at @p omega, a spin that at() has been asked for; 1 if that is not
   /// known.
   virtual double steadiness(double /*omega*/) const { return 1; }
+  /// The spin nearest to rest, on the way from there to @p omega, at which a contact that was asked for falls
+  /// over; nothing where none is known.
+  virtual std::optional<double> fall_before(double /*omega*/) const { return std::nullopt; }
   /// How the loads have been found so far; nothing where they are the same at every spin.
   virtual std::optional<CouplingStatistics> statistics() const { return std::nullopt; }
 
@@ -66,10 +69,10 @@ public:
 
   /// This load for curves of thousands of values on spins from @p lower to @p upper [rad/s], where each value
   /// would be a balance of its own: interpolated between exact ones (LoadCurve) to 1e-6 of a_0
-  /// where few of them suffice, else to 1e-5, or to @p coarsest if that is more, else exact; outside exact.
-  /// The error is in its statistics(). A load that is not costly stays as it is. Where @p like, another
+  /// where few of them suffice, else to @p enough, else to 1e-3, else exact; outside exact. The error is in
+  /// its statistics(). A load that is not costly stays as it is. Where @p like, another
   /// interpolated load on the same rings, has no kink, the difference to it is interpolated.
-  SharedLoad interpolated(double lower, double upper, double coarsest = 1e-5,
+  SharedLoad interpolated(double lower, double upper, double enough = 2e-5,
                           const BalancedLoad *like = nullptr) const;
 
   /// The spin v / R at which the ring at rest is as fast as the glass [rad/s].
@@ -122,6 +125,7 @@ public:
   std::vector<double> known_spins() const override { return whole->known_spins(); }
   double clearance(double omega) const override { return whole->clearance(omega); }
   double steadiness(double omega) const override { return whole->steadiness(omega); }
+  std::optional<double> fall_before(double omega) const override { return whole->fall_before(omega); }
   std::optional<CouplingStatistics> statistics() const override { return whole->statistics(); }
 
 protected:

@@ -88,7 +88,7 @@ LoadCurve::LoadCurve(const CurveSource &source, double lower, double upper, cons
       std::max_element(pieces.begin(), pieces.end(),
                        [](const Piece &one, const Piece &other) { return one.error() < other.error(); });
     const double allowed = n_new < tolerance.usual_samples       ? tolerance.wanted
-                           : n_new < 2 * tolerance.usual_samples ? tolerance.enough
+                           : n_new < 4 * tolerance.usual_samples ? tolerance.enough
                                                                  : tolerance.coarsest;
     if (worst->error() <= allowed || n_new >= tolerance.most_samples)
       return;
@@ -107,6 +107,8 @@ LoadCurve::LoadCurve(const CurveSource &source, double lower, double upper, cons
 
 LeaningLoad LoadCurve::operator()(double x) const
 {
+  if (const auto known = samples.find(x); known != samples.end())
+    return known->second;
   auto piece = pieces.begin();
   while (piece + 1 != pieces.end() && x > piece->end)
     ++piece;

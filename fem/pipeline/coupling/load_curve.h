@@ -32,8 +32,8 @@ struct CurveSource
 struct CurveTolerance
 {
   double wanted = 1e-6;   ///< with up to `usual_samples`
-  double enough = 2e-5;   ///< with up to twice as many
-  double coarsest = 2e-5; ///< with `most_samples`
+  double enough = 2e-5;   ///< with up to four times as many
+  double coarsest = 1e-3; ///< with `most_samples`
   std::size_t usual_samples = 20;
   std::size_t most_samples = 200;
 };
@@ -50,7 +50,7 @@ public:
   /// tells. @p source is not asked afterwards, but for its reference.
   LoadCurve(const CurveSource &source, double lower, double upper, const CurveTolerance &tolerance = {});
 
-  /// The load between the samples, and beyond the first and the last as there.
+  /// The load between the samples, at a sample the very load, and beyond the first and the last as there.
   LeaningLoad operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }

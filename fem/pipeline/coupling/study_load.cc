@@ -112,6 +112,14 @@ public:
     const auto found = loads.find(omega);
     return found == loads.end() ? 1 : found->second.steadiness;
   }
+  std::optional<double> fall_before(double omega) const override
+  {
+    std::optional<double> first;
+    for (const double spin : falls)
+      if (spin * omega > 0 && std::abs(spin) < std::abs(first.value_or(omega)))
+        first = spin;
+    return first;
+  }
   std::optional<CouplingStatistics> statistics() const override
   {
     return CouplingStatistics{ loads.size(), contacts->n_contact_solutions() };
@@ -142,7 +150,10 @@ private:
     catch (const fem::ContactFailure &failure)
     {
       if (failure.outcome == fem::ContactOutcome::tipping)
+      {
+        falls.push_back(omega);
         keep(ring::Tipping(failure.what()));
+      }
       keep(ring::NoBalance("at " + to_short_text(omega) +
                            " rad/s no balance was found, nor that the glass falls over (" + failure.what() +
                            ")"));
@@ -163,6 +174,7 @@ private:
   Progress &progress;
   mutable std::map<double, Found> loads; ///< so far
   mutable std::map<double, std::exception_ptr> failures;
+  mutable std::vector<double> falls; ///< those of them in which the glass falls over [rad/s]
   /// The contacts of the newest of them: at the terminal spin and what is asked next about it, or of a band.
   mutable std::deque<std::pair<double, fem::ContactState>> latest;
   static constexpr std::size_t n_latest = 6;
