@@ -12,14 +12,6 @@ namespace stemware::fem
 namespace
 {
 
-/// Index of the sector of @p n_sectors, the first of which begins at theta = @p begin, that holds @p azimuth.
-unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
-{
-  const double turns = (azimuth - begin) / boost::math::double_constants::two_pi;
-  const auto index = static_cast<unsigned int>((turns - std::floor(turns)) * n_sectors);
-  return std::min(index, n_sectors - 1);
-}
-
 /// Azimuths closer than this belong to one cut; the lines of one cut differ by rounding only.
 constexpr double azimuth_tolerance = 1e-7;
 
@@ -55,6 +47,13 @@ std::vector<AzimuthLoad> density_of_cuts(const ContactSurface &surface,
   return sum_of_cuts(std::move(places));
 }
 } // namespace
+
+unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
+{
+  const double turns = (azimuth - begin) / boost::math::double_constants::two_pi;
+  const auto index = static_cast<unsigned int>((turns - std::floor(turns)) * n_sectors);
+  return std::min(index, n_sectors - 1);
+}
 
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
                                           const std::vector<double> &line_forces)

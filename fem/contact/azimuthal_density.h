@@ -16,6 +16,9 @@ struct AzimuthLoad
   double density = 0; ///< lambda [N/rad]
 };
 
+/// Index of the sector of @p n_sectors equal ones that holds @p azimuth; sector 0 begins at theta = @p begin.
+unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors);
+
 /// Load per radian by azimuth from the force on each line of @p surface: summed over lines of equal
 /// azimuth where the lines are radial, over ContactSurface::n_sectors equal sectors
 /// (at their middle) where they are not.

@@ -240,13 +240,10 @@ ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, u
   ContactLoad load = harmonics_of(on_table.points, n_harmonics, ring_radii, on_table.parts);
   load.pointwise = std::move(on_table.density);
   load.least = least_load(load.pointwise);
-  double largest = 0;
-  for (const AzimuthLoad &place : load.pointwise)
-    largest = std::max(largest, place.density);
-  const auto n_loaded =
-    std::count_if(load.pointwise.begin(), load.pointwise.end(),
-                  [=](const AzimuthLoad &place) { return place.density > 1e-11 * largest; }); // of rounding
-  load.contact_fraction = static_cast<double>(n_loaded) / static_cast<double>(load.pointwise.size());
+  const ContactExtent extent = law.extent(solution);
+  load.contact_fraction = extent.area_share;
+  load.azimuth_fraction = extent.azimuth_share;
+  load.peak_pressure = extent.peak_pressure;
   return load;
 }
 

@@ -3,6 +3,7 @@
 #include "fem/contact/contact_newton.h"
 #include "ring_model/load/ring_stack.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct ContactLoad : ring::RingStack
 
   double rotation = 0; ///< by which the one ring has been turned to the direction of M_N [rad]; 0 by symmetry
                        ///< but for friction that deforms the foot
-  double mean_radius = 0;             ///< sum f r / sum f [m]
-  double contact_fraction = 0;        ///< share of azimuth lines that carry load
-  double least = 0;                   ///< least_load() [N/rad]
+  double mean_radius = 0;                      ///< sum f r / sum f [m]
+  double contact_fraction = 0;                 ///< ContactExtent::area_share
+  std::optional<double> azimuth_fraction = {}; ///< ContactExtent::azimuth_share
+  double peak_pressure = 0;                    ///< [Pa]
+  double least = 0;                            ///< least_load() [N/rad]
   std::vector<AzimuthLoad> pointwise; ///< lambda itself by azimuth, sorted; what the series stand for
 
   /// The load turned counter-clockwise by @p angle [rad].
@@ -56,7 +59,7 @@ private:
 };
 
 /// Gathers a contact solution on rings of @p ring_radii, on one ring where these are empty, from the law's
-/// own quadrature points: harmonics_of() with contact_fraction, least and pointwise. Throws
+/// own quadrature points: harmonics_of() with extent, least and pointwise. Throws
 /// std::invalid_argument when there is no load.
 ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, unsigned int n_harmonics,
                          const std::vector<double> &ring_radii = {});
@@ -78,7 +81,7 @@ std::pair<double, double> loaded_band(const TableLoad &load);
 /// k < J; forces outside the radii are extrapolated. Without radii one ring gets all. @p forces may be those
 /// of one of the @p parts of a surface.
 ///
-/// Leaves contact_fraction, least and pointwise empty. Throws std::invalid_argument when there is no load or
+/// Leaves the extent, least and pointwise empty. Throws std::invalid_argument when there is no load or
 /// the radii are not positive and ascending.
 ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
                          const std::vector<double> &radii = {}, const SurfaceParts &parts = {});

@@ -48,6 +48,10 @@ struct ContactSurface
   /// Every line has one azimuth: lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean, where the mesh is not regular)
+  /// The land is rounded across the rim: its contact is a band whose width follows from the load.
+  bool is_crowned = false;
+  /// The land goes round the axis and leaves a hole there, as a rim does and a plate does not.
+  bool is_ring = true;
 
   unsigned int n_foreign_nodes = 0; ///< those at the end that belong to other parts
   SurfaceParts parts;               ///< of which this is one

@@ -1,5 +1,7 @@
 #include "fem/contact/hard_interface.h"
 
+#include "fem/contact/contact_extent.h"
+
 namespace stemware::fem
 {
 
@@ -41,6 +43,11 @@ public:
         result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), nodal(i) });
     result.density = density_of_nodes(surface, nodal);
     return result;
+  }
+
+  ContactExtent extent(const ContactSolution &solution) const override
+  {
+    return extent_of_nodes(surface, solution.forces);
   }
 
   PressureMap pressure_map(const ContactSolution &solution) const override

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/contact/contact_extent.h"
 #include "fem/contact/interface_law.h"
 #include "fem/contact/line_integral.h"
 #include "fem/contact/line_pattern.h"
@@ -90,6 +91,12 @@ public:
         result.points.push_back({ surface.node_position(i, 0), surface.node_position(i, 1), force });
     result.density = density_of_lines(surface, line_forces);
     return result;
+  }
+
+  ContactExtent extent(const ContactSolution &solution) const override
+  {
+    return extent_of_lines(surface, penetrations(solution.normal_displacement), law,
+                           [this](double depth) { return law.pressure(depth); });
   }
 
   PressureMap pressure_map(const ContactSolution &solution) const override

@@ -47,6 +47,17 @@ struct TableLoad
   std::vector<AzimuthLoad> density;
 };
 
+/// Part of the land that is under pressure. A pressure below 1e-11 of the largest is rounding.
+struct ContactExtent
+{
+  /// Share of the land's area. A crowned land (ContactSurface::is_crowned) touches along a band; an azimuth
+  /// of it counts with its whole area if any point of the azimuth is under pressure.
+  double area_share = 0;
+  /// Share of the azimuths with a point under pressure; std::nullopt unless the land is a ring.
+  std::optional<double> azimuth_share = {};
+  double peak_pressure = 0; ///< [Pa]
+};
+
 /// Contact forces as a function of the normal displacement of the contact surface (docs/method.md, "The
 /// table").
 ///
@@ -65,6 +76,9 @@ public:
   /// Load on the table in any solution on this surface: forces and normal displacement decide it. @p n_parts
   /// >= 1: parts of a line, each with quadrature points of its own, where the law has such.
   virtual TableLoad load(const ContactSolution &solution, unsigned int n_parts) const = 0;
+
+  /// Extent of the contact in a solution, on the whole surface.
+  virtual ContactExtent extent(const ContactSolution &solution) const = 0;
 
   /// Where the foot presses in a solution, for plots: on the whole surface, on the rank of the first part;
   /// empty elsewhere.

@@ -90,6 +90,10 @@ void BodyOfRevolution::set_gap(const Gap &gap)
   for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
+  // What is out of flat is constant or linear along a line; a crown is a parabola.
+  const ContactLine &line = surface->lines.front();
+  const double bulge = line.gap(0) - 2 * line.gap(1) + line.gap(2);
+  surface->is_crowned = std::abs(bulge) > 1e-12 * line.position.row(1).norm();
 }
 
 void BodyOfRevolution::set_sliding(const std::optional<SlidingTraction> &traction)

@@ -227,8 +227,8 @@ void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
 void measure(ContactSurface &surface, const ContactNodes &nodes)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.n_nodes());
-  bool are_radial = true;
-  double total_width = 0;
+  bool are_radial = true, is_crowned = false;
+  double total_width = 0, inner = std::numeric_limits<double>::max(), outer = 0;
   for (const ContactLine &line : surface.lines)
   {
     add_node_areas(line, areas);
@@ -237,9 +237,18 @@ void measure(ContactSurface &surface, const ContactNodes &nodes)
     const Eigen::RowVector2d end = line.position.row(2);
     const double sine = std::abs(begin(0) * end(1) - begin(1) * end(0)) / (begin.norm() * end.norm());
     are_radial = are_radial && sine < 1e-9;
+    // A flat land that is out of flat is less steep, a crown steeper.
+    constexpr double steep = 1e-3;
+    const double rise = line.gap.maxCoeff() - line.gap.minCoeff();
+    is_crowned = is_crowned || rise > steep * (end - begin).norm();
+    inner = std::min(inner, line.position.rowwise().norm().minCoeff());
+    outer = std::max(outer, line.position.rowwise().norm().maxCoeff());
   }
   surface.node_area = nodes.spread(nodes.summed(areas));
   surface.lines_are_radial = !surface.parts.any(!are_radial);
+  surface.is_crowned = surface.parts.any(is_crowned);
+  constexpr double least_hole = 0.1; // of the outer radius; less is a cell about the axis
+  surface.is_ring = surface.parts.min(inner) > least_hole * surface.parts.max(outer);
   const double n_faces = surface.parts.sum(static_cast<double>(surface.lines.size())) / n_lines_per_face;
   surface.n_sectors = static_cast<unsigned int>(
     std::max(1., std::round(2 * numbers::PI * n_faces / surface.parts.sum(total_width))));

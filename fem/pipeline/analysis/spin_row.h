@@ -15,8 +15,8 @@ namespace stemware::pipeline
 /// State of the ring under a load, or why there is no answer.
 enum class Standing
 {
-  full_contact,    ///< the whole rim carries load
-  lift_off,        ///< a part of the rim carries none
+  full_contact,    ///< the whole land is under pressure
+  lift_off,        ///< a part of the land is not under pressure
   formal,          ///< the load, or what is left of it, would have to pull on the table
   tips,            ///< no load that only pushes carries the moment
   no_balance,      ///< no balance of moments was found

@@ -144,6 +144,7 @@ LoadReport report_of(const ring::RingStack &load)
   report.moment_ratio = load.moment_ratio(load.radius());
   report.mean_radius = load.radius();
   report.contact_fraction = static_cast<double>(n_loaded) / n_azimuths;
+  report.azimuth_fraction = report.contact_fraction;
   report.minimum = load.minimum();
   return report;
 }

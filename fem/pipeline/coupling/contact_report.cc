@@ -1,5 +1,6 @@
 #include "fem/pipeline/coupling/contact_report.h"
 
+#include "fem/contact/footprint.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/coupling/make_foot.h"
@@ -11,6 +12,14 @@ namespace stemware::pipeline
 
 namespace
 {
+
+/// Largest width of the contact across the rim [m]; std::nullopt for a map without several points across.
+std::optional<double> width_of(const fem::PressureMap &footprint)
+{
+  if (footprint.cuts.empty() || !fem::has_cells(footprint))
+    return std::nullopt;
+  return fem::measures_of(footprint).widest;
+}
 
 FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest,
                          const std::optional<fem::ContactState> &at_end)
@@ -62,7 +71,12 @@ ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &f
   report.load_at_end =
     at_end ? report_of(*at_end, foot->radius(), study.tilts()) : report_of(load.at(last_spin));
   if (at_rest)
+  {
     report.foot = describe_foot(study, *foot, *at_rest, at_end);
+    report.load.contact_width = width_of(report.foot->footprint);
+  }
+  if (at_end) // all ranks of a solid body make the map together
+    report.load_at_end.contact_width = width_of(foot->body().pressure_map(*at_end));
   report.coupling = load.statistics();
   return report;
 }

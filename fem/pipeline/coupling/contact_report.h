@@ -24,11 +24,18 @@ struct LoadReport
   Eigen::Vector2d moment = Eigen::Vector2d::Zero(); ///< M_N = (sum y f, -sum x f) [N m]
   double moment_ratio = 0;                          ///< |M_N| / (N R / 2), R the contact radius
   double mean_radius = 0;                           ///< sum f r / sum f [m]
-  double contact_fraction = 0;                      ///< share of azimuths that carry load
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();   ///< LeaningLoad::tilt [rad]
-  double inner_radius = 0;                          ///< between which the load lies [m]
+  /// Share of the land's area under pressure (fem::ContactExtent); of a load without a contact the share of
+  /// the azimuths with a positive load.
+  double contact_fraction = 0;
+  std::optional<double> azimuth_fraction = {}; ///< share of the azimuths under pressure; empty unless a ring
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< LeaningLoad::tilt [rad]
+  double inner_radius = 0;                        ///< between which the load lies [m]
   double outer_radius = 0;
-  double minimum = 0; ///< least pointwise load [N/rad]
+  double minimum = 0;                       ///< least pointwise load [N/rad]
+  std::optional<double> peak_pressure = {}; ///< [Pa]; empty unless from a contact
+  /// Largest width of the contact across the rim at any azimuth, fem::contact_width() [m]; empty unless from
+  /// a contact that is resolved across the rim.
+  std::optional<double> contact_width = {};
   std::vector<fem::AzimuthLoad>
     pointwise = {}; ///< lambda itself by azimuth in [0, 2 pi), sorted; empty unless from a contact
 

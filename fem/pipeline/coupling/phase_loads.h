@@ -31,7 +31,7 @@ struct SpinSampling
 struct PhaseExtremes
 {
   double least_load = 0;             ///< pointwise [N/rad]
-  double least_contact_fraction = 0; ///< share of the rim that carries load
+  double least_contact_fraction = 0; ///< LoadReport::contact_fraction
 };
 
 /// A load that depends on where the marks of glass and table stand, and maybe on the spin: sampled on a grid

@@ -165,8 +165,8 @@ private:
   {
     constexpr double pi = boost::math::double_constants::pi;
     // Next to where it vanishes, a load that falls like 1 + cos.
-    return load.contact_fraction < 1 ? -std::pow(pi * (1 - load.contact_fraction), 2) / 2
-                                     : load.least / load.a(0);
+    const double share = load.azimuth_fraction.value_or(load.contact_fraction);
+    return share < 1 ? -std::pow(pi * (1 - share), 2) / 2 : load.least / load.a(0);
   }
 
   const std::unique_ptr<BalancedContact> contacts;
@@ -225,6 +225,35 @@ PhasePeriods periods_of(const Study &study, const ElasticFoot &foot)
   return periods;
 }
 
+/// The contact at rest with the marks at @p phase. If it tips, the failure tells about @p at_start as well,
+/// the contact with the marks at t = 0, which is in balance.
+fem::ContactState contact_at_phase(const Study &study, ElasticFoot &foot, const ring::Orientation &phase,
+                                   const fem::ContactState &at_start)
+{
+  try
+  {
+    return foot.solve(demand_at_rest(study), { 0, phase });
+  }
+  catch (const fem::ContactFailure &failure)
+  {
+    if (failure.outcome != fem::ContactOutcome::tipping)
+      throw;
+    const ring::Orientation &start = at_start.slip.orientation;
+    const auto degrees = [](double angle)
+    { return to_short_text(std::remainder(angle / boost::math::double_constants::degree, 360.)); };
+    const std::string turned = phase.glass != start.glass
+                                 ? "glass is turned by " + degrees(phase.glass - start.glass)
+                                 : "table is turned by " + degrees(phase.table - start.table);
+    throw fem::ContactFailure(
+      fem::ContactOutcome::tipping,
+      "The contact that was asked for is in balance: " + to_short_text(100 * at_start.load.contact_fraction) +
+        " % of the land are under pressure, at most " + to_short_text(at_start.load.peak_pressure) +
+        " Pa, the table's motion is " + to_short_text(at_start.solution.motion(0)) + " m, " +
+        to_short_text(at_start.solution.motion(1)) + " rad, " + to_short_text(at_start.solution.motion(2)) +
+        " rad. But the foot tips when the " + turned + " degrees: " + failure.what());
+  }
+}
+
 /// @p at_rest is the load at the phase of t = 0.
 SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const fem::ContactState &at_rest, unsigned int n_harmonics, Progress &progress)
@@ -236,7 +265,7 @@ SharedLoad load_over_phases(const Study &study, const std::shared_ptr<ElasticFoo
     SharedLoad &load = (*by_phase)[{ phase.glass, phase.table }];
     if (!load)
     {
-      const fem::ContactState state = foot->solve(demand_at_rest(study), { 0, phase });
+      const fem::ContactState state = contact_at_phase(study, *foot, phase, at_rest);
       progress.pieces_done("phases", by_phase->size(), 0);
       load = load_at_one_phase(study, foot, phase, state, n_harmonics, progress);
     }
@@ -469,6 +498,8 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius, bool
   report.moment_ratio = load.moment_ratio(contact_radius);
   report.mean_radius = load.mean_radius;
   report.contact_fraction = load.contact_fraction;
+  report.azimuth_fraction = load.azimuth_fraction;
+  report.peak_pressure = load.peak_pressure;
   report.minimum = load.least;
   report.inner_radius = state.inner_radius;
   report.outer_radius = state.outer_radius;

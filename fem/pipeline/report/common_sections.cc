@@ -265,7 +265,8 @@ Json load_summary(const LoadReport &load)
                    { "moment", { load.moment.x(), load.moment.y() } },
                    { "moment_ratio", load.moment_ratio },
                    { "ring_radius", load.rings.radius() } });
-  summary.update(STEMWARE_JSON(load, mean_radius, contact_fraction, minimum));
+  summary.update(STEMWARE_JSON(load, mean_radius, contact_fraction, azimuth_fraction, minimum, peak_pressure,
+                               contact_width));
   return summary;
 }
 

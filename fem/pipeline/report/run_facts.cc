@@ -117,6 +117,13 @@ Json load_facts(const Study &study, const LoadReport &load, const SpinRow &all)
   return facts[0];
 }
 
+/// How hard and how wide the foot is in contact; null without a contact.
+Json pressed_facts(const LoadReport &load)
+{
+  return load.peak_pressure ? Json{ { "pressure", *load.peak_pressure }, { "width", load.contact_width } }
+                            : Json(nullptr);
+}
+
 Json thin_layer_facts(const Study &study, double half_width)
 {
   const double layer = study.table.layer_thickness;
@@ -199,6 +206,8 @@ Json run_facts(const Study &study, const ContactReport &report, const SpinStudy 
       { "largest_step", largest_step_facts(study, budget) },
       { "scattered_profile", profile_facts(study) },
       { "lift_off", lift_offs(study, report, spin) },
+      { "pressed_at_rest", pressed_facts(report.load) },
+      { "pressed_at_terminal", spin.all().terminal ? pressed_facts(report.load_at_end) : Json(nullptr) },
       { "thin_layer", thin_layer_facts(study, report.load.half_width()) },
       { "narrow_contact", narrow_contact_facts(study, report.foot) },
       { "why_it_swings", rim && table ? "Rim and table are out of flat"

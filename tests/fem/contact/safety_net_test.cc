@@ -66,6 +66,7 @@ public:
   {
     return honest->load(solution, n_parts);
   }
+  ContactExtent extent(const ContactSolution &solution) const override { return honest->extent(solution); }
   PressureMap pressure_map(const ContactSolution &solution) const override
   {
     return honest->pressure_map(solution);

@@ -53,6 +53,8 @@ TEST(MeshFile, FlatFootGivesTheGeneratedFootsLoad)
   EXPECT_TRUE(read.report.round_rim);
   EXPECT_NEAR(read.report.rim_radius, 0.03, 1e-9);
   EXPECT_EQ(read.report.land_area_deficit, 0);
+  EXPECT_FALSE(read.body->contact_surface().is_crowned);
+  EXPECT_TRUE(read.body->contact_surface().is_ring);
   const auto mat = make_law(WinklerInterface(1e10), read.body->contact_surface());
   const ContactSolution solution = solve_contact(*read.body, *mat, load_at(1.3), 0.03);
   const ContactLoad load = extract_load(*mat, solution, 6);
@@ -65,6 +67,7 @@ TEST(MeshFile, CrownedFootsCrownIsInTheMesh)
 {
   FileCase read("crowned_foot.msh");
   EXPECT_TRUE(read.report.round_rim);
+  EXPECT_TRUE(read.body->contact_surface().is_crowned);
   const auto mat = make_law(WinklerInterface(1e9), read.body->contact_surface());
   const ContactSolution solution = solve_contact(*read.body, *mat, load_at(0.5), 0.03);
   const ContactLoad load = extract_load(*mat, solution, 6);

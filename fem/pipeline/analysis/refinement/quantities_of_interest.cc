@@ -26,7 +26,7 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, unsigned
     { "ring_radius", "ring radius", "m", at_rest.radius(), relative_noise * at_rest.radius() });
   // A place where the contact ends is known to one azimuth only.
   const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
-  quantities.push_back({ "contact_fraction", "share of the rim in contact", "1", load.contact_fraction,
+  quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
                          ends_somewhere ? 1. / n_azimuths : 0. });
   quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
   return quantities;

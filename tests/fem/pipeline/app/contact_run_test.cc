@@ -62,7 +62,7 @@ TEST(ContactRun, SummaryHasThePromisedKeys)
   const std::vector<std::string> of_a_load = {
     "radii",  "rings",        "a",           "b",           "normal_force",
     "moment", "moment_ratio", "ring_radius", "mean_radius", "contact_fraction",
-    "minimum"
+    "minimum", "azimuth_fraction", "peak_pressure", "contact_width"
   };
   const std::vector<std::pair<std::string, std::vector<std::string>>> promised = {
     { "program", { "version", "revision" } },

@@ -1,0 +1,215 @@
+#include "fem/contact/contact_extent.h"
+
+#include "fem/contact/azimuthal_density.h"
+#include "fem/contact/line_integral.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace stemware::fem
+{
+
+namespace
+{
+
+using boost::math::double_constants::two_pi;
+
+/// Pressures below this share of the largest are rounding.
+constexpr double rounding_share = 1e-11;
+
+/// Largest value on [-1, 1] of the quadratic through @p samples.
+double peak_of(const Eigen::Vector3d &samples)
+{
+  const Eigen::Vector3d coefficients = quadratic_through(samples);
+  double peak = samples.maxCoeff();
+  if (coefficients(2) < 0 && std::abs(coefficients(1)) < -2 * coefficients(2))
+    peak = std::max(peak, value_at(coefficients, -coefficients(1) / (2 * coefficients(2))));
+  return peak;
+}
+
+/// Areas of lines [m^2].
+struct LineAreas
+{
+  double whole = 0, lost = 0;
+};
+
+/// Area of @p line, and the part of it where the quadratic through @p excess is not positive.
+LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
+{
+  const AreaElement element(line);
+  LineAreas areas;
+  const auto integrate = [&](const LineSegment &segment, double &sum)
+  { for_each_point<2>(element, segment, [&](const LinePoint &point) { sum += point.area; }); };
+  integrate({ -1, 1 }, areas.whole);
+  const PositiveSegments not_loaded(-excess);
+  for (unsigned int s = 0; s < not_loaded.n_segments; ++s)
+    integrate(not_loaded.segments[s], areas.lost);
+  return areas;
+}
+
+/// A value for each cut of the whole surface.
+struct CutValue
+{
+  double azimuth = 0; ///< [rad]
+  double value = 0;   ///< the largest of the cut's lines
+};
+
+/// Merges places of one azimuth, which differ by rounding only.
+std::vector<CutValue> merged(std::vector<CutValue> places)
+{
+  constexpr double tolerance = 1e-7; // of azimuths [rad]
+  std::stable_sort(places.begin(), places.end(),
+                   [](const CutValue &one, const CutValue &other) { return one.azimuth < other.azimuth; });
+  std::vector<CutValue> cuts;
+  for (const CutValue &place : places)
+    if (cuts.empty() || place.azimuth - cuts.back().azimuth > tolerance)
+      cuts.push_back(place);
+    else
+      cuts.back().value = std::max(cuts.back().value, place.value);
+  return cuts;
+}
+
+/// Largest of @p values, one for each line, on every cut of a surface with radial lines.
+std::vector<CutValue> cuts_of(const ContactSurface &surface, const std::vector<double> &values)
+{
+  std::vector<CutValue> places;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    places.push_back({ surface.lines[i].azimuth, values[i] });
+  std::vector<double> packed;
+  for (const CutValue &cut : merged(std::move(places)))
+    packed.insert(packed.end(), { cut.azimuth, cut.value });
+  packed = surface.parts.gather_everywhere(std::move(packed));
+  places.clear();
+  for (std::size_t i = 0; i < packed.size(); i += 2)
+    places.push_back({ packed[i], packed[i + 1] });
+  return merged(std::move(places));
+}
+
+/// Calls visit(begin, end, length [rad]) for each pair of neighbouring cuts.
+template <typename Visitor>
+void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
+{
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+  {
+    const CutValue &begin = cuts[i], &end = cuts[(i + 1) % cuts.size()];
+    visit(begin, end, end.azimuth - begin.azimuth + (i + 1 == cuts.size() ? two_pi : 0));
+  }
+}
+
+/// Share of the azimuths where a value that is linear between the cuts is positive; 1 if it is on all cuts.
+double positive_share(const std::vector<CutValue> &cuts)
+{
+  double lost = 0;
+  for_each_interval(cuts,
+                    [&](const CutValue &begin, const CutValue &end, double length)
+                    {
+                      const double low = std::min(begin.value, end.value),
+                                   high = std::max(begin.value, end.value);
+                      if (low <= 0)
+                        lost += high > 0 ? length * low / (low - high) : length;
+                    });
+  return 1 - std::min(1., lost / two_pi);
+}
+
+/// Largest value between the cuts: the top of the parabola through the largest one and its neighbours.
+double largest_between(const std::vector<CutValue> &cuts)
+{
+  const auto largest =
+    std::max_element(cuts.begin(), cuts.end(),
+                     [](const CutValue &one, const CutValue &other) { return one.value < other.value; });
+  std::vector<AzimuthLoad> upside_down; // a least value, which is positive
+  for (const CutValue &cut : cuts)
+    upside_down.push_back({ cut.azimuth, 2 * largest->value - cut.value });
+  return 2 * largest->value - least_load(upside_down);
+}
+
+/// Share of the sectors with a place under pressure; @p is_loaded of the sectors from theta = 0 on, of this
+/// part of the surface.
+double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
+{
+  parts.sum_in_place(is_loaded);
+  const auto n_loaded = std::count_if(is_loaded.begin(), is_loaded.end(), [](double n) { return n > 0; });
+  return static_cast<double>(n_loaded) / static_cast<double>(is_loaded.size());
+}
+
+} // namespace
+
+ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<Eigen::Vector3d> &depths,
+                              const InterfaceLaw &law, const std::function<double(double)> &pressure)
+{
+  std::vector<double> peaks;
+  peaks.reserve(depths.size());
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d &depth : depths)
+    deepest = std::max(deepest, peaks.emplace_back(peak_of(depth)));
+  deepest = surface.parts.max(deepest);
+  ContactExtent extent;
+  extent.peak_pressure = pressure(deepest);
+  // Where the pressure begins; a hard law has no lines.
+  const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
+
+  std::vector<CutValue> cuts;
+  if (surface.lines_are_radial)
+  {
+    cuts = cuts_of(surface, peaks);
+    std::vector<CutValue> pressures = cuts;
+    for (CutValue &cut : pressures)
+      cut.value = pressure(cut.value);
+    extent.peak_pressure = largest_between(pressures);
+    for (CutValue &cut : cuts)
+      cut.value -= edge;
+  }
+  double azimuth_share = 0;
+  if (surface.lines_are_radial)
+    azimuth_share = positive_share(cuts);
+  else
+  {
+    std::vector<double> is_loaded(surface.n_sectors, 0);
+    for (std::size_t i = 0; i < peaks.size(); ++i)
+      if (peaks[i] > edge)
+        is_loaded[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] = 1;
+    azimuth_share = share_of_sectors(surface.parts, std::move(is_loaded));
+  }
+  if (surface.is_ring)
+    extent.azimuth_share = azimuth_share;
+  if (surface.is_crowned)
+  {
+    extent.area_share = azimuth_share;
+    return extent;
+  }
+  Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // whole, lost
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const LineAreas of_line = areas_of(surface.lines[i], depths[i].array() - edge);
+    areas += Eigen::Vector2d(of_line.whole, of_line.lost);
+  }
+  areas = surface.parts.sum(areas);
+  extent.area_share = 1 - std::min(1., areas(1) / areas(0));
+  return extent;
+}
+
+ContactExtent extent_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &forces)
+{
+  const Eigen::Index n = surface.n_own_nodes();
+  const auto areas = surface.node_area.head(n).array();
+  const auto own = forces.head(n).array();
+  const double largest = surface.parts.greatest(own);
+  ContactExtent extent;
+  extent.peak_pressure = surface.parts.greatest(own / areas);
+  const std::vector<AzimuthLoad> density = density_of_nodes(surface, forces);
+  const auto n_loaded =
+    std::count_if(density.begin(), density.end(),
+                  [&](const AzimuthLoad &sector) { return sector.density > rounding_share * largest; });
+  const double azimuth_share = static_cast<double>(n_loaded) / static_cast<double>(density.size());
+  if (surface.is_ring)
+    extent.azimuth_share = azimuth_share;
+  const double lost = surface.parts.sum((own > rounding_share * largest).select(0, areas).sum());
+  extent.area_share = surface.is_crowned ? azimuth_share : 1 - std::min(1., lost / surface.area());
+  return extent;
+}
+
+} // namespace stemware::fem
