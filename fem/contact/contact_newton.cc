@@ -20,20 +20,40 @@ namespace
 /// A contact with fewer loaded nodes side by side does not resolve its pressure across the rim.
 constexpr unsigned int fewest_nodes_across = 4;
 
+/// Distance from the axis to the border of the convex hull of the nodes, or of the weights in their place, in
+/// @p direction, a unit vector [m]: the least of the distances to the hull's tangents. That of a ring is
+/// nearly round.
+double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
+{
+  double distance = conditions.reach(direction);
+  constexpr int n_tangents = 90; // on either side, but the last one is parallel to the direction
+  const double step = std::acos(-1.) / 2 / n_tangents;
+  const Eigen::Vector2d across(-direction(1), direction(0));
+  for (int k = 1 - n_tangents; k < n_tangents && !is_ring; ++k)
+  {
+    const double angle = k * step;
+    const Eigen::Vector2d normal = std::cos(angle) * direction + std::sin(angle) * across;
+    distance = std::min(distance, conditions.reach(normal) / std::cos(angle));
+  }
+  return distance;
+}
+
 /// Pushing forces have the mean of (x, y), or of the weights in their place, within the hull of those of the
 /// nodes.
-void require_possible(const LinearConditions &conditions)
+void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
 {
   const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
   if (centre.norm() == 0)
     return;
-  const double reach = conditions.reach(centre.normalized());
-  if (centre.norm() < reach)
+  const double limit = distance_to_hull(conditions, centre.normalized(), is_ring);
+  if (centre.norm() < limit)
     return;
   throw ContactFailure(ContactOutcome::tipping,
                        sentence("the centre of pressure lies ", centre.norm(),
-                                " m from the axis, but the contact zone reaches only ", reach,
-                                " m in that direction; reduce the moment (the foot tips at |M_N| = N R)."));
+                                " m from the axis, which is not within the hull of the contact zone, ", limit,
+                                " m in that direction; reduce the moment: in that direction the foot tips at "
+                                "|M_N| = ",
+                                limit / radius, " N R."));
 }
 
 /// The damped Newton iteration of one body and one table.
@@ -393,7 +413,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
 ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
                               double radius, const ContactControl &control, const ContactStart *start)
 {
-  require_possible(conditions);
+  require_possible(conditions, radius, body.contact_surface().is_ring);
   ContactStart begin;
   if (start)
     begin = *start;

@@ -111,9 +111,13 @@ void require_same_glass(const fem::MeshReport &report, const std::string &file, 
   for (const auto &[name, size] : mesh_units())
     if (fits(report.rim_radius / unit * size))
       advice = "set Contact/Mesh unit = " + name + ", which the coordinates seem to be in";
-  throw BadInput(fmt::format(
-    FMT_STRING("The rim of the mesh {} has a radius of {} m, but Glass/Contact radius = {} m; {}."),
-    shortened_path(file), to_short_text(report.rim_radius), to_text(radius), advice));
+  const std::string rim =
+    report.round_rim ? "The rim of the mesh " + shortened_path(file) + " has a radius of "
+                     : "The land of the mesh " + shortened_path(file) +
+                         " is not round; the mean of its border's least and largest distance from the axis, "
+                         "which stands for its contact radius, is ";
+  throw BadInput(fmt::format(FMT_STRING("{}{} m, but Glass/Contact radius = {} m; {}."), rim,
+                             to_short_text(report.rim_radius), to_text(radius), advice));
 }
 
 void require_usable_mesh(const Study &study)

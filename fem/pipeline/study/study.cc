@@ -77,6 +77,8 @@ fem::Resultants Study::required_resultants() const
     required.moment_x = moment.x();
     required.moment_y = moment.y();
   }
+  if (load.is_from_contact() && !contact.mesh_file.empty()) // the hull of the mesh's land decides
+    return required;
   const double ratio = pipeline::moment_ratio(required, radius);
   const auto [asked, limit] = told_apart(ratio, 2);
   require(ratio < 2, "The closure " + ring::to_string(motion.closure) + " asks for a moment ratio of " +

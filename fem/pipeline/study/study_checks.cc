@@ -227,8 +227,9 @@ void check_values(const Study &study)
   try
   {
     study.motion.orbit.validate();
-    study.glass.material.validate();
-    if (study.contact.mesh_file.empty())
+    if (study.load.is_from_contact()) // else there is no foot
+      study.glass.material.validate();
+    if (study.load.is_from_contact() && study.contact.mesh_file.empty())
     {
       study.glass.profile.validate();
       study.contact.resolution.validate();

@@ -24,6 +24,18 @@ std::string refusal_of(const Settings &settings)
   }
 }
 
+TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
+{
+  // A ring of 65 mm, to which the default foot of 34 mm does not belong.
+  const Settings ring = { { "Glass/Contact radius", "65 mm" } };
+  EXPECT_NE(refusal_of(ring).find("Glass/Foot radius"), std::string::npos) << refusal_of(ring);
+  Settings paper = ring;
+  paper.emplace_back("Load/Source", "first harmonic");
+  EXPECT_EQ(refusal_of(paper), "");
+  paper.emplace_back("Glass/Contact radius", "-65 mm");
+  EXPECT_NE(refusal_of(paper), "");
+}
+
 TEST(StudyChecks, LengthsInAnotherUnitAreRefused)
 {
   EXPECT_EQ(
