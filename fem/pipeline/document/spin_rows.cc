@@ -129,8 +129,23 @@ Json shown_chain(const Study &study, std::vector<BudgetRow> rows)
     return row.name == "harmonics" && row.harmonics && row.difference &&
            std::abs(*row.difference) < std::max(band, rounding_of_spins(study));
   };
-  rows.erase(std::remove_if(rows.begin(), rows.end(), changes_nothing), rows.end());
-  Json shown = chain_rows(study, rows);
+  // Each difference is that to the row above among the shown rows.
+  std::vector<BudgetRow> kept;
+  bool is_above_hidden = false;
+  for (BudgetRow &row : rows)
+  {
+    const bool is_hidden = changes_nothing(row);
+    if (!is_hidden)
+    {
+      if (is_above_hidden)
+        row.difference = row.omega_terminal && !kept.empty() && kept.back().omega_terminal
+                           ? std::optional(*row.omega_terminal - *kept.back().omega_terminal)
+                           : std::nullopt;
+      kept.push_back(row);
+    }
+    is_above_hidden = is_hidden;
+  }
+  Json shown = chain_rows(study, kept);
   leave_out_rounding(shown, "omega_terminal difference", rounding_of_spins(study));
   leave_out_rounding(shown, "relative_difference", 1e-9);
   leave_out_rounding(shown, "torques", 1e-9 * std::abs(torque_at_rest));

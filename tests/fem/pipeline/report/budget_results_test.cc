@@ -98,6 +98,11 @@ TEST(BudgetByHand, HarmonicsThatChangeNothingAreNotShown)
   budget.rows[5].difference = 1e-13;
   EXPECT_EQ(shown_chain({}, budget.rows).size(), n_rows - 1);
   EXPECT_EQ(chain_rows({}, budget.rows).size(), n_rows);
+  // The row below is compared with the row above it that is shown.
+  budget.rows[4].omega_terminal = -1.2;
+  const auto last = shown_chain({}, budget.rows).back();
+  EXPECT_DOUBLE_EQ(last["difference"].get<double>(),
+                   *budget.rows[6].omega_terminal - *budget.rows[4].omega_terminal);
   budget.rows.back().difference = 0; // the study itself stays
   EXPECT_EQ(shown_chain({}, budget.rows).size(), n_rows - 1);
 }

@@ -55,7 +55,8 @@ TEST(RunAnswer, SpinHarmonicsLargestStepAndWhatTheBandDoesNotContain)
 s. The terminal spin is -3.2500 ± 0.0013 rad/s, the paper's -3.00000 rad/s. The harmonics of the
 load beyond the first make the glass 4.41 % slower (+0.15 rad/s). The largest other step from the
 paper's model to this one is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the
-discretisation; it does not contain what the model leaves open: see the table of what is left out.)");
+discretisation. It contains neither uncertain inputs (friction, heights, grip) nor effects that the
+model does not have; docs/limits.md lists both with their sizes.)");
 }
 
 TEST(RunAnswer, SentenceAndTableSayTheSameAtEverySpeed)
@@ -95,8 +96,9 @@ TEST(RunAnswer, SaysOneWayInEverySentence)
 against its orbit. The paper's rigid ring would take 2.09 s. The terminal spin is -3.2500 ±
 0.0013 rad/s, the paper's -3.00000 rad/s. The harmonics of the one-way load beyond the first make
 the glass 4.41 % slower (+0.15 rad/s). The largest other step from the paper's model to this one-way
-one is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation; it does
-not contain what the one-way model leaves open: see the table of what is left out.)");
+one is "moment balance": -0.5 rad/s (16.7 % faster). The band is that of the discretisation. It
+contains neither uncertain inputs (friction, heights, grip) nor effects that the one-way model does
+not have; docs/limits.md lists both with their sizes.)");
   one_way.study.load.moment_ratio = 0.5;
   EXPECT_EQ(one_way.answer().substr(0, 24), "Under the given moment, ");
   one_way.study.load.source = LoadSource::file;
@@ -256,12 +258,12 @@ TEST(Remarks, LiftOffAndLoadsThatPull)
   load.contact_fraction = 0.75;
   load.minimum = 0;
   EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At rest", &load } }) } }),
-            "At rest the foot has left the table in part: 75.0 % of the rim carries load, at a "
+            "At rest the foot has left the table in part: 75.0 % of the land is under pressure, at a "
             "moment ratio of 0.9.");
   load.minimum = -999999;
   EXPECT_EQ(said("lift_off", { { "lift_off", lift_off_facts({ { "At the terminal spin", &load } }) } }),
             "At the terminal spin the load is negative somewhere, down to -1e+06 N/rad: the table would have "
-            "to pull. 75.0 % of the rim carries load.");
+            "to pull. 75.0 % of the land is under pressure.");
 }
 
 } // namespace
