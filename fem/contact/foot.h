@@ -25,7 +25,7 @@ struct ContactState
 {
   ContactLoad load;                      ///< in the slip frame
   ContactSolution solution;              ///< slip frame
-  std::vector<ContactIteration> history; ///< Newton steps, of a foot that reports them: see Foot::solve()
+  std::vector<ContactIteration> history; ///< Newton steps
   ContactDemand demand;                  ///< that it was solved for
   ring::Slip slip;                       ///< that it was solved for
   /// Radii between which the load lies but for rounding [m].

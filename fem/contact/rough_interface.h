@@ -46,7 +46,7 @@ struct RoughInterface : PressureInterface<RoughInterface>
   }
 
   double reference_pressure = 1e9; ///< p0, at touching mean planes [Pa]
-  double decay_length = 1e-6;      ///< s [m], of the order of the rms roughness
+  double decay_length = 1e-6;      ///< s [m], half the rms roughness
 
   double pressure(double depth) const
   {

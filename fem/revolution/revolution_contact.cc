@@ -18,15 +18,6 @@ constexpr double large_stiffening = 1000, small_stiffening = 10;
 /// Factor by which the interface is softened for a start from a contact that is not near enough.
 constexpr double softening_of_start = 30;
 
-ContactControl contact_control()
-{
-  ContactControl control;
-  control.tolerance = 1e-10;
-  control.equilibrium_tolerance = 1e-8; // the rounding of a stiff spring; most contacts end far below
-  control.set_matters = false;
-  return control;
-}
-
 } // namespace
 
 RevolutionContact::RevolutionContact(const RevolutionSetup &setup, const InterfaceLaw &interface,
@@ -38,6 +29,22 @@ RevolutionContact::RevolutionContact(const RevolutionSetup &setup, const Interfa
     , law(law)
     , conditions(conditions)
 {
+}
+
+ContactControl RevolutionContact::contact_control()
+{
+  steps.clear();
+  ContactControl control;
+  control.tolerance = 1e-10;
+  control.equilibrium_tolerance = 1e-8; // the rounding of a stiff spring; most contacts end far below
+  control.set_matters = false;
+  control.progress = [this](const ContactIteration &step)
+  {
+    if (step.number <= 1) // the first one of a solve
+      steps.clear();
+    steps.push_back(step);
+  };
+  return control;
 }
 
 ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, double largest_step)

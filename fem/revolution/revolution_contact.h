@@ -35,10 +35,15 @@ public:
   /// The body's state is that of the contacts nearby. Throws ContactFailure.
   ContactSolution solve(const RevolutionStarts &starts);
 
+  /// Newton steps of the last solve on the interface as it is.
+  const std::vector<ContactIteration> &history() const { return steps; }
+
   /// Index of the one of RevolutionStarts::before that has led to the solution, if one has.
   std::optional<std::size_t> start_used() const { return used; }
 
 private:
+  /// Stopping rule; the steps go to history().
+  ContactControl contact_control();
   /// solve_contact() from @p start, given up soon where it is not near.
   ContactSolution solve_near(const ContactStart &start);
   /// Solution from @p start on a softened interface.
@@ -61,6 +66,7 @@ private:
   TableLaw &law;
   const LinearConditions &conditions;
   std::optional<std::size_t> used;
+  std::vector<ContactIteration> steps;
 };
 
 } // namespace stemware::fem

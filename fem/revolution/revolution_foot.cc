@@ -244,6 +244,7 @@ void RevolutionFoot::press(const ContactGuess &guess, ContactState &state) const
     zone.body.contact_surface(), first == 0 ? state.demand : state.demand.in_axes_turned_by(first));
   RevolutionContact contact(setup, *interface, zone.body, *zone.law, conditions);
   state.solution = contact.solve(starts);
+  state.history = contact.history();
   state.with_crests = guess.before && guess.before->with_crests != (contact.start_used().value_or(0) > 0);
 }
 

@@ -116,8 +116,8 @@ public:
     VtuWriter writer((span + 1) * (span + 1) * (span + 1));
     const std::vector<std::int32_t> cells = cells_of(writer);
     const std::size_t n_points = nodes.size() * basis.n_lines();
-    std::vector<float> points(3 * n_points), displacement(points.size()), stress(9 * n_points),
-      strain(stress.size()), mises(n_points), contact_pressure(n_points);
+    std::vector<float> points(3 * n_points), displacement(points.size()), rigid_motion(points.size()),
+      stress(9 * n_points), strain(stress.size()), mises(n_points), contact_pressure(n_points);
     for (std::size_t n = 0; n < nodes.size(); ++n)
     {
       const MeridianNode &node = nodes[n];
@@ -138,6 +138,7 @@ public:
         };
         put(values.point, points);
         put(values.displacement, displacement);
+        put(values.rigid_motion, rigid_motion);
         put(values.stress, stress);
         put(strain_of(values.stress, field.material()), strain);
         mises[point] = static_cast<float>(von_mises(values.stress));
@@ -145,6 +146,7 @@ public:
       }
     }
     writer.add_field("displacement", 3, std::move(displacement));
+    writer.add_field("rigid_motion", 3, std::move(rigid_motion));
     writer.add_field("stress", 9, std::move(stress));
     writer.add_field("strain", 9, std::move(strain));
     writer.add_field("von_mises_stress", 1, std::move(mises));
@@ -257,12 +259,12 @@ private:
 
   struct PointFields
   {
-    Eigen::Vector3d point, displacement;
+    Eigen::Vector3d point, displacement, rigid_motion;
     Eigen::Matrix3d stress;
   };
 
-  /// A node's displacement and stress, from cylindrical components, with the table's motion put back on the
-  /// glass.
+  /// A node's elastic displacement and stress, from cylindrical components, and the table's motion put back
+  /// on the glass.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {
@@ -272,8 +274,8 @@ private:
     values.point = axes * Eigen::Vector3d(at[0], 0, at[1]);
     const Eigen::Vector2d tilt = motion.tail<2>();
     values.displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
-    values.displacement.head<2>() -= tilt * values.point(2);
-    values.displacement(2) += motion(0) + tilt.dot(values.point.head<2>());
+    values.rigid_motion.head<2>() = -tilt * values.point(2);
+    values.rigid_motion(2) = motion(0) + tilt.dot(values.point.head<2>());
     values.stress = axes * cylindrical_stress(in_phase, conjugate) * axes.transpose();
     return values;
   }

@@ -26,8 +26,9 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Displacement [m] with the table's motion given back to the glass: q0 + q1 x + q2 y upward, and what a
-/// small rotation does to the rest; stress [Pa] and strain of isotropic elasticity; stress of von Mises [Pa].
+/// Elastic displacement relative to the stem's cut [m]; the table's motion given back to the glass, q0 + q1 x
+/// + q2 y upward with the horizontal part of that small rotation [m]; stress [Pa] and strain of isotropic
+/// elasticity; stress of von Mises [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -39,14 +40,15 @@ public:
 
   std::vector<std::string> get_names() const override
   {
-    return of_each<std::string>("displacement", "stress", "strain", "von_mises_stress");
+    return of_each<std::string>("displacement", "rigid_motion", "stress", "strain", "von_mises_stress");
   }
 
   std::vector<Interpretation> get_data_component_interpretation() const override
   {
     using namespace DataComponentInterpretation;
-    return of_each<Interpretation>(component_is_part_of_vector, component_is_part_of_tensor,
-                                   component_is_part_of_tensor, component_is_scalar);
+    return of_each<Interpretation>(component_is_part_of_vector, component_is_part_of_vector,
+                                   component_is_part_of_tensor, component_is_part_of_tensor,
+                                   component_is_scalar);
   }
 
   UpdateFlags get_needed_update_flags() const override
@@ -64,9 +66,11 @@ public:
       const auto &displacement = input.solution_values[p];
       const auto &gradient = input.solution_gradients[p];
       Vector<double> &field = fields[p];
-      field(0) = displacement(0) - motion(1) * x[2];
-      field(1) = displacement(1) - motion(2) * x[2];
-      field(2) = displacement(2) + motion(0) + motion(1) * x[0] + motion(2) * x[1];
+      for (unsigned int i = 0; i < 3; ++i)
+        field(i) = displacement(i);
+      field(first_of_motion) = -motion(1) * x[2];
+      field(first_of_motion + 1) = -motion(2) * x[2];
+      field(first_of_motion + 2) = motion(0) + motion(1) * x[0] + motion(2) * x[1];
       const double divergence = gradient[0][0] + gradient[1][1] + gradient[2][2];
       SymmetricTensor<2, 3> strain;
       for (unsigned int i = 0; i < 3; ++i)
@@ -82,12 +86,15 @@ public:
   }
 
 private:
-  static constexpr unsigned int first_of_stress = 3, first_of_strain = 12, place_of_von_mises = 21;
+  static constexpr unsigned int first_of_motion = 3, first_of_stress = 6, first_of_strain = 15,
+                                place_of_von_mises = 24;
 
   template <typename Word>
-  static std::vector<Word> of_each(Word displacement, Word stress, Word strain, Word von_mises)
+  static std::vector<Word> of_each(Word displacement, Word rigid_motion, Word stress, Word strain,
+                                   Word von_mises)
   {
-    std::vector<Word> words(first_of_stress, displacement);
+    std::vector<Word> words(first_of_motion, displacement);
+    words.resize(first_of_stress, rigid_motion);
     words.resize(first_of_strain, stress);
     words.resize(place_of_von_mises, strain);
     words.push_back(von_mises);

@@ -73,7 +73,7 @@ struct TableSection
                 "Pressure of a rough interface where the mean planes of the two surfaces touch",
                 used_if(is_rough), plausible(1e5, 1e11, "a tenth of the softer body's modulus"));
     list.number("Decay length", roughness.decay_length, positive, "m",
-                "Distance over which a rough interface's pressure falls by e, about its rms roughness",
+                "Distance over which a rough interface's pressure falls by e: half the rms roughness",
                 used_if(is_rough), plausible(1e-9, 1e-4, "float glass to sawn wood: half the rms roughness"));
     list.number("Disc radius", disc.radius, positive, "m", "Radius of the disc of an elastic substrate",
                 used_if(is_on_disc), times_contact_radius(),

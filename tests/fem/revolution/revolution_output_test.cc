@@ -83,6 +83,12 @@ Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
 
 } // namespace
 
+/// Elastic displacement and rigid motion together.
+Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
+{
+  return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);
+}
+
 TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
 {
   for (const double friction : { 0., 0.3 })
@@ -91,6 +97,9 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
     setup.friction_coefficient = friction;
     MeshedRevolutionFoot foot(setup);
     const ContactState state = foot.solve(load_at(1.3, 0.7));
+    EXPECT_EQ(state.history.size(), state.solution.n_iterations);
+    EXPECT_GE(state.history.size(), 2u);
+    EXPECT_LE(state.history.back().residual, 1e-8);
     const VtuFile file = picture_of(foot, state);
     const Eigen::VectorXd &normal_displacement = state.solution.normal_displacement;
     const Eigen::MatrixX2d &nodes = foot.elastic_body().contact_surface().node_position;
@@ -104,8 +113,12 @@ TEST(RevolutionFields, ContactNodesMoveAsTheContactSays)
         if ((nodes.row(node).transpose() - at.head<2>()).norm() < 1e-8)
         {
           ++n_common;
-          ASSERT_NEAR(vector_at(file.array("displacement"), point)(2), normal_displacement(node),
+          ASSERT_NEAR(moved(file, point)(2), normal_displacement(node),
                       1e-6 * normal_displacement.cwiseAbs().maxCoeff());
+          // The rigid motion is that of the table on the foot, in axes that do not turn.
+          const Eigen::Vector3d &motion = state.solution.motion;
+          ASSERT_NEAR(vector_at(file.array("rigid_motion"), point)(2),
+                      motion(0) + motion(1) * at(0) + motion(2) * at(1), 1e-6 * motion.norm());
         }
     }
     EXPECT_GE(n_common, 32u * 9u) << "nodes that picture and contact share";
@@ -242,10 +255,9 @@ TEST(RevolutionFields, AgreeWithTheSolidBody)
     const auto found = places.find(place(expected, point));
     if (found == places.end())
       continue;
-    const Eigen::Vector3d motion = vector_at(expected.array("displacement"), point);
+    const Eigen::Vector3d motion = moved(expected, point);
     largest_motion = std::max(largest_motion, motion.norm());
-    motion_difference =
-      std::max(motion_difference, (motion - vector_at(file.array("displacement"), found->second)).norm());
+    motion_difference = std::max(motion_difference, (motion - moved(file, found->second)).norm());
     ++n_motions;
     const double radius = vector_at(expected.array("points"), point).head<2>().norm();
     if (std::abs(radius - 0.03) > 0.0003)

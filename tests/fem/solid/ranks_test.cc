@@ -92,6 +92,7 @@ std::vector<std::string> quoted(const std::string &text, const std::string &attr
 }
 
 constexpr std::pair<const char *, std::size_t> shown_fields[] = { { "displacement", 3 },
+                                                                  { "rigid_motion", 3 },
                                                                   { "stress", 9 },
                                                                   { "contact_pressure", 1 } };
 
