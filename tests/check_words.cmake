@@ -1,0 +1,149 @@
+# The rules of style that can be checked: a sentence of a page has at most 30 words, and no identifier begins with most_,
+# least_ or fewest_. Code, tables, headings and formulas are not counted; inline code or a formula counts as one word.
+# The first word of a doc comment is checked by check_comments.cmake. Given: SOURCE_DIR.
+cmake_policy(VERSION 3.25)
+set(max_words 30)
+# Pages whose long sentences are not rewritten yet, and identifiers of entries and keys. Both lists may only shrink.
+set(pending_pages
+    CONTRIBUTING.md
+    docs/cookbooks/bare_wood.md
+    docs/cookbooks/hand_height.md
+    docs/cookbooks/hand_speed.md
+    docs/cookbooks/lift_off.md
+    docs/cookbooks/own_mesh.md
+    docs/cookbooks/own_profile.md
+    docs/cookbooks/paper.md
+    docs/cookbooks/real_foot.md
+    docs/cookbooks/soft_cork.md
+    docs/cookbooks/stribeck.md
+    docs/cookbooks/three_point_waviness.md
+    docs/cookbooks/wine_glass.md
+    docs/explore.md
+    docs/extend/entry.md
+    docs/extend/moment_balance.md
+    docs/extend/table_law.md
+    docs/extend/verb.md
+    docs/install.md
+    docs/life_of_a_study.md
+    docs/limits.md
+    docs/measure.md
+    docs/method.md
+    docs/method/coupling.md
+    docs/method/error_bands.md
+    docs/method/profile.md
+    docs/method/revolution.md
+    docs/method/solid_at_scale.md
+    docs/method/solid_measurements.md
+    docs/presets.md
+    docs/results.md
+    docs/sweep.md
+    docs/theory/budget.md
+    docs/theory/closures.md
+    docs/theory/dynamics.md
+    docs/theory/free_sliding.md
+    docs/theory/friction_laws.md
+    docs/theory/kernels.md
+    docs/theory/load_models.md
+    docs/theory/model.md
+    docs/values.md
+    meshes/README.md)
+set(allowed_names
+    least_contact_fraction
+    least_depth
+    least_jacobian
+    least_load
+    most_factorized_unknowns
+    most_harmonics
+    most_nodes
+    most_rings
+    most_samples
+    most_steps)
+
+set(troubles "")
+macro(end_of_sentence)
+  string(REGEX MATCHALL "[^ ]*[A-Za-z0-9][^ ]*" words "${sentence}")
+  list(LENGTH words n)
+  if(n GREATER max_words)
+    string(STRIP "${sentence}" sentence)
+    string(SUBSTRING "${sentence}" 0 110 start)
+    string(APPEND long "  ${page}: ${n} words: ${start} ...\n")
+  endif()
+endmacro()
+
+macro(end_of_paragraph)
+  string(REGEX REPLACE "([.!?][*)\"_]*) " "\\1;" sentences "${paragraph} ")
+  foreach(sentence IN LISTS sentences)
+    end_of_sentence()
+  endforeach()
+  set(paragraph "")
+endmacro()
+
+file(GLOB_RECURSE pages RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/docs/*.md)
+list(APPEND pages README.md CONTRIBUTING.md meshes/README.md)
+foreach(page IN LISTS pages)
+  file(READ ${SOURCE_DIR}/${page} text)
+  string(REGEX REPLACE "[;\\]" "," text "${text}")
+  string(REPLACE "[" "{" text "${text}")
+  string(REPLACE "]" "}" text "${text}")
+  string(REGEX REPLACE "<!--[^>]*-->" "" text "${text}")
+  string(REGEX REPLACE "[$][$][^$]*[$][$]" "x" text "${text}")
+  string(REGEX REPLACE "[$][^$\n]*\n?[^$\n]*[$]" "x" text "${text}")
+  string(REGEX REPLACE "}[(][^)]*[)]" "}" text "${text}")
+  string(REPLACE "\n" ";" lines "${text};")
+  set(long "")
+  set(paragraph "")
+  set(fenced FALSE)
+  set(after_blank TRUE)
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^ *```")
+      end_of_paragraph()
+      if(fenced)
+        set(fenced FALSE)
+      else()
+        set(fenced TRUE)
+      endif()
+    elseif(fenced OR (after_blank AND line MATCHES "^    "))
+      # code; an indented block goes on until a line that is not indented
+    elseif(line MATCHES "^ *$|^ *[|]|^#")
+      end_of_paragraph()
+      set(after_blank TRUE)
+    else()
+      set(after_blank FALSE)
+      if(line MATCHES "^ *([-*]|[0-9]+[.]) ")
+        end_of_paragraph()
+        string(REGEX REPLACE "^ *([-*]|[0-9]+[.]) " "" line "${line}")
+      endif()
+      string(REGEX REPLACE "`[^`]*`" "x" line "${line}")
+      string(APPEND paragraph " ${line}")
+    endif()
+  endforeach()
+  end_of_paragraph()
+  if(long AND NOT page IN_LIST pending_pages)
+    string(APPEND troubles "${long}")
+  elseif(NOT long AND page IN_LIST pending_pages)
+    string(APPEND troubles "  ${page} has no long sentence any more: take it off the list\n")
+  endif()
+  if(DEFINED LIST_PENDING AND long)
+    message("${page}")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/ring_model/*.h ${SOURCE_DIR}/fem/*.h)
+foreach(file IN LISTS files)
+  file(STRINGS ${SOURCE_DIR}/${file} lines REGEX "(most|least|fewest)_[a-z]")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCHALL "(^|[^A-Za-z_])(most|least|fewest)_[a-z_]+" names "${line}")
+    foreach(name IN LISTS names)
+      string(REGEX REPLACE "^[^a-z]" "" name "${name}")
+      if(NOT name IN_LIST allowed_names)
+        string(APPEND troubles "  ${file}: ${name}: bounds are called max_ and min_\n")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(troubles)
+  message(FATAL_ERROR "Words that the rules of style do not allow:\n${troubles}")
+endif()
+list(LENGTH pages n)
+message("${n} pages have sentences of at most ${max_words} words, but for the pages on the list.")
