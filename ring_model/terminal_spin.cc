@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace stemware::ring
 {
@@ -48,14 +49,38 @@ TerminalSpin describe(const TorqueFunction &torque, double yaw_inertia, double o
 }
 } // namespace
 
+double slope_step(double omega, double spin_scale)
+{
+  const double to_bend = std::abs(std::abs(omega) - spin_scale);
+  return std::clamp(to_bend / 32., spin_scale / 4096., spin_scale / 64.);
+}
+
+double torque_slope(const TorqueFunction &torque, double omega, double step)
+{
+  const auto change = [&](double reach) { return torque(omega + reach) - torque(omega - reach); };
+  return (8. * change(step) - change(2. * step)) / (12. * step);
+}
+
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search)
 {
   require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
   const SpinZero zero = find_terminal_spin(torque, search);
   if (zero.held)
     return { 0., std::nan(""), std::nan(""), true, true };
-  const double step = search.spin_scale / 1024.;
-  const double slope = (torque(zero.omega + step) - torque(zero.omega - step)) / (2. * step);
+  const double slope = [&]
+  {
+    const double step = slope_step(zero.omega, search.spin_scale), narrow = search.spin_scale / 2048.;
+    try
+    {
+      return torque_slope(torque, zero.omega, step);
+    }
+    catch (const std::runtime_error &) // a fall nearby, which a narrower step may not reach
+    {
+      if (step <= narrow)
+        throw;
+    }
+    return torque_slope(torque, zero.omega, narrow);
+  }();
   return { zero.omega, slope, yaw_inertia / std::abs(slope), slope < 0. };
 }
 

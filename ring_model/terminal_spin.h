@@ -18,10 +18,18 @@ struct TerminalSpin
   bool held = false;    ///< the fingers hold the glass at rest (SpinZero::held): slope and time are NaN
 };
 
+/// Step [rad/s] for differences of the torque at @p omega: 1/32 of the distance to |omega| = @p spin_scale,
+/// where the torque bends sharply, between 1/4096 and 1/64 of @p spin_scale. A step this wide averages over
+/// several azimuth lines while the edges of a contact with lift-off move across them.
+double slope_step(double omega, double spin_scale);
+
+/// d tau_z / d omega [N m s] at @p omega by differences of fourth order: four torques within 2 @p step.
+double torque_slope(const TorqueFunction &torque, double omega, double step);
+
 /**
- * The terminal spin by find_terminal_spin(), and its slope from two more torques at 1/1024 spin_scale from
- * it: to 1e-6 of itself away from |omega| = spin_scale. Throws as that function, and if @p yaw_inertia is not
- * positive.
+ * The terminal spin by find_terminal_spin(), and its torque_slope() with slope_step(). If a torque there
+ * fails, as next to a fall, the step is 1/2048 spin_scale. Throws as find_terminal_spin(), and if
+ * @p yaw_inertia is not positive.
  */
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 

@@ -26,6 +26,8 @@ struct BandChange : Variant
   std::string from = {}; ///< part whose first change it is compared with, an earlier one; empty: the study
   /// Terminal spin and torques are judged together, by the torques at several spins.
   bool at_several_spins = false;
+  /// The part is the larger of this change and the sum of the earlier changes of the same part.
+  bool is_alternative = false;
   /// The contacts of the study stay, in the balance of their own rings: it is their torque that another
   /// gathering changes. Nothing: the change has contacts of its own.
   std::optional<Gathering> gathering = {};

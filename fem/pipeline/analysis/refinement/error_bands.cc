@@ -8,6 +8,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "fem/pipeline/variants/band_changes.h"
 #include "ring_model/friction_law.h"
+#include "ring_model/terminal_spin.h"
 
 #include <boost/math/constants/constants.hpp>
 
@@ -127,8 +128,10 @@ std::vector<QuantityOfInterest> quantities_from(const Findings &found, const Pro
                                                 const Findings &own, const SpinRow &row, const Study &study)
 {
   // Round the terminal spin; from the side of rest where the glass tips on the other.
-  const bool goes_beyond = std::isfinite(own.torques[3].all) && std::isfinite(found.torques[3].all);
-  const std::size_t begin = probe.spins.size() > 4 ? 4 : 1, end = begin == 4 ? 5 : goes_beyond ? 3 : 2;
+  const auto is_known = [&](std::size_t i)
+  { return std::isfinite(own.torques[i].all) && std::isfinite(found.torques[i].all); };
+  const bool is_close = probe.spins.size() > 4 && is_known(4) && is_known(5);
+  const std::size_t begin = is_close ? 4 : 1, end = is_close ? 5 : is_known(3) ? 3 : 2;
   const auto slope_of = [&](const Findings &at)
   { return (at.torques[end].all - at.torques[begin].all) / (probe.spins[end] - probe.spins[begin]); };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
@@ -167,13 +170,22 @@ Probe probe_of(const Study &study, const ElasticFoot &foot, double omega, const 
 {
   Probe probe;
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
-  // The torque bends sharply where the rim rolls on one side, |omega| = v / R.
-  const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
-  if (omega == 0 || 1.5 * std::abs(omega) > scale)
-    probe.spins.insert(probe.spins.end(), { omega - scale / 512, omega + scale / 512 });
   probe.first = first;
   probe.phases = phases_of(study, foot);
   return probe;
+}
+
+/// Adds two spins next to the terminal spin if those farther away do not tell the slope there: near |omega| =
+/// v / R, where the rim rolls on one side and the torque bends sharply, and with lift-off, where the edges of
+/// the contact move across the azimuth lines.
+void look_closely(const Study &study, bool is_full, Probe &probe)
+{
+  const double scale = study.motion.orbit.orbit_speed / study.glass.profile.contact_radius;
+  const double omega = probe.spins[2];
+  if (is_full && omega != 0 && 1.5 * std::abs(omega) <= scale)
+    return;
+  const double step = ring::slope_step(omega, scale);
+  probe.spins.insert(probe.spins.end(), { omega - step, omega + step });
 }
 
 /// The quantities in the contacts of @p foot, that of a change, on the rings of @p own, the study's own,
@@ -201,8 +213,11 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
     const double move = change.at_several_spins
                           ? move_at_several_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
-    banded.parts[change.key] += change.factor * move;
-    banded.band += change.factor * move;
+    double &part = banded.parts[change.key];
+    const double added =
+      change.is_alternative ? std::max(change.factor * move - part, 0.) : change.factor * move;
+    part += added;
+    banded.band += added;
   }
   bands.erase(std::remove_if(bands.begin(), bands.end(),
                              [](const BandedQuantity &banded) { return !std::isfinite(banded.band); }),
@@ -212,12 +227,13 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const SpinRow &all,
                     const std::optional<double> &first, const Executor &executor, Progress &progress)
 {
-  const Probe probe = probe_of(study, *foot, all.terminal->omega, first);
+  Probe probe = probe_of(study, *foot, all.terminal->omega, first);
   const ring::Motion &motion = study.motion.orbit;
   const ProbedLoads own_loads = loads_of(study, foot, probe);
+  const bool is_full = carries_all_round(all, own_loads.all.front()->report());
+  look_closely(study, is_full, probe);
   const Findings own = look(own_loads, *foot, motion, probe);
-  std::vector<BandChange> changes =
-    band_changes(study, *foot, own.at_rest, carries_all_round(all, own.at_rest));
+  std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
   const auto quantities = [&](const Findings &found)
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
