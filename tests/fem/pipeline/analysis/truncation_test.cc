@@ -22,29 +22,6 @@ std::vector<LoadedRow> truncations_of(const Study &study)
   return rows_by_harmonics(study, foot, *find_load(study, foot), spin_question(study), cache);
 }
 
-TEST(Truncation, RowsOfAGivenLoad)
-{
-  const Study study = study_of_given_load();
-  fem::ComplianceCache cache;
-  std::vector<unsigned int> orders;
-  for (const auto &[row, load] :
-       rows_by_harmonics(study, nullptr, *given_load(rich_load()), spin_question(study), cache))
-  {
-    orders.push_back(row.harmonics);
-    const ring::RingStack kept = rich_load().truncated(row.harmonics);
-    EXPECT_NEAR(row.terminal->omega, ring::terminal_spin(kept, study.motion.orbit).omega, 1e-10)
-      << row.harmonics;
-  }
-  EXPECT_EQ(orders, (std::vector<unsigned int>{ 1, 2, 3, 4, 6, 8, 9 }));
-}
-
-TEST(Truncation, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
-{
-  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
-    for (const LoadedRow &answer : truncations_of(flat_land_on_a_mat(coupling)))
-      EXPECT_NEAR(*answer.row.relative_change, 0, 1e-9) << answer.row.harmonics;
-}
-
 TEST(Truncation, BoundsHold)
 {
   Study study = quick_contact_study();

@@ -2,6 +2,7 @@
 // disk.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +22,8 @@ void expect_refused(const ScratchFolder &scratch, const std::vector<std::string>
   EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   EXPECT_EQ(ended.err.rfind("stemware: ", 0), 0u) << ended.err;
-  EXPECT_NE(ended.err.find(expected), std::string::npos) << ended.err;
-  EXPECT_EQ(ended.err.find("does not match the given pattern"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr(expected));
+  EXPECT_THAT(ended.err, testing::Not(testing::HasSubstr("does not match the given pattern")));
   EXPECT_EQ(names_in(scratch.path()), before);
 }
 
@@ -193,12 +194,11 @@ TEST(BadInput, ASlipOfUnitsBehindATippingGlassIsNamedFirst)
                                            "Motion/Orbit speed=35" };
   const Ended ended = stemware(scratch, slips);
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_NE(ended.out.find("Check     Motion/Centre of mass height = 80 m is outside 0.01 to 0.3 m"),
-            std::string::npos)
-    << ended.out;
+  EXPECT_THAT(ended.out,
+              testing::HasSubstr("Check     Motion/Centre of mass height = 80 m is outside 0.01 to 0.3 m"));
   const auto named = ended.err.find("Motion/Centre of mass height = 80 m (0.01 to 0.3 m)");
   EXPECT_LT(named, ended.err.find("but the foot tips at 2")) << ended.err;
-  EXPECT_NE(ended.err.find("Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("Motion/Orbit speed = 35 m/s (0.01 to 3 m/s)"));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 
@@ -217,16 +217,14 @@ TEST(BadInput, OutputThatIsLostEndsInAFailure)
   {
     const Ended ended = shell(scratch, command);
     EXPECT_EQ(ended.exit_code, 3) << command;
-    EXPECT_NE(ended.err.find("Standard output has not taken all that was printed"), std::string::npos)
-      << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr("Standard output has not taken all that was printed"));
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   }
   EXPECT_TRUE(std::filesystem::exists(scratch / "results/study/summary.json"));
   std::filesystem::remove_all(scratch / "results");
   const Ended closed = shell(scratch, "$S run study.prm --json --quiet >&-");
   EXPECT_EQ(closed.exit_code, 3);
-  EXPECT_NE(closed.err.find("--json prints on standard output, which is closed"), std::string::npos)
-    << closed.err;
+  EXPECT_THAT(closed.err, testing::HasSubstr("--json prints on standard output, which is closed"));
   EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
   EXPECT_EQ(shell(scratch, "$S run study.prm --quiet > /dev/full").exit_code, 0); // prints nothing
 }
@@ -311,7 +309,7 @@ TEST(BadInput, BytesThatAreNoUtf8AreRefusedBeforeTheWork)
     command.insert(command.begin(), STEMWARE_PROGRAM);
     const Ended ended = RunningProgram(command, scratch.path()).end();
     EXPECT_EQ(ended.exit_code, 1) << ended.err;
-    EXPECT_NE(ended.err.find("not in UTF-8"), std::string::npos) << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr("not in UTF-8"));
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_EQ(names_in(scratch.path()), before);
   }
@@ -342,7 +340,7 @@ TEST(BadInput, MessagesRepeatLittleOfALongInput)
   {
     const Ended ended = stemware(scratch, { "run", file, "--set", setting });
     EXPECT_EQ(ended.exit_code, 1);
-    EXPECT_NE(ended.err.find("7777..."), std::string::npos) << ended.err.substr(0, 1000);
+    EXPECT_THAT(ended.err, testing::HasSubstr("7777...")) << ended.err.substr(0, 1000);
     EXPECT_LT(ended.err.size(), 300u);
   }
 }

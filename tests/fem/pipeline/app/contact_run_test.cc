@@ -1,6 +1,7 @@
 // The whole pipeline on a coarse mesh: contact, load, ring, results.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,49 +54,14 @@ void expect_same_harmonics(const nlohmann::json &one, const nlohmann::json &othe
     EXPECT_NEAR(first[i], second[i], tolerance) << i;
 }
 
-TEST(ContactRun, SummaryHasThePromisedKeys)
+TEST(ContactRun, SummaryHasTheSumsOfItsRings)
 {
   const ScratchFolder scratch;
-  const auto summary = run_fully(scratch, {});
-  EXPECT_EQ(summary["schema"], 3);
-  EXPECT_EQ(summary["parameters"]["Contact"]["Azimuthal cells"], 16);
-  const std::vector<std::string> of_a_load = {
-    "radii",  "rings",        "a",           "b",           "normal_force",
-    "moment", "moment_ratio", "ring_radius", "mean_radius", "contact_fraction",
-    "minimum", "azimuth_fraction", "peak_pressure", "contact_width"
-  };
-  const std::vector<std::pair<std::string, std::vector<std::string>>> promised = {
-    { "program", { "version", "revision" } },
-    { "load", of_a_load },
-    { "load_at_terminal", of_a_load },
-    { "contact", { "body", "unknowns", "contact_nodes", "iterations", "force_residual", "moment_residual" } },
-    { "ring", { "tau_at_rest", "tau_closed_form", "omega_terminal", "time_constant", "no_lift_off" } },
-    { "harmonic_effect", { "absolute", "relative" } },
-  };
-  for (const auto &[object, keys] : promised)
-    for (const std::string &key : keys)
-    {
-      ASSERT_TRUE(summary[object].contains(key)) << object << '/' << key;
-      EXPECT_FALSE(summary[object][key].is_null()) << object << '/' << key;
-    }
-  EXPECT_EQ(summary["load"]["a"].size(), 9u);
-  EXPECT_EQ(summary["load"]["b"].size(), 9u);
-  EXPECT_EQ(summary["load"]["b"][0], 0);
-  std::vector<int> orders;
-  for (const auto &row : summary["truncation"])
-  {
-    orders.push_back(row["harmonics"]);
-    for (const char *key : { "tau_at_rest", "omega_terminal", "relative_change", "bound", "load_minimum" })
-      EXPECT_TRUE(row[key].is_number()) << key;
-  }
-  EXPECT_EQ(orders, (std::vector<int>{ 1, 2, 3, 4, 6, 8 }));
-  for (const auto &row : summary["budget"])
-    for (const char *key : { "step", "name", "harmonics", "omega_terminal", "difference", "band", "torques" })
-      EXPECT_TRUE(row.contains(key)) << row["step"] << ' ' << key;
-  EXPECT_EQ(summary["budget"].front()["name"], "paper");
-  EXPECT_EQ(summary["budget"].back()["harmonics"], "all");
+  const auto summary = run_fully(scratch, {}); // read_summary() looks for the keys that the schema promises
+  for (const char *load : { "load", "load_at_terminal" })
+    for (const auto &[key, value] : summary[load].items())
+      EXPECT_FALSE(value.is_null()) << load << '/' << key;
   EXPECT_EQ(summary["budget"].back()["omega_terminal"], summary["ring"]["omega_terminal"]);
-  // The sums are those of the rings.
   for (const char *family : { "a", "b" })
     for (std::size_t n = 0; n < 9; ++n)
     {
@@ -117,7 +83,7 @@ TEST(ContactRun, ResultsFolderHoldsWhatSummaryLists)
     const std::string text = read_text(scratch / "results" / table);
     const auto columns = read_columns(scratch / "results" / table);
     ASSERT_GE(columns.size(), 2u) << table;
-    EXPECT_NE(text.substr(0, 400).find("("), std::string::npos) << table; // units stand in the heading
+    EXPECT_THAT(text.substr(0, 400), testing::HasSubstr("(")) << table; // units stand in the heading
     for (const auto &column : columns)
       EXPECT_EQ(column.size(), columns[0].size()) << table;
   }
@@ -256,7 +222,7 @@ TEST(ContactRun, MeshOfAnotherGlassIsRefused)
                                           "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh", "--set",
                                           "Glass/Contact radius=0.3" });
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_NE(ended.err.find("has a radius of 0.03"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("has a radius of 0.03"));
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
 }
 
@@ -314,8 +280,8 @@ TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
   EXPECT_EQ(n_cells("together/fields/" + pieces[0]) + n_cells("together/fields/" + pieces[1]),
             n_cells("alone/fields/contact.vtu"));
   const std::string report = read_text(scratch / "together/report.html");
-  EXPECT_NE(report.find("fields/contact.pvtu"), std::string::npos);
-  EXPECT_EQ(report.find("fields/contact.vtu"), std::string::npos);
+  EXPECT_THAT(report, testing::HasSubstr("fields/contact.pvtu"));
+  EXPECT_THAT(report, testing::Not(testing::HasSubstr("fields/contact.vtu")));
   // Every picture, once.
   const std::string report_of_one = read_text(scratch / "alone/report.html");
   const auto pictures = all_between(report_of_one, "<figure id=\"", "\"");
@@ -337,49 +303,9 @@ TEST(ContactRun, ARankThatCannotWriteEndsAllOfThem)
                         .end();
   EXPECT_EQ(ended.exit_code, 3) << ended.err;
   const std::string sentence = "stemware: The file contact_1.vtu cannot be written";
-  EXPECT_NE(ended.err.find(sentence), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr(sentence));
   EXPECT_EQ(ended.err.find(sentence), ended.err.rfind(sentence)) << ended.err;
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{ "coarse.prm" });
-}
-
-TEST(ContactRun, NeedsNoSsh)
-{
-  const ScratchFolder scratch;
-  scratch.write("coarse.prm", coarse_study());
-  std::filesystem::create_directory(scratch / "bin");
-  for (const char *name : { "orted", "gnuplot" }) // the daemon of Open MPI, and what would be missed
-    for (const std::string folder : { "/usr/bin/", "/usr/local/bin/" })
-      if (std::filesystem::exists(folder + name))
-        std::filesystem::create_symlink(folder + name, scratch / ("bin/" + std::string(name)));
-  const Ended ended = RunningProgram({ "/usr/bin/env", "PATH=" + (scratch / "bin").string(), STEMWARE_PROGRAM,
-                                       "run", "coarse.prm", "--quiet" },
-                                     scratch.path())
-                        .end();
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(ended.err, "");
-}
-
-TEST(ContactRun, DefaultOutputIsNamedAfterTheStudy)
-{
-  const ScratchFolder scratch;
-  const Ended ended = stemware(scratch, { "run", scratch.write("my_glass.prm", coarse_study()) });
-  EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_EQ(names_in(scratch / "results"), std::vector<std::string>{ "my_glass" });
-  EXPECT_NE(ended.out.find("Results   results/my_glass\n"), std::string::npos) << ended.out;
-}
-
-TEST(ContactRun, TerminalLinesFitOneHundredColumns)
-{
-  const ScratchFolder scratch;
-  const Ended ended = stemware(
-    scratch, { "run", scratch.write("coarse.prm", coarse_study()), "--set", "Load/Moment ratio=1.3" });
-  std::size_t begin = 0;
-  for (std::size_t end = ended.out.find('\n'); end != std::string::npos; end = ended.out.find('\n', begin))
-  {
-    EXPECT_LE(end - begin, 100u) << ended.out.substr(begin, end - begin);
-    begin = end + 1;
-  }
-  EXPECT_NE(ended.out.find("rad/s"), std::string::npos);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,21 +52,8 @@ TEST(ConvergeRun, WritesOrdersAndBands)
     EXPECT_EQ(table.number(row, "size (1)"), static_cast<double>(row));
     EXPECT_EQ(table.number(row, "terminal spin (rad/s)"), values[row]);
   }
-  EXPECT_NE(ended.out.find("Terminal spin "), std::string::npos);
-  EXPECT_NE(ended.out.find(" ± "), std::string::npos);
-}
-
-TEST(ConvergeRun, RunShowsTheBandOfTheTerminalSpin)
-{
-  const ScratchFolder scratch;
-  const std::string study = scratch.write("study.prm", "subsection Load\n  set Moment ratio = 0.6\nend\n");
-  const Ended run = stemware(scratch, { "run", study });
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find(" ± "), std::string::npos) << run.out;
-  const nlohmann::json summary = read_summary(scratch / "results" / "study");
-  const auto &banded = summary["error_bands"]["omega_terminal"];
-  EXPECT_EQ(banded["value"].get<double>(), summary["ring"]["omega_terminal"].get<double>());
-  EXPECT_GT(banded["band"].get<double>(), 0);
+  EXPECT_THAT(ended.out, testing::HasSubstr("Terminal spin "));
+  EXPECT_THAT(ended.out, testing::HasSubstr(" ± "));
 }
 
 TEST(ConvergeRun, SolidBody)
@@ -88,10 +76,10 @@ TEST(ConvergeRun, RefusesWhatCannotBeRefinedInOneSentence)
   const std::string study = scratch.write("study.prm", plain_study());
   const Ended no_mesh = stemware(scratch, { "converge", study, "--set", "Load/Source=first harmonic" });
   EXPECT_EQ(no_mesh.exit_code, 1);
-  EXPECT_NE(no_mesh.err.find("no discretisation to refine"), std::string::npos) << no_mesh.err;
+  EXPECT_THAT(no_mesh.err, testing::HasSubstr("no discretisation to refine"));
   const Ended levels = stemware(scratch, { "converge", study, "--levels", "9" });
   EXPECT_EQ(levels.exit_code, 1);
-  EXPECT_NE(levels.err.find("--levels"), std::string::npos) << levels.err;
+  EXPECT_THAT(levels.err, testing::HasSubstr("--levels"));
   EXPECT_TRUE(names_in(scratch.path()) == std::vector<std::string>{ "study.prm" });
 }
 

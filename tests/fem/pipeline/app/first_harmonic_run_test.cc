@@ -124,13 +124,5 @@ TEST(FirstHarmonicRun, StaticStudyHasTheGivenLoad)
   expect_relative(summary["ring"]["omega_terminal"], -0.44835570083247 * 0.35 / 0.03, "terminal spin");
 }
 
-TEST(FirstHarmonicRun, WithoutAMomentThereIsNoRelativeChange)
-{
-  const ScratchFolder scratch;
-  const auto summary = run_ring(scratch, { "Load/Moment ratio=0" });
-  EXPECT_EQ(summary["ring"]["omega_terminal"], 0);
-  EXPECT_TRUE(summary["truncation"][0]["relative_change"].is_null());
-}
-
 } // namespace
 } // namespace stemware::test

@@ -1,6 +1,7 @@
 // Friction that depends on the slip speed, in every verb that asks for a spin.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -131,7 +132,7 @@ TEST(FrictionLawStudy, EveryVerbKnowsTheLaw)
   sweep.insert(sweep.end(), sets.begin(), sets.end());
   ASSERT_EQ(stemware(scratch, sweep).exit_code, 0);
   const std::string spin_text = nlohmann::json(spin).dump().substr(0, 10);
-  EXPECT_NE(read_text(scratch / "swept/sweep.csv").find(spin_text), std::string::npos) << spin_text;
+  EXPECT_THAT(read_text(scratch / "swept/sweep.csv"), testing::HasSubstr(spin_text));
 }
 
 TEST(FrictionLawStudy, EntriesOfALawThatIsNotChosenAreNamed)
@@ -140,7 +141,7 @@ TEST(FrictionLawStudy, EntriesOfALawThatIsNotChosenAreNamed)
   const Ended idle = stemware(
     scratch, { "run", "--set", "Load/Source=first harmonic", "--set", "Motion/Viscous friction=0.1 s/m" });
   EXPECT_EQ(idle.exit_code, 0);
-  EXPECT_NE(idle.out.find("Motion/Viscous friction has no effect"), std::string::npos) << idle.out;
+  EXPECT_THAT(idle.out, testing::HasSubstr("Motion/Viscous friction has no effect"));
   const Ended refused = stemware(scratch, { "run", "--set", "Motion/Friction decay speed=0" });
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;

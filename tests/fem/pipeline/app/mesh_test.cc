@@ -1,6 +1,7 @@
 // `stemware mesh`: what it writes can be read, and what cannot be used is refused.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,25 +79,23 @@ TEST(MeshVerb, CheckSaysWhatIsThere)
 TEST(MeshVerb, RefusesMeshesThatCannotBeUsed)
 {
   const std::string flat = read_text(meshes + "/flat_foot.msh");
-  EXPECT_NE(refusal_of_mesh(moved(flat,
-                                  [](Vertex &x) {
-                                    x = { x[0], -x[1], -x[2] };
-                                  }))
-              .find("looks up"),
-            std::string::npos);
-  EXPECT_NE(refusal_of_mesh(moved(flat, [](Vertex &x) { x[0] += 0.001; })).find("the axis of the glass"),
-            std::string::npos);
+  EXPECT_THAT(refusal_of_mesh(moved(flat,
+                                    [](Vertex &x) {
+                                      x = { x[0], -x[1], -x[2] };
+                                    })),
+              testing::HasSubstr("looks up"));
+  EXPECT_THAT(refusal_of_mesh(moved(flat, [](Vertex &x) { x[0] += 0.001; })),
+              testing::HasSubstr("the axis of the glass"));
   bool first = true;
-  EXPECT_NE(refusal_of_mesh(moved(flat,
-                                  [&](Vertex &x)
-                                  {
-                                    if (first)
-                                      x = { 0.1, 0.1, 0.1 };
-                                    first = false;
-                                  }))
-              .find("inside out"),
-            std::string::npos);
-  EXPECT_NE(refusal_of_mesh("no mesh at all\n").find("not a Gmsh .msh mesh"), std::string::npos);
+  EXPECT_THAT(refusal_of_mesh(moved(flat,
+                                    [&](Vertex &x)
+                                    {
+                                      if (first)
+                                        x = { 0.1, 0.1, 0.1 };
+                                      first = false;
+                                    })),
+              testing::HasSubstr("inside out"));
+  EXPECT_THAT(refusal_of_mesh("no mesh at all\n"), testing::HasSubstr("not a Gmsh .msh mesh"));
 }
 
 TEST(MeshVerb, ComparesAFileWithTheStudy)
@@ -111,10 +110,10 @@ TEST(MeshVerb, ComparesAFileWithTheStudy)
                                                                    }));
   const Ended alone = stemware(scratch, { "mesh", "--check", in_millimetres });
   EXPECT_EQ(alone.exit_code, 0);
-  EXPECT_NE(alone.out.find("is the mesh in metres?"), std::string::npos) << alone.out;
+  EXPECT_THAT(alone.out, testing::HasSubstr("is the mesh in metres?"));
   const Ended compared = stemware(scratch, { "mesh", study, "--check", in_millimetres });
   EXPECT_EQ(compared.exit_code, 1);
-  EXPECT_NE(compared.err.find("Contact/Mesh unit = mm"), std::string::npos) << compared.err;
+  EXPECT_THAT(compared.err, testing::HasSubstr("Contact/Mesh unit = mm"));
   const std::vector<std::string> in_unit = { "mesh",   "--check", in_millimetres,
                                              "--json", "--set",   "Contact/Mesh unit=mm" };
   const Ended scaled = stemware(scratch, in_unit);
@@ -143,7 +142,7 @@ TEST(MeshVerb, RefusesWhatItCannotDo)
   {
     const Ended ended = stemware(scratch, arguments);
     EXPECT_EQ(ended.exit_code, exit_code);
-    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr(why));
   };
   refused({ "mesh", study, "--write", "foot.stl" }, 1, "ends in neither .msh nor .vtu");
   refused({ "mesh", study, "--write", "no/such/folder/foot.msh" }, 3, "cannot be written");
@@ -156,10 +155,9 @@ TEST(MeshOfAProfile, SaysTheCircleOfTheRim)
   const ScratchFolder scratch;
   const Ended ended = stemware(scratch, { "mesh", STEMWARE_COOKBOOKS "/own_profile.prm", "--json" });
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_NE(ended.err.find("Profile   44 points; contact radius 0.03 m, crown radius 0.0030"),
-            std::string::npos)
-    << ended.err;
-  EXPECT_NE(ended.err.find("from a circle through 9 points"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err,
+              testing::HasSubstr("Profile   44 points; contact radius 0.03 m, crown radius 0.0030"));
+  EXPECT_THAT(ended.err, testing::HasSubstr("from a circle through 9 points"));
 }
 
 } // namespace stemware::test

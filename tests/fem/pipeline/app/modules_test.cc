@@ -1,6 +1,7 @@
 // The program without its modules, as where they were not built.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +60,7 @@ TEST(WithoutSolidModule, ASolidFootIsRefusedByEachVerbThatWouldSolveIt)
     arguments.insert(arguments.end(), { study, "--output", "results" });
     const Ended ended = program.run(arguments);
     EXPECT_EQ(ended.exit_code, 1) << verb.front();
-    EXPECT_NE(ended.err.find("libstemware_solid_module.so"), std::string::npos)
+    EXPECT_THAT(ended.err, testing::HasSubstr("libstemware_solid_module.so"))
       << verb.front() << ": " << ended.err;
     EXPECT_FALSE(fs::exists(program.scratch / "results")) << verb.front();
   }
@@ -93,7 +94,7 @@ TEST(WithoutModules, AFootIsRefusedInOneSentence)
   const PartOfProgram program(false);
   const Ended ended = program.run({ "run", "--output", "results" });
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_NE(ended.err.find("libstemware_fem_module.so"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("libstemware_fem_module.so"));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   EXPECT_FALSE(fs::exists(program.scratch / "results"));
 }

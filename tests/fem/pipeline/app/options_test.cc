@@ -1,6 +1,7 @@
 // Options that every verb working on a study has: --quiet, --json, --output, --set.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -52,7 +53,7 @@ TEST(StudyOptions, QuietStillSaysWhatIsWrong)
   const Ended ended = run_with(scratch, { "--quiet", "--set", "Motion/Mass=-1" });
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_EQ(ended.out, "");
-  EXPECT_NE(ended.err.find("Mass"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("Mass"));
 }
 
 TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
@@ -68,7 +69,7 @@ TEST(StudyOptions, JsonLeavesStandardOutputToPrograms)
   const auto summary = read_summary(scratch / "there");
   EXPECT_EQ(line["omega_terminal"], summary["ring"]["omega_terminal"]);
   EXPECT_EQ(line["tau_at_rest"], summary["ring"]["tau_at_rest"]);
-  EXPECT_NE(ended.err.find("Results   there"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("Results   there"));
 }
 
 TEST(StudyOptions, JsonAndQuietPrintOneLine)

@@ -1,6 +1,7 @@
 // A hand whose speed changes: the spin-up with Motion/Orbit speed file.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -148,9 +149,8 @@ TEST(OrbitSpeed, SaysWhatTheReadingOfTheRowsMatters)
   EXPECT_GT(most, 1e-2); // rad/s: far more than any band
   EXPECT_NEAR(said["interpolation_change"].get<double>() / most, 1, 0.02);
   EXPECT_NEAR(said["interpolation_change_at_end"].get<double>(), at_end, 0.02 * most);
-  EXPECT_NE(
-    read_text(scratch / "out/report.html").find("What lies between the rows of the file nobody knows"),
-    std::string::npos);
+  EXPECT_THAT(read_text(scratch / "out/report.html"),
+              testing::HasSubstr("What lies between the rows of the file nobody knows"));
 }
 
 TEST(OrbitSpeed, AnElasticFootFollowsTheRingAndFeelsTheAcceleration)
@@ -173,7 +173,7 @@ TEST(OrbitSpeed, WrongFilesEndInOneSentence)
     command.insert(command.end(), more.begin(), more.end());
     const Ended ended = stemware(scratch, command);
     EXPECT_EQ(ended.exit_code, 1) << why;
-    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    EXPECT_THAT(ended.err, testing::HasSubstr(why));
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
   };
   const std::string good = "t (s), v (m/s)\n0, 0.2\n2, 0.5\n";

@@ -2,6 +2,7 @@
 #include "fem/pipeline/app/removed_words.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,9 +25,8 @@ TEST(RemovedWords, EachIsRefusedWithTheNewWay)
     EXPECT_EQ(ended.exit_code, 1);
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-    EXPECT_NE(ended.err.find(removed.word + " was removed in version 0.4; " + removed.instead),
-              std::string::npos)
-      << ended.err;
+    EXPECT_THAT(ended.err,
+                testing::HasSubstr(removed.word + " was removed in version 0.4; " + removed.instead));
   }
   EXPECT_TRUE(names_in(scratch.path()).empty());
 }

@@ -3,6 +3,7 @@
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ const std::vector<std::string> forty_cases = { "--vary", "Load/Moment ratio=0.2:
 void expect_refused(const Ended &ended, int exit_code, const std::string &words)
 {
   EXPECT_EQ(ended.exit_code, exit_code) << ended.err;
-  EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr(words));
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
 }
 
@@ -137,10 +138,9 @@ TEST(Sweep, KilledTwiceItEndsWithTheTableOfAnUnbrokenRun)
   }
   const Ended ended = stemware(scratch, sweep(many));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_NE(ended.out.find(std::to_string(std::count(before.begin(), before.end(), '\n') - 1) +
-                           " of them are finished"),
-            std::string::npos)
-    << ended.out;
+  EXPECT_THAT(ended.out,
+              testing::HasSubstr(std::to_string(std::count(before.begin(), before.end(), '\n') - 1) +
+                                 " of them are finished"));
   const std::string expected = unbroken(quick_study(), many);
   EXPECT_EQ(rows_in(scratch), expected);
   // Nothing is left to solve.
@@ -170,7 +170,7 @@ TEST(Sweep, TwoPartsAreJoinedIntoTheWhole)
   // The same command makes the report of the whole without solving anything.
   const Ended ended = stemware(scratch, sweep(all, "results/joined"));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_NE(ended.out.find("5 of them are finished"), std::string::npos) << ended.out;
+  EXPECT_THAT(ended.out, testing::HasSubstr("5 of them are finished"));
   EXPECT_EQ(rows_in(scratch, "results/joined"), rows_in(scratch));
   EXPECT_EQ(read_summary(scratch / "results/joined")["sweep"]["finished"], 5);
 }
@@ -232,12 +232,12 @@ TEST(Sweep, ABadCaseIsARowAndDoesNotStopTheOthers)
   {
     EXPECT_EQ(table.text(row, "status"), "failed");
     EXPECT_EQ(table.text(row, "omega_terminal (rad/s)"), "");
-    EXPECT_NE(table.text(row, "message").find("Contact/Load harmonics = 900 needs more than 1800"),
-              std::string::npos);
+    EXPECT_THAT(table.text(row, "message"),
+                testing::HasSubstr("Contact/Load harmonics = 900 needs more than 1800"));
   }
   EXPECT_EQ(read_summary(scratch / "results")["sweep"]["failed"], 2);
   // Finished is finished, and a sweep without a single answer has failed.
-  EXPECT_NE(stemware(scratch, sweep(cases)).out.find("4 of them are finished"), std::string::npos);
+  EXPECT_THAT(stemware(scratch, sweep(cases)).out, testing::HasSubstr("4 of them are finished"));
   expect_refused(
     stemware(scratch, sweep({ "--vary", "Contact/Load harmonics=900:903:4", "--quiet" }, "failed")), 2,
     "All 4 cases failed");
@@ -256,7 +256,7 @@ TEST(Sweep, ContactFailuresCarryTheirOutcome)
   const CsvTable table = table_in(scratch);
   EXPECT_EQ(table.text(0, "status"), "failed");
   EXPECT_NE(table.text(0, "contact_outcome"), "");
-  EXPECT_NE(table.text(0, "message").find(table.text(0, "contact_outcome")), std::string::npos);
+  EXPECT_THAT(table.text(0, "message"), testing::HasSubstr(table.text(0, "contact_outcome")));
   EXPECT_EQ(table.text(1, "status"), "ok");
 }
 
@@ -283,7 +283,7 @@ TEST(Sweep, UnderMpirunItNamesRows)
   command.insert(command.end(), arguments.begin(), arguments.end());
   const Ended ended = RunningProgram(command, scratch.path()).end();
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_NE(ended.err.find("--rows 1:100"), std::string::npos) << ended.err;
+  EXPECT_THAT(ended.err, testing::HasSubstr("--rows 1:100"));
   EXPECT_FALSE(std::filesystem::exists(scratch / "results"));
 }
 

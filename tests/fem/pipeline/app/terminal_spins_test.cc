@@ -1,6 +1,7 @@
 // All terminal spins of a study, with their stability.
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +90,7 @@ TEST(TerminalSpins, AreAllFoundWithTheirStability)
     EXPECT_EQ(found["from_rest"].get<bool>(), i == 0);
   }
   EXPECT_EQ(ring["terminal_spins"][0]["omega"], ring["omega_terminal"]);
-  EXPECT_NE(page.find("All terminal spins"), std::string::npos);
+  EXPECT_THAT(page, testing::HasSubstr("All terminal spins"));
 }
 
 TEST(TerminalSpins, OfAnElasticFootAreNearThoseOfTheRing)
@@ -108,7 +109,7 @@ TEST(TerminalSpins, OneNeedsNoTable)
   const nlohmann::json ring = run_of({}, page);
   ASSERT_EQ(ring["terminal_spins"].size(), 1u);
   EXPECT_EQ(ring["terminal_spins"][0]["omega"], ring["omega_terminal"]);
-  EXPECT_EQ(page.find("All terminal spins"), std::string::npos);
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("All terminal spins")));
   // The fingers hold it at rest, and nowhere else.
   const nlohmann::json held = run_of({ "--set", "Motion/Grip torque=5e-3" }, page);
   ASSERT_EQ(held["terminal_spins"].size(), 1u);

@@ -181,18 +181,6 @@ TEST(Truncate, OneWayRowsByPlainQuadrature)
   EXPECT_NEAR(number(rows[0], "load_minimum"), summary["load"]["a"][0].get<double>() * (1 - m), 1e-12);
 }
 
-TEST_F(TruncatedGlass, ReportHasTheAnswerAndTheFigures)
-{
-  const std::string page = read_text(results() / "report.html");
-  EXPECT_NE(page.find("<figure id=\"truncation\""), std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(results() / "figures/truncation.svg"));
-  // The console: no line too wide, no colours.
-  std::istringstream lines(ended().out);
-  for (std::string line; std::getline(lines, line);)
-    EXPECT_LE(line.size(), 100u) << line;
-  EXPECT_EQ(ended().out.find('\x1b'), std::string::npos);
-}
-
 TEST(Truncate, LoadsThatDoNotSpinOrHaveOneHarmonic)
 {
   const ScratchFolder scratch;

@@ -8,6 +8,7 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ protected:
                               const fem::MeshMarks &marks = {})
   {
     const std::string found = sentence(text, marks);
-    EXPECT_NE(found.find(part), std::string::npos) << "\"" << found << "\" lacks \"" << part << "\"";
+    EXPECT_THAT(found, testing::HasSubstr(part)) << "\"" << found << "\" lacks \"" << part << "\"";
   }
 
   Mesh mesh;

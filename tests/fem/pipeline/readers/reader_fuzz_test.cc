@@ -9,6 +9,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/geometry/mesh_writers.h"
 
+#include <boost/algorithm/string.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,57 +48,18 @@ private:
 
   std::string word()
   {
-    static const std::vector<std::string> words = { "0",
-                                                    "-1",
-                                                    "1",
-                                                    "2",
-                                                    "1e308",
-                                                    "-1e-320",
-                                                    "nan",
-                                                    "inf",
-                                                    "4294967296",
-                                                    "99999999999999999999",
-                                                    "0x10",
-                                                    "1,5",
-                                                    std::string(1, '\0'),
-                                                    "\xFF\xFE",
-                                                    "\xEF\xBB\xBF",
-                                                    "\xC3",
-                                                    "<",
-                                                    ">",
-                                                    "</",
-                                                    "/>",
-                                                    "<!--",
-                                                    "&#0;",
-                                                    "[",
-                                                    "{",
-                                                    "}",
-                                                    "\"",
-                                                    "\\",
-                                                    ",",
-                                                    ";",
-                                                    "=",
-                                                    "*",
-                                                    "**",
-                                                    "$",
-                                                    "$EndNodes",
-                                                    "#",
-                                                    "\r\n",
-                                                    "\n",
-                                                    "\t",
-                                                    " ",
-                                                    "end",
-                                                    "subsection X",
-                                                    "set",
-                                                    "*NODE\n",
-                                                    "*ELSET, ELSET=A, GENERATE\n1, 4000000000, 1\n",
-                                                    "*SURFACE, TYPE=ELEMENT, NAME=B_1\nA, S1\n",
-                                                    "*ELEMENT, TYPE=C3D20\n",
-                                                    "# ring radius: 1 (m)\n",
-                                                    "null",
-                                                    "true",
-                                                    "{\"a\":[]}",
-                                                    "file 1 1\n" };
+    using namespace std::string_literals;
+    static const std::string text =
+      "0|-1|1|2|1e308|-1e-320|nan|inf|4294967296|99999999999999999999|0x10|1,5|\0|\xFF\xFE|\xEF\xBB\xBF|\xC3|"
+      "<|>|</|/>|<!--|&#0;|[|{|}|\"|\\|,|;|=|*|**|$|$EndNodes|#|\r\n|\n|\t| |end|subsection X|set|*NODE\n|"
+      "*ELSET, ELSET=A, GENERATE\n1, 4000000000, 1\n|*SURFACE, TYPE=ELEMENT, NAME=B_1\nA, S1\n|"
+      "*ELEMENT, TYPE=C3D20\n|# ring radius: 1 (m)\n|null|true|{\"a\":[]}|file 1 1\n"s;
+    static const std::vector<std::string> words = []
+    {
+      std::vector<std::string> parts;
+      boost::split(parts, text, boost::is_any_of("|"));
+      return parts;
+    }();
     return words[below(words.size())];
   }
 

@@ -3,6 +3,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -84,7 +85,7 @@ TEST(ColumnFile, EachBadTextIsRefusedWithItsLine)
   {
     const std::string sentence = column_refusal(scratch.write("my.csv", text));
     EXPECT_EQ(sentence.rfind("Entry = my.csv", 0), 0u) << sentence;
-    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    EXPECT_THAT(sentence, testing::HasSubstr(words));
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     EXPECT_EQ(sentence.back(), '.') << sentence;
     EXPECT_LT(sentence.size(), 300u) << sentence;
@@ -99,9 +100,9 @@ TEST(ColumnFile, WhatIsNoFileIsRefusedUnread)
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string &file : { scratch.path().string(), pipe, std::string("/dev/zero") })
     EXPECT_EQ(column_refusal(file), "Entry = my.csv is not a file; give the path of a file.") << file;
-  EXPECT_NE(column_refusal(scratch / "missing.csv").find("does not exist"), std::string::npos);
-  EXPECT_NE(column_refusal(scratch.write("long.csv", std::string(16000001, '\n'))).find("larger than 16 MB"),
-            std::string::npos);
+  EXPECT_THAT(column_refusal(scratch / "missing.csv"), testing::HasSubstr("does not exist"));
+  EXPECT_THAT(column_refusal(scratch.write("long.csv", std::string(16000001, '\n'))),
+              testing::HasSubstr("larger than 16 MB"));
 }
 
 } // namespace

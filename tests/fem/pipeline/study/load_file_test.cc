@@ -3,6 +3,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline
@@ -55,7 +56,7 @@ TEST(LoadFile, RefusesWhatIsNotALoad)
     }
     catch (const BadInput &error)
     {
-      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+      EXPECT_THAT(std::string(error.what()), testing::HasSubstr(expected)) << error.what();
     }
 }
 

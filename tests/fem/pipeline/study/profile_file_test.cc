@@ -5,7 +5,7 @@
 #include "fem/pipeline/support/failures.h"
 #include "tests/fem/pipeline/program_runner.h"
 
-#include <boost/algorithm/string/replace.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,25 +52,6 @@ std::string profile_refusal(const std::string &points,
   return "";
 }
 
-TEST(ProfileFile, MayBeWrittenInManyWays)
-{
-  const double thickness = 0.0035; // of the plain foot at 25 mm, less its underside
-  std::string semicolons = plain_foot, blanks = plain_foot, metres;
-  boost::replace_all(semicolons, ",", " ;");
-  boost::replace_all(blanks, ", ", "\t");
-  std::istringstream rows(plain_foot);
-  for (std::string r, z; rows >> r >> z;)
-    metres += fmt::format("{}, {}\n", std::stod(r) / 1000, std::stod(z) / 1000);
-  for (const std::string &text : { millimetres + plain_foot, "radius [mm]; height [mm]\r\n" + semicolons,
-                                   "r mm\tz mm\n" + blanks, "\xEF\xBB\xBFr,z\n# in m\n\n" + metres, metres })
-  {
-    const Study study = study_of(text);
-    EXPECT_NEAR(study.glass.profile.topside(0.025), thickness, 1e-12) << text;
-    EXPECT_EQ(study.glass.n_profile_points, 10u);
-    EXPECT_NEAR(study.glass.profile.contact_radius, 0.030, 1e-12); // the middle of what is lowest
-  }
-}
-
 TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)
 {
   std::string points = "0,3\n20,3\n";
@@ -83,15 +64,14 @@ TEST(ProfileFile, RimFollowsFromItsPointsUnlessItIsGiven)
   EXPECT_NEAR(fitted.glass.profile.crown_radius, 0.0025, 1e-9);
   ASSERT_TRUE(fitted.glass.rim_circle);
   EXPECT_EQ(fitted.glass.rim_circle->n_points, 11u);
-  EXPECT_NE(profile_note(fitted).find("18 points; contact radius 0.0295 m, crown radius 0.0025 m"),
-            std::string::npos)
-    << profile_note(fitted);
-  EXPECT_NE(profile_note(fitted).find("through 11 points"), std::string::npos);
+  EXPECT_THAT(profile_note(fitted),
+              testing::HasSubstr("18 points; contact radius 0.0295 m, crown radius 0.0025 m"));
+  EXPECT_THAT(profile_note(fitted), testing::HasSubstr("through 11 points"));
 
   const Study given = study_of(points, { land, "Glass/Contact radius=0.0296", "Glass/Crown radius=0.004" });
   EXPECT_EQ(given.glass.profile.contact_radius, 0.0296);
   EXPECT_EQ(given.glass.profile.crown_radius, 0.004);
-  EXPECT_EQ(profile_note(given).find("circle"), std::string::npos);
+  EXPECT_THAT(profile_note(given), testing::Not(testing::HasSubstr("circle")));
   EXPECT_FALSE(given.glass.rim_circle);
   EXPECT_EQ(profile_note(Study()), "");
 }
@@ -116,8 +96,8 @@ TEST(ProfileFile, ScatterOfTheRimIsSaidAndRepeatedPointsCountOnce)
   const std::string land = "Glass/Land width=0.0021";
   const Study once = study_of(scattered_foot(0.001), { land });
   EXPECT_NEAR(once.glass.rim_circle->rms_distance, 1e-6, 0.1e-6);
-  EXPECT_NE(profile_note(once).find("through 10 points"), std::string::npos) << profile_note(once);
-  EXPECT_NE(profile_note(once).find("µm rms"), std::string::npos) << profile_note(once);
+  EXPECT_THAT(profile_note(once), testing::HasSubstr("through 10 points"));
+  EXPECT_THAT(profile_note(once), testing::HasSubstr("µm rms"));
   const Study twice = study_of(scattered_foot(0.001, 2), { land });
   EXPECT_EQ(twice.glass.profile.contact_radius, once.glass.profile.contact_radius);
   EXPECT_EQ(twice.glass.rim_circle->n_points, 10u);
@@ -142,15 +122,14 @@ TEST(ProfileFile, EachBadOneIsRefusedInOneSentence)
   for (const auto &[points, words] : bad)
   {
     const std::string sentence = profile_refusal(points);
-    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+    EXPECT_THAT(sentence, testing::HasSubstr(words));
     EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
     EXPECT_EQ(sentence.back(), '.') << sentence;
     EXPECT_LT(sentence.size(), 500u) << sentence;
   }
-  EXPECT_NE(profile_refusal(millimetres + plain_foot, {}).find("no circle fits"), std::string::npos);
-  EXPECT_NE(profile_refusal(millimetres + plain_foot, { "Glass/Crown radius=0", "Glass/Land width=0.002" })
-              .find("stands on the table at r = 0.028 m (line 4), outside its land"),
-            std::string::npos);
+  EXPECT_THAT(profile_refusal(millimetres + plain_foot, {}), testing::HasSubstr("no circle fits"));
+  EXPECT_THAT(profile_refusal(millimetres + plain_foot, { "Glass/Crown radius=0", "Glass/Land width=0.002" }),
+              testing::HasSubstr("stands on the table at r = 0.028 m (line 4), outside its land"));
   EXPECT_THROW(read_study("", { "Glass/Shape=profile" }), BadInput);
   EXPECT_THROW(read_study("", { "Glass/Shape=profile", "Glass/Profile file=missing.csv" }), BadInput);
 }
@@ -179,20 +158,6 @@ TEST(ProfileFile, StudyIsRunAgainAsItWas)
   EXPECT_EQ(study_as_prm(repeated), study_as_prm(fitted));
   ASSERT_TRUE(fitted.glass.rim_circle);
   EXPECT_EQ(profile_note(repeated), profile_note(fitted));
-}
-
-/// The path starts at the study file, in the echo of the study at the folder of the results.
-TEST(ProfileFile, PathStartsAtTheStudyFile)
-{
-  const ScratchFolder scratch;
-  scratch.write("my_foot.csv", millimetres + plain_foot);
-  const std::string file =
-    scratch.write("study.prm", "subsection Glass\nset Shape = profile\nset Profile file = "
-                               "my_foot.csv\nset Crown radius = 0\nend\n");
-  const Study study = read_study(file, {});
-  EXPECT_EQ(study.glass.profile_file, (scratch / "my_foot.csv").string());
-  EXPECT_EQ(files_of(study), std::vector<std::string>{ (scratch / "my_foot.csv").string() });
-  EXPECT_EQ(with_paths_from(scratch / "results", study).glass.profile_file, "../my_foot.csv");
 }
 
 } // namespace

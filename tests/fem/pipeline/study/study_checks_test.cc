@@ -28,7 +28,7 @@ TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
 {
   // A ring of 65 mm, to which the default foot of 34 mm does not belong.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
-  EXPECT_NE(refusal_of(ring).find("Glass/Foot radius"), std::string::npos) << refusal_of(ring);
+  EXPECT_THAT(refusal_of(ring), testing::HasSubstr("Glass/Foot radius"));
   Settings paper = ring;
   paper.emplace_back("Load/Source", "first harmonic");
   EXPECT_EQ(refusal_of(paper), "");
@@ -36,71 +36,60 @@ TEST(StudyChecks, WithoutAContactThereIsNoFootToCheck)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-TEST(StudyChecks, LengthsInAnotherUnitAreRefused)
+/// Settings, and the entry with its value that a refusal names first; empty if they are allowed.
+struct Check
 {
-  EXPECT_EQ(
-    refusal_of({ { "Glass/Foot radius", "34" } }),
-    "Glass/Foot radius = 34 m is 1133.33 times Glass/Contact radius = 0.03 m, but from 1e-5 to 300 is "
-    "allowed; give both in one unit.");
-  const Settings elastic = { { "Table/Substrate", "elastic" } };
-  for (const auto &[entry, value] : Settings{ { "Glass/Stem height", "10" },
-                                              { "Glass/Land width", "1e-12" },
-                                              { "Glass/Foot thickness", "1e12" },
-                                              { "Glass/Edge thickness", "1e-9" },
-                                              { "Table/Disc radius", "150" },
-                                              { "Table/Disc thickness", "50" },
-                                              { "Motion/Orbit radius", "1e-5" } })
+  Settings settings;
+  std::string named;
+};
+
+TEST(StudyChecks, RefuseValuesThatDoNotGoTogether)
+{
+  const std::pair<std::string, std::string> elastic = { "Table/Substrate", "elastic" },
+                                            solid = { "Contact/Body", "solid" };
+  const std::vector<Check> checks = {
+    // Lengths in another unit; those that nothing is made from are not looked at.
+    { { { "Glass/Foot radius", "34" } }, "Glass/Foot radius = 34 m" },
+    { { { "Glass/Stem height", "10" } }, "Glass/Stem height = 10 m" },
+    { { { "Glass/Land width", "1e-12" } }, "Glass/Land width = 1e-12 m" },
+    { { { "Glass/Foot thickness", "1e12" } }, "Glass/Foot thickness = 1e12 m" },
+    { { { "Glass/Edge thickness", "1e-9" } }, "Glass/Edge thickness = 1e-9 m" },
+    { { { "Motion/Orbit radius", "1e-5" } }, "Motion/Orbit radius = 1e-5 m" },
+    { { elastic, { "Table/Disc radius", "150" } }, "Table/Disc radius = 150 m" },
+    { { elastic, { "Table/Disc thickness", "50" } }, "Table/Disc thickness = 50 m" },
+    { { { "Table/Disc radius", "150" } }, "" },
+    { { { "Load/Source", "first harmonic" }, { "Glass/Stem height", "10" } }, "" },
+    // Thin layers and large discs are allowed, sizes that would run without end are not.
+    { { elastic, { "Table/Disc thickness", "5e-5" } }, "" },
+    { { elastic, { "Table/Disc radius", "3" }, { "Table/Disc thickness", "3" } }, "" },
+    { { elastic, { "Table/Disc thickness", "20 um" } }, "Table/Disc thickness = 2e-5 m" },
+    { { { "Glass/Foot thickness", "0.3 mm" } }, "" },
+    { { { "Glass/Foot thickness", "40 um" } }, "Glass/Foot thickness = 4e-5 m" },
+    { { { "Table/Foundation modulus", "1e20" } }, "" },
+    { { { "Table/Foundation modulus", "1e22" } }, "Table/Foundation modulus = 1e22 Pa/m" },
+    // A solid body stands on rigid ground.
+    { { solid, { "Table/Interface", "hard" } }, "" },
+    { { solid, { "Table/Interface", "rough" } }, "" },
+    { { solid, { "Load/Coupling", "two-way" } }, "" },
+    { { solid, elastic }, "Table/Substrate = elastic" },
+    // Load harmonics need lines.
+    { { { "Contact/Load harmonics", "63" } }, "" },
+    { { { "Contact/Load harmonics", "64" } }, "Contact/Load harmonics = 64" },
+    { { { "Load/Source", "file" }, { "Load/File", "a.dat" }, { "Load/Moment ratio", "0.5" } },
+      "Load/Moment ratio = 0.5" },
+    { { { "Contact/Rings", "25" } }, "" },
+    { { { "Contact/Rings", "26" } }, "the test: Contact/Rings = 26" },
+    { { { "Contact/Rings", "0" } }, "the test: Contact/Rings = 0" },
+    { { { "Motion/Grip torque", "-1e-3" } }, "the test: Motion/Grip torque = -1e-3" },
+    { { { "Motion/Tilt", "yes" } }, "the test: Motion/Tilt = yes" },
+    { { { "Table/Layer thickness", "-0.005" } }, "the test: Table/Layer thickness = -0.005" },
+  };
+  for (const auto &[settings, named] : checks)
   {
-    Settings settings = elastic;
-    settings.emplace_back(entry, value);
-    EXPECT_EQ(refusal_of(settings).find(entry + " = " + value + " m is "), 0u) << refusal_of(settings);
+    const std::string sentence = refusal_of(settings);
+    EXPECT_EQ(sentence.substr(0, named.size()), named) << sentence;
+    EXPECT_EQ(sentence.empty(), named.empty()) << sentence;
   }
-  // A glass in millimetres under a motion in metres.
-  EXPECT_NE(refusal_of({ { "Glass/Contact radius", "30" },
-                         { "Glass/Foot radius", "34" },
-                         { "Glass/Foot thickness", "4" },
-                         { "Glass/Land width", "4" },
-                         { "Glass/Land height", "1" },
-                         { "Glass/Crown radius", "3" },
-                         { "Glass/Underside rise", "3" },
-                         { "Glass/Edge thickness", "1.5" },
-                         { "Glass/Fillet radius", "5" },
-                         { "Glass/Stem radius", "5" },
-                         { "Glass/Stem height", "10" } }),
-            "");
-}
-
-TEST(StudyChecks, LengthsThatNothingIsMadeFromAreNotLookedAt)
-{
-  EXPECT_EQ(refusal_of({ { "Table/Disc radius", "150" } }), "");
-  EXPECT_EQ(refusal_of({ { "Load/Source", "first harmonic" }, { "Glass/Stem height", "10" } }), "");
-}
-
-TEST(StudyChecks, ThinLayersAndLargeDiscsAreAllowed)
-{
-  EXPECT_EQ(refusal_of({ { "Table/Substrate", "elastic" }, { "Table/Disc thickness", "5e-5" } }), "");
-  EXPECT_EQ(
-    refusal_of(
-      { { "Table/Substrate", "elastic" }, { "Table/Disc radius", "3" }, { "Table/Disc thickness", "3" } }),
-    "");
-}
-
-TEST(StudyChecks, SolidBodyStandsOnRigidGroundWithEveryInterface)
-{
-  for (const char *interface : { "hard", "Winkler", "rough" })
-    EXPECT_EQ(refusal_of({ { "Contact/Body", "solid" }, { "Table/Interface", interface } }), "");
-  EXPECT_EQ(refusal_of({ { "Contact/Body", "solid" }, { "Table/Substrate", "elastic" } }),
-            "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution.");
-  EXPECT_EQ(refusal_of({ { "Contact/Body", "solid" }, { "Load/Coupling", "two-way" } }), "");
-}
-
-TEST(StudyChecks, LoadHarmonicsNeedLines)
-{
-  EXPECT_EQ(refusal_of({ { "Contact/Load harmonics", "63" } }), "");
-  EXPECT_EQ(
-    refusal_of({ { "Contact/Load harmonics", "64" } }),
-    "Contact/Load harmonics = 64 needs more than 128 Contact/Azimuth lines, not 128; give more lines, "
-    "or fewer load harmonics.");
 }
 
 TEST(StudyChecks, AGoalNeedsAFootWhoseErrorIsEstimated)
@@ -118,42 +107,6 @@ TEST(StudyChecks, AGoalNeedsAFootWhoseErrorIsEstimated)
     EXPECT_EQ(refusal_of(with_goal).find(needs), 0u) << refusal_of(with_goal);
     EXPECT_EQ(refusal_of(settings), "");
   }
-}
-
-TEST(StudyChecks, ALoadFileHasAMomentOfItsOwn)
-{
-  EXPECT_EQ(
-    refusal_of({ { "Load/Source", "file" }, { "Load/File", "a.dat" }, { "Load/Moment ratio", "0.5" } }),
-    "Load/Moment ratio = 0.5 contradicts Load/Source = file, whose load has a moment of its own; leave "
-    "Moment ratio at -1.");
-}
-
-TEST(StudyChecks, SizesThatWouldRunWithoutEndAreRefused)
-{
-  EXPECT_EQ(refusal_of({ { "Glass/Foot thickness", "40 um" } }),
-            "Glass/Foot thickness = 4e-5 m is 0.00133333 times Glass/Contact radius = 0.03 m, but from 0.01 "
-            "to 300 is "
-            "allowed; give both in one unit.");
-  EXPECT_NE(refusal_of({ { "Table/Substrate", "elastic" }, { "Table/Disc thickness", "20 um" } })
-              .find("Table/Disc thickness = 2e-5 m is"),
-            std::string::npos);
-  EXPECT_EQ(
-    refusal_of({ { "Table/Foundation modulus", "1e22" } }),
-    "Table/Foundation modulus = 1e22 Pa/m is 4.28571e9 times Glass/Young modulus over Glass/Contact radius, "
-    "but at most 1e8 is allowed; write Table/Interface = hard for a table that does not yield.");
-  EXPECT_EQ(refusal_of({ { "Glass/Foot thickness", "0.3 mm" } }), "");
-  EXPECT_EQ(refusal_of({ { "Table/Foundation modulus", "1e20" } }), "");
-}
-
-TEST(StudyChecks, NumbersThatAreNotAllowed)
-{
-  for (const auto &[entry, value] : Settings{ { "Motion/Grip torque", "-1e-3" },
-                                              { "Motion/Tilt", "yes" },
-                                              { "Table/Layer thickness", "-0.005" },
-                                              { "Contact/Rings", "0" },
-                                              { "Contact/Rings", "26" } })
-    EXPECT_NE(refusal_of({ { entry, value } }), "") << entry << " = " << value;
-  EXPECT_EQ(refusal_of({ { "Contact/Rings", "25" } }), "");
 }
 
 TEST(StudyChoices, AGivenMomentIsOneWayAndDoesNotTilt)
@@ -175,25 +128,6 @@ TEST(StudyChoices, TiltActsInTheClosureFullOnAContact)
   EXPECT_FALSE(tilts({ { "Motion/Closure", "paper" } }));
   EXPECT_FALSE(tilts({ { "Motion/Closure", "hand" } }));
   EXPECT_FALSE(tilts({ { "Load/Source", "first harmonic" } }));
-}
-
-TEST(StudyChoices, FrictionDeformsEitherBody)
-{
-  Study study;
-  EXPECT_TRUE(study.friction_deforms());
-  study.contact.body = BodyKind::solid;
-  EXPECT_TRUE(study.friction_deforms());
-  study.contact.friction_coupling = FrictionCoupling::none;
-  EXPECT_FALSE(study.friction_deforms());
-}
-
-TEST(StudyChoices, WavinessCanBeLeftOut)
-{
-  Study study;
-  study.glass.waviness = *parse_waviness("3: 2e-6");
-  EXPECT_TRUE(study.has_waviness());
-  study.model.waviness = false;
-  EXPECT_FALSE(study.has_waviness());
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "fem/pipeline/study/table_file.h"
 #include "fem/pipeline/support/failures.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline
@@ -45,7 +46,7 @@ TEST(TableFile, QuotesFollowRfc4180)
   }
   catch (const BadInput &refusal)
   {
-    EXPECT_NE(std::string(refusal.what()).find("cases.csv, line 2: "), std::string::npos) << refusal.what();
+    EXPECT_THAT(std::string(refusal.what()), testing::HasSubstr("cases.csv, line 2: ")) << refusal.what();
   }
 }
 

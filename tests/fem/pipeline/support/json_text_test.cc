@@ -1,5 +1,6 @@
 #include "fem/pipeline/support/json_text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline
@@ -14,7 +15,7 @@ TEST(JsonText, WithinHtmlHasNoMarkupAndTheSameValues)
                                         { "list", { "<", ">" } } };
   const std::string text = json_within_html(json);
   for (const char *mark : { "<", ">", "&", "\u2028", "\u2029" })
-    EXPECT_EQ(text.find(mark), std::string::npos) << text;
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr(mark)));
   EXPECT_EQ(nlohmann::ordered_json::parse(text), json);
 }
 

@@ -3,6 +3,7 @@
 #include "fem/pipeline/support/text_file.h"
 #include "tests/fem/pipeline/program_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -51,7 +52,7 @@ std::string refusal(const fs::path &target)
 
 void expect_sentence(const std::string &sentence, const std::string &part)
 {
-  EXPECT_NE(sentence.find(part), std::string::npos) << "\"" << sentence << "\" lacks \"" << part << "\"";
+  EXPECT_THAT(sentence, testing::HasSubstr(part)) << "\"" << sentence << "\" lacks \"" << part << "\"";
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
 }
 
@@ -233,8 +234,8 @@ TEST(ResultsFolder, NamesLeftoversAndLeavesThem)
   testing::internal::CaptureStdout();
   publish(scratch / "paper", "new");
   const std::string said = testing::internal::GetCapturedStdout();
-  EXPECT_NE(said.find("paper.partial-1 and " + own), std::string::npos) << said;
-  EXPECT_EQ(said.find("other.partial-1"), std::string::npos) << said;
+  EXPECT_THAT(said, testing::HasSubstr("paper.partial-1 and " + own));
+  EXPECT_THAT(said, testing::Not(testing::HasSubstr("other.partial-1")));
   EXPECT_EQ(names_in(scratch.path()), (Names{ "other.partial-1", "paper", "paper.partial-1", own }));
   EXPECT_EQ(read_text(scratch / "paper.partial-1/load.csv"), "half");
 }

@@ -56,38 +56,5 @@ TEST(SweepCase, HasTheClosedFormsOfTheBudget)
   EXPECT_NEAR(*solved["omega_on_ring"], *budget.rows[1].omega_terminal, 1e-9);
 }
 
-TEST(SweepCase, SaysWhereTheFingersHoldTheGlass)
-{
-  Study study = quick_contact_study();
-  EXPECT_FALSE(SolvedCase(study)["held"]);
-  study.motion.grip_torque = 1e-4;
-  EXPECT_EQ(SolvedCase(study)["held"], 0.);
-  study.motion.grip_torque = 0.01; // the torque at rest is 0.0037 N m
-  const SolvedCase held(study);
-  EXPECT_EQ(held["held"], 1.);
-  EXPECT_EQ(held["omega_terminal"], 0.);
-  EXPECT_FALSE(held["harmonic_effect_relative"]);
-}
-
-TEST(SweepCase, AFlatLandOnALinearSupportHasNoEffectOfHarmonics)
-{
-  for (const LoadCoupling coupling : { LoadCoupling::one_way, LoadCoupling::two_way })
-  {
-    const SolvedCase solved(flat_land_on_a_mat(coupling));
-    EXPECT_NEAR(*solved["harmonic_effect"], 0, 1e-9);
-    EXPECT_NEAR(*solved["harmonic_effect_relative"], 0, 1e-9);
-  }
-}
-
-TEST(SweepCase, NothingIsRelativeToAGlassThatDoesNotSpinUp)
-{
-  Study study = quick_contact_study();
-  study.motion.orbit.force_offset = 0;
-  study.motion.closure = ring::Closure::paper;
-  const SolvedCase solved(study);
-  EXPECT_NEAR(*solved["omega_terminal"], 0, 1e-9);
-  EXPECT_FALSE(solved["harmonic_effect_relative"]);
-}
-
 } // namespace
 } // namespace stemware::pipeline
