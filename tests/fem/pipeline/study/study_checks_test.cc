@@ -2,6 +2,7 @@
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/support/failures.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace stemware::pipeline
