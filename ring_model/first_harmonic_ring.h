@@ -8,7 +8,7 @@
 namespace stemware::ring
 {
 /**
- * The ring with a first-harmonic load that balances all moments of its closure at every spin, in closed form.
+ * Ring with a first-harmonic load that balances all moments of its closure at every spin, in closed form.
  *
  * The friction enters the moment (arm h), the moment the load, the load the friction; for a first harmonic
  * this is a linear system. With kappa = mu h / (pi R) and (a', b') the coefficients without friction:
@@ -24,16 +24,16 @@ public:
   /// the slip.
   FirstHarmonicRing(Closure closure, const Motion &motion, double radius);
 
-  /// The self-consistent load at the spin @p omega [rad/s].
+  /// Returns the self-consistent load at the spin @p omega [rad/s].
   RingStack load(double omega) const;
 
-  /// Torque and friction at the spin @p omega [rad/s] under load(omega).
+  /// Returns torque and friction at the spin @p omega [rad/s] under load(omega).
   Wrench wrench(double omega) const;
 
-  /// Yaw torque [N m] at the spin @p omega [rad/s].
+  /// Returns the yaw torque [N m] at the spin @p omega [rad/s].
   double torque(double omega) const { return wrench(omega).torque; }
 
-  /// The terminal spin reached from rest.
+  /// Returns the terminal spin reached from rest.
   TerminalSpin terminal_spin() const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace stemware::ring
 {
-/// A body that was pushed and let go on a level table; SI units. Nothing but friction acts.
+/// State of a body that slides freely on a level table; SI units. Only friction acts.
 struct FreeSlider
 {
   SlidingBody body;            ///< footprint and pressure
@@ -19,7 +19,7 @@ struct FreeSlider
   double centre_of_mass_height =
     0.; ///< h [m]: the friction tilts the pressure forward by mu h (first harmonic)
 
-  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;
 };
 
@@ -34,7 +34,7 @@ struct SlidingInertia
   double yaw_inertia;  ///< I [kg m^2]
   double outer_radius; ///< R [m], of the slip ratio omega R / v
 
-  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;
 };
 
@@ -48,7 +48,7 @@ struct SlidingState
   double speed;   ///< |v| [m/s]
   double heading; ///< direction of v from x [rad]; NaN where there is none, see slide_to_stop()
   double omega;   ///< spin [rad/s]
-  /// Work that friction has taken so far [J], the integral of its power -(T.v + tau_z omega) over time.
+  /// Work of friction so far [J], the integral of its power -(T.v + tau_z omega) over time.
   double friction_loss;
   double distance; ///< along the path [m]
 };
@@ -88,7 +88,7 @@ SlidingPath slide_to_stop(const SlidingInertia &inertia, const SlidingFriction &
 SlidingPath slide_to_stop(const FreeSlider &slider, double speed, double omega, double accuracy = 1e-12);
 
 /**
- * The slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p slip_ratio:
+ * Slip ratio eps = omega R / v (R the outer radius) at the stop of a body that starts with @p slip_ratio:
  * the next one, in the direction in which the ratio moves, that the body keeps while it comes to rest (of a
  * FreeSlider with untilted pressure eps f(eps) = t(eps) / gamma, gamma = I / (m R^2)); 0 if the spin dies
  * first, +-infinity if the sliding does. The first root after @p slip_ratio on a grid of @p n_intervals in

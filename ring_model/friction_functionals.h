@@ -21,7 +21,8 @@ struct FrictionFunctionals
   LoadFunctional side;   ///< T_y [N]
   LoadFunctional torque; ///< tau_z [N m]
 
-  /// Their values for @p load. @throws std::invalid_argument if it has another number of rings.
+  /// Evaluates the functionals for @p load. @throws std::invalid_argument if it has another number of
+  /// rings.
   Wrench operator()(const RingStack &load) const;
 };
 
@@ -51,6 +52,6 @@ struct FrictionFunctionals
 FrictionFunctionals friction_functionals(double mu, const std::vector<double> &radii, unsigned int n_max,
                                          double omega, double speed);
 
-/// The wrench of friction_functionals() on @p load. Throws as these.
+/// Returns the wrench of friction_functionals() on @p load. Throws as these.
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed);
 } // namespace stemware::ring

@@ -5,7 +5,7 @@
 namespace stemware::ring
 {
 /**
- * The friction kernels of a sliding and spinning ring for one slip ratio and n = 0...n_max:
+ * Friction kernels of a sliding and spinning ring for one slip ratio and n = 0...n_max:
  *
  *   P_n(eps) = int_0^{2 pi} sqrt(1 + eps^2 - 2 eps cos psi) cos(n psi) dpsi,
  *   K_n(eps) = -P_n'(eps)               (torque),
@@ -15,6 +15,9 @@ namespace stemware::ring
  * (v = 0). All three are dimensionless. Every value comes from sums of positive terms, so that a kernel keeps
  * its relative precision however small it is (except where K_n or U_n passes through zero, next to |eps| =
  * 1). Derivation: docs/theory/kernels.md.
+ *
+ *     const FrictionKernels kernels(omega * radius, v, load.n_harmonics()); // [m/s]
+ *     kernels.K(1);                                                        // torque of the first harmonic
  */
 class FrictionKernels
 {
@@ -30,10 +33,10 @@ public:
    */
   FrictionKernels(double rim_speed, double speed, unsigned int n_max);
 
-  /// Kernels at the slip ratio @p eps. @throws std::invalid_argument if it is not finite.
+  /// Computes the kernels at the slip ratio @p eps. @throws std::invalid_argument if it is not finite.
   static FrictionKernels at_slip_ratio(double eps, unsigned int n_max) { return { eps, 1., n_max }; }
 
-  /// Highest harmonic that was computed.
+  /// Returns the highest computed harmonic.
   unsigned int n_max() const { return highest; }
 
   /// P_n(eps), n <= n_max. P_0 is infinite at v = 0.

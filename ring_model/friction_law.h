@@ -7,7 +7,7 @@
 
 namespace stemware::ring
 {
-/// A coefficient of friction that depends on the local slip speed.
+/// Coefficient of friction that depends on the local slip speed.
 class FrictionLaw
 {
 public:
@@ -16,7 +16,7 @@ public:
   /// mu at the slip speed |v_rel| >= 0 [m/s].
   virtual double coefficient(double slip_speed) const = 0;
 
-  /// Whether the coefficient is the same at every speed: then the exact kernels serve.
+  /// Returns whether the coefficient is the same at every speed, so that the exact kernels apply.
   virtual bool is_constant() const { return false; }
 };
 
@@ -46,7 +46,7 @@ private:
   Parameters parameters;
 };
 
-/// The law of a motion; Coulomb's is Stribeck's with equal coefficients.
+/// Law of a motion; Coulomb's is Stribeck's with equal coefficients.
 StribeckLaw friction_law_of(const Motion &motion);
 
 /**

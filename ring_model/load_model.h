@@ -9,14 +9,14 @@
 
 namespace stemware::ring
 {
-/// How a ring answers to the normal force and the moment that equilibrium demands of it.
+/// Response of a ring to the normal force and the moment of equilibrium.
 class LoadModel
 {
 public:
   virtual ~LoadModel() = default;
 
   /**
-   * The load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
+   * Load with the resultants N = @p normal_force [N] and M_N = @p moment [N m] in the slip frame.
    * @throws Tipping if no load that only pushes can carry the moment, std::invalid_argument for values that
    * are not finite or not allowed.
    */
@@ -25,11 +25,11 @@ public:
   /// Nominal contact radius R [m], which defines the moment ratio m = |M_N| / (N R / 2).
   virtual double radius() const = 0;
 
-  /// Moment ratios up to which (not including it) rings() has an answer.
+  /// Moment ratio below which rings() has an answer.
   virtual double moment_ratio_limit() const { return 2.; }
 };
 
-/// The first harmonic: exact for a linear support that holds the whole ring, formal (negative load) for m
+/// First harmonic: exact for a linear support that holds the whole ring, formal (negative load) for m
 /// > 1.
 class FirstHarmonicModel : public LoadModel
 {

@@ -8,7 +8,7 @@
 
 namespace stemware::ring
 {
-/// Which moments the normal load has to balance; docs/theory/closures.md.
+/// Moments that the normal load balances (docs/theory/closures.md).
 enum class Closure
 {
   paper, ///< the moment of the centripetal part of the hand force only
@@ -20,13 +20,13 @@ enum class Closure
 std::string to_string(Closure closure);
 
 /**
- * The arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
+ * Arm h [m] at which the friction T enters M_N = moment without friction + h k x T: 0 for `paper`, Delta
  * z for `hand`, the height of the hand above the table z_CM + Delta z for `full`.
  */
 double friction_arm(Closure closure, const Motion &motion);
 
 /**
- * The moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
+ * Moment M_N of the normal forces about the ring's centre [N m], in the slip frame, that keeps the glass
  * from tilting when the table's friction is @p friction = (T_x, T_y) [N]: M_N = -Delta z k x F + z_CM k x T
  * with F = m a - T, cut down to what @p closure keeps. At omega = 0 the friction is exactly (-mu(v) N, 0).
  */

@@ -4,21 +4,21 @@
 
 namespace stemware::ring
 {
-/// Which way round the orbit the glass is led, seen from above.
+/// Direction of the orbit, seen from above.
 enum class OrbitSense
 {
   counterclockwise, ///< the orbit's centre lies to the left of the motion (+y)
   clockwise         ///< the orbit's centre lies to the right of the motion (-y)
 };
 
-/// How the coefficient of friction depends on the slip speed.
+/// Dependence of the friction coefficient on the slip speed.
 enum class FrictionLawKind
 {
   coulomb, ///< not at all
   stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
 };
 
-/// The glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
+/// Glass and how the hand leads it round the table; SI units. The defaults are the paper's, where it has
 /// them.
 struct Motion
 {
@@ -37,7 +37,7 @@ struct Motion
   double viscous_friction = 0.;       ///< c of Stribeck's law [s/m]
   double gravity = 9.81;              ///< g [m/s^2]
 
-  /// Throws std::invalid_argument with one sentence about the first value that is not allowed.
+  /// Throws std::invalid_argument with one sentence about the first inadmissible value.
   void validate() const;
 
   /// N = m g [N].
@@ -49,7 +49,7 @@ struct Motion
   /// mu without spin, where every point of the rim slips with the orbit speed.
   double friction_at_rest() const { return friction_at(orbit_speed); }
 
-  /// Whether mu is the same at every slip speed.
+  /// Returns whether mu is the same at every slip speed.
   bool has_constant_friction() const;
 
   /// +1 for a counter-clockwise orbit, -1 for a clockwise one.

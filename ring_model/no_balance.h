@@ -5,30 +5,29 @@
 
 namespace stemware::ring
 {
-/// Forces, moments or torques cannot be in balance, or no balance was found: there is no value to report. All
-/// other exceptions mean bad input, or a fault of the program.
+/// Failure of a balance of forces, moments or torques: there is no value to report. All other exceptions
+/// are bad input or faults of the program.
 class NoBalance : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// The moment asked for is more than the normal forces can carry: the glass tips (moment ratio >= 2).
+/// Moment beyond the limit of the normal forces: the glass tips (moment ratio >= 2).
 class Tipping : public NoBalance
 {
 public:
   using NoBalance::NoBalance;
 };
 
-/// The torque keeps its sign as far as one searches: nothing ends the spin-up.
+/// Torque without a zero in the searched range: the spin-up does not end.
 class NoTerminalSpin : public NoBalance
 {
 public:
   using NoBalance::NoBalance;
 };
 
-/// The spin-up comes to a spin beyond which there is no balance. The failure met there is nested
-/// (std::rethrow_if_nested).
+/// Spin-up that reaches a spin without a balance. The failure is nested (std::rethrow_if_nested).
 class BalanceLost : public NoBalance
 {
 public:

@@ -8,7 +8,7 @@
 namespace stemware::ring
 {
 /**
- * The orbit speed v(t) of a hand that is not a motor: a table, interpolated by the monotone cubic of Fritsch
+ * Orbit speed v(t) of a hand that is not a motor: a table, interpolated by the monotone cubic of Fritsch
  * and Carlson (SIAM J. Numer. Anal. 17 (1980) 238), which never leaves the range of its two neighbouring
  * entries and has a continuous acceleration dv/dt. Fewer than four entries are joined by straight lines.
  */
@@ -22,7 +22,7 @@ public:
    */
   OrbitSpeedTable(std::vector<double> times, std::vector<double> speeds);
 
-  /// A table of these entries joined by straight lines: another reading of what lies between them. Its
+  /// Table of these entries joined by straight lines: another reading of what lies between them. Its
   /// acceleration jumps at the entries, where it is that of the line before.
   OrbitSpeedTable joined_by_lines() const;
 

@@ -22,7 +22,7 @@ struct RingEquilibrium
 };
 
 /**
- * The ring whose load, friction and hand force satisfy all balances at once: T enters M_N, M_N enters lambda,
+ * Ring whose load, friction and hand force satisfy all balances at once: T enters M_N, M_N enters lambda,
  * lambda enters T. Solved for M_N by Broyden's method, started from the closed form of the first harmonic and
  * its Jacobian, so that a first-harmonic load takes one step. docs/theory/closures.md.
  *
@@ -40,7 +40,7 @@ public:
                      unsigned int n_max = std::numeric_limits<unsigned int>::max());
 
   /**
-   * The equilibrium at the spin @p omega [rad/s], sought to rounding.
+   * Equilibrium at the spin @p omega [rad/s], sought to rounding.
    * @throws Tipping if the required moment is more than the ring can carry, std::runtime_error if the
    * iteration does not converge.
    */
@@ -49,26 +49,26 @@ public:
   /// Yaw torque [N m] at the spin @p omega [rad/s]; throws as at().
   double torque(double omega) const { return at(omega).friction.torque; }
 
-  /// The terminal spin reached from rest; throws as at() and ring::terminal_spin().
+  /// Terminal spin reached from rest; throws as at() and ring::terminal_spin().
   TerminalSpin terminal_spin() const;
 
 private:
-  /// Required minus carried moment if the friction is that of the load carrying @p moment.
+  /// Required minus carried moment if the friction is that of the load of @p moment.
   struct Trial;
   Trial attempt(double omega, const Eigen::Vector2d &moment) const;
 
   /// M_N [N m] of a trial, and the Jacobian of its residual.
   struct Point;
-  /// The first harmonic in balance at @p omega, in closed form.
+  /// First harmonic in balance at @p omega, in closed form.
   Point first_harmonic(double omega) const;
 
-  /// @p moment, or as much of the way from @p from to it as the load model can carry.
+  /// Returns @p moment, or the largest part of the way from @p from to it that the load model supports.
   Eigen::Vector2d within_limits(const Eigen::Vector2d &from, const Eigen::Vector2d &moment) const;
 
-  /// The unit of moments, N R [N m].
+  /// Unit of moments, N R [N m].
   double moment_scale() const;
 
-  /// Throws what at() throws when the iteration ended at @p moment with @p residual.
+  /// Throws the exception of at() for an iteration that ended at @p moment with @p residual.
   [[noreturn]] void refuse(double omega, const Eigen::Vector2d &moment,
                            const Eigen::Vector2d &residual) const;
 

@@ -12,7 +12,7 @@ struct WeightedRing
   double weight; ///< share of the normal force (and of the mass), positive; all shares add up to 1
 };
 
-/// A flat-bottomed body made of concentric rings: a ring, a stack of rings, an annulus or a disc of uniform
+/// Flat-bottomed body made of concentric rings: a ring, a stack of rings, an annulus or a disc of uniform
 /// pressure, or any pressure p(r).
 class SlidingBody
 {
@@ -38,7 +38,7 @@ public:
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
   /**
-   * The rings that stand for the body when the radius @p still = v / |omega| [m] has a point at rest. For an
+   * Rings that stand for the body when the radius @p still = v / |omega| [m] has a point at rest. For an
    * annulus they are the nodes of Gauss rules on both sides of that radius, clustered there because friction
    * is singular (like x ln x): integrals over the annulus are then exact to rounding. Those of any other
    * pressure are clustered at its two radii too.

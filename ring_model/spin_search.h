@@ -10,7 +10,7 @@ namespace stemware::ring
 /// Yaw torque tau_z [N m] at the spin omega [rad/s].
 using TorqueFunction = std::function<double(double omega)>;
 
-/// How the spin is searched at which a torque that is costly to evaluate vanishes.
+/// Options of the search for the spin at which a costly torque vanishes.
 struct SpinSearch
 {
   double spin_scale;                   ///< spin at which the torque varies, v / R [rad/s]
@@ -26,12 +26,12 @@ struct SpinSearch
   /// upright, 0 where its balance ends, and falling towards that like the root of the distance. Empty: not
   /// known.
   std::function<double(double omega)> steadiness = {};
-  /// The spin nearest to rest on the way to @p omega that is known to have no balance, if any is. Empty: none
+  /// Spin nearest to rest on the way to @p omega that is known to have no balance, if any is. Empty: none
   /// is known.
   std::function<std::optional<double>(double omega)> fall_before = {};
 };
 
-/// Where the torques on the glass balance.
+/// Spin at which the torques on the glass balance.
 struct SpinZero
 {
   double omega;               ///< [rad/s]
@@ -41,7 +41,7 @@ struct SpinZero
 };
 
 /**
- * The terminal spin that is reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
+ * Terminal spin that is reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
  * direction of torque(0). The fingers hold the glass if |torque(0)| <= tau_g; it rests where |torque(0)| is
  * no larger than its noise.
  *
@@ -62,7 +62,7 @@ struct SpinZero
  */
 SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 
-/// A stable zero of a torque much like the one in question.
+/// Stable zero of a torque much like the one in question.
 struct KnownZero
 {
   double omega; ///< [rad/s], not 0

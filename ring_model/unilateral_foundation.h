@@ -7,7 +7,7 @@
 namespace stemware::ring
 {
 /**
- * A rigid ring pressed on a foundation that only pushes, with a pressure law of exponent p:
+ * Rigid ring pressed on a foundation that only pushes, with a pressure law of exponent p:
  *
  *   lambda(theta) = A max(0, cos(theta - beta) - c)^p.
  *
@@ -33,7 +33,7 @@ public:
   double lift_off_ratio() const { return 2. * p / (p + 1.); }
 
   /**
-   * The edge parameter c at the moment ratio @p moment_ratio, 0 <= m < 2: the cosine of the angle at which
+   * Edge parameter c at the moment ratio @p moment_ratio, 0 <= m < 2: the cosine of the angle at which
    * contact ends, or c < -1 for full contact (minus infinity at m = 0).
    * @throws Tipping for m >= 2, std::invalid_argument for m < 0 or not finite.
    */

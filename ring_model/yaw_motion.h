@@ -5,8 +5,8 @@
 
 namespace stemware::ring
 {
-/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad], on which it depends where glass or table are
-/// not the same all round, and spin omega [rad/s].
+/// Yaw torque tau_z [N m] at time t [s], yaw angle psi [rad] (relevant for waviness) and spin omega
+/// [rad/s].
 using PhasedTorqueFunction = std::function<double(double time, double yaw_angle, double omega)>;
 
 /// Yaw angle and spin at one time.
@@ -40,7 +40,7 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
 std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, double yaw_inertia,
                                         double initial_spin, double time_step, unsigned int n_steps);
 
-/// Spin of a ring whose torque depends on the phase, once the start is forgotten.
+/// Spin of a ring whose torque depends on the phase, after the transient.
 struct LongTimeSpin
 {
   double mean;        ///< [rad/s]

@@ -7,7 +7,7 @@
 namespace stemware::ring
 {
 /**
- * A linear function of a load: sum_j sum_n (a[j][n] a_{j,n} + b[j][n] b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
+ * Linear function of a load: sum_j sum_n (a[j][n] a_{j,n} + b[j][n] b_{j,n}), with a_{j,n}, b_{j,n} [N/rad]
  * the coefficients of ring j. Its coefficients have the unit of the result per N/rad.
  */
 struct LoadFunctional
@@ -16,16 +16,17 @@ struct LoadFunctional
   std::vector<std::vector<double>> b; ///< of the sines, as many; b[ring][0] = 0
 
   /**
-   * The value for @p load. Harmonics that only one of the two has do not count.
+   * Value for @p load. Harmonics that only one of the two has do not count.
    * @throws std::invalid_argument if the load has another number of rings.
    */
   double operator()(const RingStack &load) const;
 
-  /// The functional whose value is that of this one for the load rotated counter-clockwise by @p angle [rad].
+  /// Returns the functional whose value is that of this one for the load rotated counter-clockwise by @p
+  /// angle [rad].
   LoadFunctional of_rotated(double angle) const;
 };
 
 LoadFunctional operator*(double factor, LoadFunctional functional);
-/// The sum of functionals of the same shape.
+/// Returns the sum of functionals of the same shape.
 LoadFunctional operator+(LoadFunctional one, const LoadFunctional &other);
 } // namespace stemware::ring

@@ -9,7 +9,7 @@
 namespace stemware::ring
 {
 /**
- * The normal load on the table: J concentric rings at radii r_j, each with
+ * Normal load on the table: J concentric rings at radii r_j, each with
  *
  *   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
  *
@@ -18,13 +18,17 @@ namespace stemware::ring
  * speaks of the load, a_n, b_n or a value at theta, it means the sum. One ring may be negative somewhere, or
  * altogether; a sum that is negative pulls.
  *
- * It is the plain value that a contact calculation hands to the ring: no history, SI units. Loads that depend
- * on the spin, or are cut off, are models (LoadModel), not other types of load.
+ *     const RingStack load({ a_0, a_1 }, { 0, b_1 }, radius);   // [N/rad], [m]
+ *     load.normal_force();                                      // 2 pi a_0 [N]
+ *     load.moment_ratio(radius);                                // |M_N| / (N R / 2)
+ *
+ * Result of a contact calculation for the ring: a plain value without history, SI units. Loads that depend on
+ * the spin, or are truncated, are models (LoadModel), not other types of load.
  */
 class RingStack
 {
 public:
-  /// One ring of the stack.
+  /// Ring of a stack.
   struct Ring
   {
     double radius;         ///< r_j > 0 [m]
@@ -48,7 +52,7 @@ public:
    */
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
-  /// The rings by themselves.
+  /// Returns the individual rings.
   const std::vector<Ring> &rings() const { return stack; }
   /// Radii r_j of the rings [m].
   std::vector<double> radii() const;
@@ -62,7 +66,7 @@ public:
   /// b_n [N/rad]; zero beyond n_harmonics().
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
-  /// The radius of the one ring that has the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2))
+  /// Radius of the one ring that has the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 + b_1^2))
   /// [m]: R itself where there is one ring. Several rings without a moment (below 1e-9 N R, which is
   /// rounding) have their mean, weighted with |a_{j,0}|.
   double radius() const;
@@ -84,7 +88,7 @@ public:
   double derivative(double theta) const;
 
   /**
-   * The least value of lambda over all theta [N/rad]. Every local minimum found among 32 samples per wave
+   * Least value of lambda over all theta [N/rad]. Every local minimum found among 32 samples per wave
    * length of the highest harmonic is polished to rounding.
    */
   double minimum() const;
@@ -95,22 +99,21 @@ public:
    */
   double pulling_force() const;
 
-  /// The load without the harmonics above @p n_max.
+  /// Returns the load truncated to the harmonics up to @p n_max.
   RingStack truncated(unsigned int n_max) const;
 
-  /// The load turned counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
+  /// Returns the load turned counter-clockwise by @p angle [rad]: lambda'(theta) = lambda(theta - angle).
   RingStack rotated(double angle) const;
 
-  /// All numbers of the stack in a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
-  /// n_harmonics; harmonics that the load does not have are 0. Rows of equally many rings and harmonics may
-  /// be added and interpolated.
+  /// Returns all coefficients as a row, ring by ring: r_j, a_{j,0}...a_{j,n}, b_{j,1}...b_{j,n} with n = @p
+  /// n_harmonics, padded with zeros. Rows of equal shape may be added and interpolated.
   std::vector<double> coefficients(unsigned int n_harmonics) const;
 
-  /// The stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
+  /// Stack of @p n_rings rings whose coefficients() are @p row. Throws as the constructor.
   static RingStack from_coefficients(const std::vector<double> &row, std::size_t n_rings = 1);
 
-  /// Largest difference between coefficients of the sums over a_0 of @p other, or of radius() over that of @p
-  /// other.
+  /// Returns the largest difference between coefficients of the sums over a_0 of @p other, or of radius()
+  /// over that of @p other.
   double difference(const RingStack &other) const;
 
 private:

@@ -2,7 +2,7 @@
 
 namespace stemware::ring
 {
-/// Where the marks of glass and table stand in the slip frame: a mark at azimuth chi of the glass sits at
+/// Azimuths of the marks of glass and table in the slip frame: a mark at azimuth chi of the glass is at
 /// theta = chi + glass, one of the table at theta = chi + table [rad].
 struct Orientation
 {
@@ -10,8 +10,8 @@ struct Orientation
   double table = 0;
 };
 
-/// How the ring slides, as far as the normal load may depend on it: friction that deforms the foot has the
-/// direction of the slip, and an out-of-flat rim or table turns under the load.
+/// Slip of the ring, as far as the normal load may depend on it: friction that deforms the foot has the
+/// direction of the slip, and waviness of rim or table turns under the load.
 struct Slip
 {
   double spin_per_speed = 0; ///< omega / v [1/m], counter-clockwise > 0
